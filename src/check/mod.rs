@@ -1,0 +1,1 @@
+//! What is right, and how well the program hits it.
