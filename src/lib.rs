@@ -1,5 +1,5 @@
 //! Contact mechanics by Popov's method of dimensionality reduction (MDR).
-pub mod check;
-pub mod physics;
 #[cfg(feature = "cli")]
 pub mod app;
+pub mod check;
+pub mod physics;

@@ -1,1 +1,2 @@
+//! The program springbed.
 fn main() {}

@@ -1,1 +1,13 @@
+//! Numbers in, numbers out: the mapping, the beds and the models they carry.
+//!
+//! Modules stand in the order of use: each one may use only those above it.
+
+pub mod adhesion;
+pub mod friction;
+pub mod history;
+pub mod material;
+pub mod quadrature;
+pub mod quantity;
+pub mod root;
+pub mod scene;
 pub mod shape;

@@ -1,1 +1,148 @@
+//! Indenter shapes: the profile f(r) and its one-dimensional equivalent g(x).
+//!
+//! g(x) = |x| ∫₀^|x| f′(r) dr/√(x²−r²) = |x| ∫₀^{π/2} f′(|x| sin θ) dθ and
+//! f(r) = (2/π) ∫₀^r g(x) dx/√(r²−x²) (Popov & Heß 2015, eqs. 3.27 and 3.28).
 
+mod paraboloid;
+mod power;
+
+pub use paraboloid::Paraboloid;
+pub use power::{Cone, Power};
+
+use super::quadrature;
+use super::root;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
+
+/// The end of a profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rim {
+    /// The profile goes on for ever.
+    None,
+    /// A vertical wall at this radius [m]: the contact cannot become larger (flat punch).
+    Wall(f64),
+    /// The profile is not defined beyond this radius [m] (equator of a sphere, end of a table).
+    End(f64),
+}
+
+/// An axisymmetric profile, ready for evaluation. Lengths in metres.
+///
+/// The contact of radius a with indentation d = g(a) carries F = 2E*∫₀^a (d − g) dx, which is
+/// 2E*·[`load_integral`](Profile::load_integral): every quantity below is a sum of terms of one
+/// sign for a profile with growing g, so none of them loses digits.
+pub trait Profile: std::fmt::Debug + Send + Sync {
+    /// Height f(r) [m] of the profile above its apex at the radius `r` [m].
+    fn height(&self, r: f64) -> f64;
+
+    /// One-dimensional profile g(x) [m] at `x` ≥ 0 [m].
+    fn reduced(&self, x: f64) -> f64;
+
+    /// Slope g′(x) of the one-dimensional profile at `x` ≥ 0 [m].
+    fn reduced_slope(&self, x: f64) -> f64;
+
+    /// N(a) = ∫₀^a x g′(x) dx = ∫₀^a (g(a) − g(x)) dx [m²]; the normal force is F = 2E*N.
+    fn load_integral(&self, a: f64) -> f64 {
+        quadrature::panels(|x| x * self.reduced_slope(x), (0.0, a), &self.breaks(a))
+    }
+
+    /// ∫₀^a (g(a) − g(x))² dx [m³]; the elastic energy is U = E* times it.
+    fn energy_integral(&self, a: f64) -> f64 {
+        quadrature::panels(|x| 2.0 * self.reduced_slope(x) * self.load_integral(x), (0.0, a), &self.breaks(a))
+    }
+
+    /// (1/π) ∫_r^a g′(x) dx/√(x²−r²) [1], the pressure of the regular part divided by E*, r < a.
+    ///
+    /// Infinite at the apex of a cone.
+    fn pressure_integral(&self, r: f64, a: f64) -> f64 {
+        // x = √(r² + s²) takes the root away: dx/√(x²−r²) = ds/x.
+        let to_s = |x: f64| ((x - r) * (x + r)).sqrt();
+        let breaks: Vec<f64> = self.breaks(a).into_iter().filter(|&x| x > r).map(to_s).collect();
+        let at = |s: f64| {
+            let x = r.hypot(s);
+            self.reduced_slope(x) / x
+        };
+        FRAC_1_PI * quadrature::panels(at, (0.0, to_s(a)), &breaks)
+    }
+
+    /// (2/π) ∫₀^a (g(a) − g(x)) dx/√(r²−x²) [m], r ≥ a: the surface displacement outside the contact
+    /// if the edge carries no load.
+    fn displacement_integral(&self, r: f64, a: f64) -> f64 {
+        // By parts: ∫ g′(x) arcsin(x/r) dx, a sum of one sign.
+        let at = |x: f64| self.reduced_slope(x) * (x / r).min(1.0).asin();
+        FRAC_2_PI * quadrature::panels(at, (0.0, a), &self.breaks(a))
+    }
+
+    /// The contact radius a [m] at the indentation `d` ≥ 0 [m] without adhesion: the largest a with
+    /// g(a) = d; the flat radius at d = 0. `None` beyond the end of the profile.
+    fn edge(&self, d: f64) -> Option<f64> {
+        let limit = match self.rim() {
+            Rim::None => f64::MAX,
+            Rim::Wall(b) => {
+                if self.reduced(b) <= d {
+                    return Some(b);
+                }
+                b
+            }
+            Rim::End(end) => end,
+        };
+        let residual = |x: f64| self.reduced(x) - d;
+        let flat = self.flat_radius();
+        if d <= 0.0 {
+            return Some(flat);
+        }
+        let start = self.scale().min(limit);
+        let (low, high) = root::bracket_upwards(residual, flat, start.max(2.0 * flat), limit)?;
+        root::brent(residual, low, high).ok()
+    }
+
+    /// Radius [m] up to which g = 0 (the flat of a truncated cone), else 0.
+    fn flat_radius(&self) -> f64 {
+        0.0
+    }
+
+    /// Where the profile ends.
+    fn rim(&self) -> Rim {
+        Rim::None
+    }
+
+    /// A radius [m] typical of the profile, from which searches start.
+    fn scale(&self) -> f64;
+
+    /// The shortest length [m] over which g′ may rise and fall again; `None` for a convex profile,
+    /// whose g′ is monotone.
+    fn feature(&self) -> Option<f64> {
+        None
+    }
+
+    /// Places in (0, a) where g′ or one of its derivatives jumps or where a quadrature panel should
+    /// end, ascending [m].
+    fn breaks(&self, _a: f64) -> Vec<f64> {
+        Vec::new()
+    }
+}
+
+/// g(x) from f′(r) by the integral over θ, which has no singularity.
+///
+/// `slope` is f′(r); `breaks` are radii below `x` where f′ or a derivative of it jumps.
+pub fn reduced_by_integral(slope: impl Fn(f64) -> f64, x: f64, breaks: &[f64]) -> f64 {
+    let angles: Vec<f64> = breaks.iter().filter(|&&r| r > 0.0 && r < x).map(|&r| (r / x).asin()).collect();
+    x * quadrature::panels(|theta| slope(x * theta.sin()), (0.0, FRAC_PI_2), &angles)
+}
+
+/// f(r) from g(x) by the inverse transform; `breaks` as for the forward one.
+pub fn height_by_integral(reduced: impl Fn(f64) -> f64, r: f64, breaks: &[f64]) -> f64 {
+    let angles: Vec<f64> = breaks.iter().filter(|&&x| x > 0.0 && x < r).map(|&x| (x / r).asin()).collect();
+    FRAC_2_PI * quadrature::panels(|theta| reduced(r * theta.sin()), (0.0, FRAC_PI_2), &angles)
+}
+
+/// The shape of the indenter, as a scene names it.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub enum Shape {
+    /// Paraboloid of revolution.
+    Paraboloid(Paraboloid),
+    /// Cone.
+    Cone(Cone),
+    /// Power-law profile.
+    Power(Power),
+}

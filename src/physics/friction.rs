@@ -1,0 +1,43 @@
+//! Friction, as a scene names it.
+
+use super::quantity::{Modulus, Ratio, Stress};
+use serde::{Deserialize, Serialize};
+
+/// Law of friction.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub enum Friction {
+    /// Slip where the tangential load of a spring reaches μ times its normal load.
+    Coulomb(Coulomb),
+    /// τ = min(μp, τ_max) in gross sliding (Ceglie et al., eq. 6).
+    CoulombOrowan(CoulombOrowan),
+    /// τ = τ_c + βp in gross sliding (Persson et al. 2008, eq. 3).
+    Pressure(PressureLaw),
+}
+
+/// Coulomb friction.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Coulomb {
+    /// Coefficient of friction μ.
+    pub coefficient: Ratio,
+}
+
+/// Coulomb friction with a cap on the shear stress.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct CoulombOrowan {
+    /// Coefficient of friction μ.
+    pub coefficient: Ratio,
+    /// Largest shear stress τ_max [Pa].
+    pub shear_limit: Modulus,
+}
+
+/// Shear stress that grows linearly with the pressure.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct PressureLaw {
+    /// Shear stress τ_c at zero pressure [Pa].
+    pub shear: Stress,
+    /// Slope β.
+    pub slope: Ratio,
+}

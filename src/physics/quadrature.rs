@@ -1,0 +1,95 @@
+//! Gauss–Legendre quadrature over panels.
+//!
+//! The nodes are computed here, in twenty lines, because the crate that is used to check them in
+//! the tests (`gauss-quad`) brings a linear-algebra library into every build.
+
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// Nodes per panel: exact for polynomials of degree 63, so a smooth integrand is at rounding.
+const NODES: usize = 32;
+
+static RULE: LazyLock<[(f64, f64); NODES]> = LazyLock::new(|| std::array::from_fn(|k| node_and_weight(NODES, k)));
+
+/// The `k`-th node and weight of the Gauss–Legendre rule with `n` nodes on [-1, 1].
+///
+/// Newton's iteration on the Legendre polynomial Pₙ from Tricomi's start; weight 2/((1−x²)Pₙ′²)
+/// (Abramowitz & Stegun 25.4.29).
+#[must_use]
+#[expect(clippy::cast_precision_loss, reason = "the number of nodes is far below 2^53")]
+pub fn node_and_weight(n: usize, k: usize) -> (f64, f64) {
+    let count = n as f64;
+    let mut x = -((k as f64 + 0.75) * PI / (count + 0.5)).cos();
+    let mut derivative = 1.0;
+    for _ in 0..8 {
+        let (mut p, mut p_before) = (x, 1.0);
+        for j in 2..=n {
+            let j = j as f64;
+            (p, p_before) = (((2.0 * j - 1.0) * x * p - (j - 1.0) * p_before) / j, p);
+        }
+        derivative = count * (x * p - p_before) / (x * x - 1.0);
+        x -= p / derivative;
+    }
+    (x, 2.0 / ((1.0 - x * x) * derivative * derivative))
+}
+
+/// ∫ f dx over `[low, high]` by one panel of 32 nodes.
+pub fn panel(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> f64 {
+    let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+    half * RULE.iter().map(|&(x, w)| w * f(middle + half * x)).sum::<f64>()
+}
+
+/// ∫ f dx over `[low, high]`, one panel between neighbouring `breaks` that lie inside.
+///
+/// Breaks are places where the integrand or a derivative jumps, in ascending order.
+pub fn panels(mut f: impl FnMut(f64) -> f64, (low, high): (f64, f64), breaks: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    let mut from = low;
+    for &at in breaks.iter().filter(|&&at| at > low && at < high).chain(std::iter::once(&high)) {
+        sum += panel(&mut f, from, at);
+        from = at;
+    }
+    sum
+}
+
+/// ∫ f dx over `[low, high]` where f may have a root or inverse-root singularity at either end.
+///
+/// The substitution x = middle − half·cos(φ), dx = half·sin(φ) dφ makes (x−low)^{±1/2} and
+/// (high−x)^{±1/2} smooth. The integrand is called with `(x − low, high − x)`, both free of
+/// cancellation.
+pub fn panel_with_root_ends(mut f: impl FnMut(f64, f64) -> f64, length: f64) -> f64 {
+    panel(
+        |phi| {
+            let (sine, cosine) = (0.5 * phi).sin_cos();
+            length * sine * cosine * f(length * sine * sine, length * cosine * cosine)
+        },
+        0.0,
+        PI,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_agree_with_the_library() {
+        let library = gauss_quad::GaussLegendre::new(NODES.try_into().unwrap());
+        for f in [|x: f64| x.exp(), |x: f64| 1.0 / (1.1 + x), |x: f64| (9.0 * x).cos()] {
+            assert!((panel(f, -1.0, 1.0) - library.integrate(-1.0, 1.0, f)).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn root_ends_are_exact() {
+        // Both singularities at once: ∫₀¹ dx/√(x(1−x)) = π.
+        let value = panel_with_root_ends(|x, y| 1.0 / (x * y).sqrt(), 1.0);
+        assert!((value / PI - 1.0).abs() < 1e-15, "{value}");
+    }
+
+    #[test]
+    fn a_break_is_honoured() {
+        let value = panels(|x| if x < 0.3 { 0.0 } else { x - 0.3 }, (0.0, 1.0), &[0.3]);
+        assert!((value - 0.245).abs() < 1e-16);
+    }
+}

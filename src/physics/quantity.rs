@@ -1,0 +1,365 @@
+//! Checked numbers: a value in SI units with its dimension and the range that makes sense for it.
+//!
+//! A scene gives a quantity as a plain number in SI units or as text with a unit (`"10 mm"`).
+//! Parsing is the only way in, so the rest of the program never meets a NaN, an infinity or a
+//! negative radius.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::{fmt, marker::PhantomData, str::FromStr};
+
+/// Why a quantity was refused; the text says what it was and what would be right.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct QuantityError(String);
+
+/// A physical dimension: its name, its SI unit and the other units it may be given in.
+pub trait Dimension: Copy + fmt::Debug + 'static {
+    /// Name in words, as used in messages.
+    const NAME: &'static str;
+    /// Accepted units with numerator and denominator of their size in SI units; the first is SI.
+    ///
+    /// The size is a quotient so that `10 mm` is exactly `10.0 / 1e3`, the nearest `f64` to 0.01.
+    const UNITS: &'static [(&'static str, f64, f64)];
+}
+
+/// Which values make sense.
+pub trait Range: Copy + fmt::Debug + 'static {
+    /// What would be right, in words.
+    const RIGHT: &'static str;
+    /// Whether `value` is in the range.
+    fn holds(value: f64) -> bool;
+}
+
+macro_rules! dimension {
+    ($(#[$doc:meta])* $name:ident, $words:literal, [$(($unit:literal, $up:expr, $down:expr)),+ $(,)?]) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub struct $name;
+        impl Dimension for $name {
+            const NAME: &'static str = $words;
+            const UNITS: &'static [(&'static str, f64, f64)] = &[$(($unit, $up, $down)),+];
+        }
+    };
+}
+
+dimension!(
+    /// Length, in metres.
+    Metre, "a length", [
+        ("m", 1.0, 1.0), ("km", 1e3, 1.0), ("cm", 1.0, 1e2), ("mm", 1.0, 1e3), ("um", 1.0, 1e6),
+        ("nm", 1.0, 1e9), ("pm", 1.0, 1e12), ("angstrom", 1.0, 1e10), ("Å", 1.0, 1e10),
+    ]
+);
+dimension!(
+    /// Stress or modulus, in pascals.
+    Pascal, "a pressure", [
+        ("Pa", 1.0, 1.0), ("kPa", 1e3, 1.0), ("MPa", 1e6, 1.0), ("GPa", 1e9, 1.0), ("TPa", 1e12, 1.0),
+        ("mPa", 1.0, 1e3), ("N/m^2", 1.0, 1.0), ("N/mm^2", 1e6, 1.0), ("bar", 1e5, 1.0),
+    ]
+);
+dimension!(
+    /// Force, in newtons.
+    Newton, "a force", [
+        ("N", 1.0, 1.0), ("kN", 1e3, 1.0), ("MN", 1e6, 1.0), ("mN", 1.0, 1e3), ("uN", 1.0, 1e6),
+        ("nN", 1.0, 1e9), ("pN", 1.0, 1e12),
+    ]
+);
+dimension!(
+    /// Time, in seconds.
+    Second, "a time", [
+        ("s", 1.0, 1.0), ("ms", 1.0, 1e3), ("us", 1.0, 1e6), ("ns", 1.0, 1e9), ("ps", 1.0, 1e12),
+        ("min", 60.0, 1.0), ("h", 3600.0, 1.0), ("d", 86400.0, 1.0),
+    ]
+);
+dimension!(
+    /// Energy per area, in joules per square metre.
+    JoulePerSquareMetre, "a work of adhesion", [
+        ("J/m^2", 1.0, 1.0), ("mJ/m^2", 1.0, 1e3), ("uJ/m^2", 1.0, 1e6), ("N/m", 1.0, 1.0), ("mN/m", 1.0, 1e3),
+    ]
+);
+dimension!(
+    /// Velocity, in metres per second.
+    MetrePerSecond, "a speed", [
+        ("m/s", 1.0, 1.0), ("km/s", 1e3, 1.0), ("cm/s", 1.0, 1e2), ("mm/s", 1.0, 1e3), ("um/s", 1.0, 1e6),
+        ("nm/s", 1.0, 1e9), ("km/h", 1.0, 3.6), ("mm/min", 1.0, 6e4), ("um/min", 1.0, 6e7),
+    ]
+);
+dimension!(
+    /// Angular velocity, in radians per second.
+    RadianPerSecond, "an angular speed", [("rad/s", 1.0, 1.0), ("1/s", 1.0, 1.0), ("krad/s", 1e3, 1.0)]
+);
+dimension!(
+    /// Frequency, in hertz (cycles per second).
+    Hertz, "a frequency", [
+        ("Hz", 1.0, 1.0), ("mHz", 1.0, 1e3), ("uHz", 1.0, 1e6), ("kHz", 1e3, 1.0), ("MHz", 1e6, 1.0),
+        ("GHz", 1e9, 1.0), ("1/s", 1.0, 1.0),
+    ]
+);
+dimension!(
+    /// Mass, in kilograms.
+    Kilogram, "a mass", [
+        ("kg", 1.0, 1.0), ("t", 1e3, 1.0), ("g", 1.0, 1e3), ("mg", 1.0, 1e6), ("ug", 1.0, 1e9),
+        ("ng", 1.0, 1e12), ("pg", 1.0, 1e15),
+    ]
+);
+dimension!(
+    /// Dynamic viscosity, in pascal seconds.
+    PascalSecond, "a viscosity", [
+        ("Pa s", 1.0, 1.0), ("mPa s", 1.0, 1e3), ("kPa s", 1e3, 1.0), ("MPa s", 1e6, 1.0), ("GPa s", 1e9, 1.0),
+    ]
+);
+dimension!(
+    /// Angle, in radians.
+    Radian, "an angle", [
+        ("rad", 1.0, 1.0), ("deg", std::f64::consts::PI, 180.0), ("°", std::f64::consts::PI, 180.0), ("mrad", 1.0, 1e3),
+    ]
+);
+dimension!(
+    /// A plain ratio without a unit.
+    Unity, "a plain number", [("", 1.0, 1.0), ("1", 1.0, 1.0), ("%", 1.0, 1e2)]
+);
+
+macro_rules! range {
+    ($(#[$doc:meta])* $name:ident, $right:literal, $value:ident => $holds:expr) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub struct $name;
+        impl Range for $name {
+            const RIGHT: &'static str = $right;
+            fn holds($value: f64) -> bool {
+                $holds
+            }
+        }
+    };
+}
+
+range!(/** Any finite number. */ Finite, "a finite number", value => value.is_finite());
+range!(/** A finite number above zero. */ AboveZero, "above zero", value => value > 0.0);
+range!(/** A finite number, zero or above. */ NotNegative, "zero or above", value => value >= 0.0);
+range!(/** Poisson's ratio of a stable isotropic solid. */ PoissonRange, "above -1 and at most 0.5", value => value > -1.0 && value <= 0.5);
+range!(/** A relative error one can aim at. */ AccuracyRange, "between 1e-14 and 0.1", value => (1e-14..=0.1).contains(&value));
+range!(/** Hurst exponent of a self-affine surface. */ HurstRange, "above 0 and at most 1", value => value > 0.0 && value <= 1.0);
+range!(/** Angle of incidence measured from the surface normal. */ IncidenceRange, "from 0 (head-on) to below 90 degrees",
+    value => (0.0..std::f64::consts::FRAC_PI_2).contains(&value));
+
+/// A checked number of dimension `D` in the range `R`, stored in SI units.
+pub struct Quantity<D, R>(f64, PhantomData<(D, R)>);
+
+/// A positive length [m].
+pub type Length = Quantity<Metre, AboveZero>;
+/// A length of either sign [m], such as an indentation.
+pub type Displacement = Quantity<Metre, Finite>;
+/// A length that may vanish [m].
+pub type Amplitude = Quantity<Metre, NotNegative>;
+/// A positive modulus or stress [Pa].
+pub type Modulus = Quantity<Pascal, AboveZero>;
+/// A modulus or stress that may vanish [Pa].
+pub type Stress = Quantity<Pascal, NotNegative>;
+/// A force of either sign [N], compression positive.
+pub type Force = Quantity<Newton, Finite>;
+/// A positive time [s].
+pub type Duration = Quantity<Second, AboveZero>;
+/// Work of adhesion [J/m²]: the energy to part a unit of area.
+pub type WorkOfAdhesion = Quantity<JoulePerSquareMetre, NotNegative>;
+/// A positive speed [m/s].
+pub type Speed = Quantity<MetrePerSecond, AboveZero>;
+/// An angular speed of either sign [rad/s].
+pub type Spin = Quantity<RadianPerSecond, Finite>;
+/// A positive frequency [Hz].
+pub type Frequency = Quantity<Hertz, AboveZero>;
+/// A positive mass [kg].
+pub type Mass = Quantity<Kilogram, AboveZero>;
+/// A viscosity [Pa s], zero for none.
+pub type Viscosity = Quantity<PascalSecond, NotNegative>;
+/// Poisson's ratio.
+pub type Poisson = Quantity<Unity, PoissonRange>;
+/// A positive plain number.
+pub type Positive = Quantity<Unity, AboveZero>;
+/// A plain number, zero or above.
+pub type Ratio = Quantity<Unity, NotNegative>;
+/// A relative error to aim at.
+pub type Accuracy = Quantity<Unity, AccuracyRange>;
+/// Hurst exponent.
+pub type Hurst = Quantity<Unity, HurstRange>;
+/// Angle of incidence [rad] from the surface normal.
+pub type Incidence = Quantity<Radian, IncidenceRange>;
+
+impl<D: Dimension, R: Range> Quantity<D, R> {
+    /// A checked quantity from a number in SI units.
+    ///
+    /// # Errors
+    /// The value is not finite or outside the range.
+    pub fn new(si: f64) -> Result<Self, QuantityError> {
+        Self::checked(si, &shown(si, D::UNITS[0].0))
+    }
+
+    fn checked(si: f64, given: &str) -> Result<Self, QuantityError> {
+        if si.is_finite() && R::holds(si) {
+            return Ok(Self(si, PhantomData));
+        }
+        let fault = if si.is_nan() {
+            "is not a number"
+        } else if si.is_infinite() {
+            "is infinite or too large to compute with"
+        } else {
+            "is out of range"
+        };
+        Err(QuantityError(format!("{given} {fault}: expected {}, {}", D::NAME, R::RIGHT)))
+    }
+}
+
+impl<D, R> Quantity<D, R> {
+    /// The value in SI units.
+    #[must_use]
+    pub const fn si(self) -> f64 {
+        self.0
+    }
+}
+
+fn shown(si: f64, unit: &str) -> String {
+    if unit.is_empty() { format!("{si:?}") } else { format!("{si:?} {unit}") }
+}
+
+/// Splits `"10 mm"` into the number and the unit.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    let numeric = |c: char| c.is_ascii_digit() || matches!(c, '.' | '+' | '-' | '_');
+    let mut end = 0;
+    for (at, c) in text.char_indices() {
+        let exponent = matches!(c, 'e' | 'E')
+            && end > 0
+            && text[at + 1..].starts_with(|n: char| n.is_ascii_digit() || n == '-' || n == '+');
+        if !(numeric(c) || exponent) {
+            break;
+        }
+        end = at + c.len_utf8();
+    }
+    (&text[..end], text[end..].trim())
+}
+
+fn same_unit(given: &str, known: &str) -> bool {
+    let plain = |text: &str| text.replace(['µ', 'μ'], "u").replace('²', "^2").replace(['·', '*'], " ");
+    plain(given) == plain(known)
+}
+
+impl<D: Dimension, R: Range> FromStr for Quantity<D, R> {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let si_unit = D::UNITS[0].0;
+        let known = || D::UNITS.iter().map(|u| u.0).filter(|u| !u.is_empty()).collect::<Vec<_>>().join(", ");
+        let (number, unit) = split(text);
+        let value: f64 = number.replace('_', "").parse().map_err(|_| {
+            QuantityError(format!(
+                "\"{text}\" does not start with a number: expected {} such as \"10 {si_unit}\"",
+                D::NAME
+            ))
+        })?;
+        let Some(&(_, up, down)) = D::UNITS.iter().find(|u| same_unit(unit, u.0)) else {
+            let fault = if unit.is_empty() { "has no unit".to_owned() } else { format!("has the unit \"{unit}\"") };
+            return Err(QuantityError(format!("\"{text}\" {fault}: expected {} in one of {}", D::NAME, known())));
+        };
+        Self::checked(value * up / down, &format!("\"{text}\""))
+    }
+}
+
+struct QuantityVisitor<D, R>(PhantomData<(D, R)>);
+
+impl<D: Dimension, R: Range> de::Visitor<'_> for QuantityVisitor<D, R> {
+    type Value = Quantity<D, R>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let unit = D::UNITS[0].0;
+        if unit.is_empty() {
+            return write!(f, "{}", D::NAME);
+        }
+        write!(f, "{} (a number in {unit} or text with a unit such as \"10 {unit}\")", D::NAME)
+    }
+
+    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
+        Quantity::new(value).map_err(E::custom)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "a whole number above 2^53 in a scene is a rounded number anyway")]
+    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
+        self.visit_f64(value as f64)
+    }
+
+    #[expect(clippy::cast_precision_loss, reason = "a whole number above 2^53 in a scene is a rounded number anyway")]
+    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Self::Value, E> {
+        self.visit_f64(value as f64)
+    }
+
+    fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        text.parse().map_err(E::custom)
+    }
+}
+
+impl<'de, D: Dimension, R: Range> Deserialize<'de> for Quantity<D, R> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        deserializer.deserialize_any(QuantityVisitor(PhantomData))
+    }
+}
+
+impl<D, R> Serialize for Quantity<D, R> {
+    fn serialize<T: Serializer>(&self, serializer: T) -> Result<T::Ok, T::Error> {
+        serializer.serialize_f64(self.0)
+    }
+}
+
+impl<D, R> Clone for Quantity<D, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<D, R> Copy for Quantity<D, R> {}
+
+impl<D, R> Default for Quantity<D, R>
+where
+    Quantity<D, R>: ZeroIsRight,
+{
+    fn default() -> Self {
+        Self(0.0, PhantomData)
+    }
+}
+
+/// Quantities that may be zero and are zero when a scene leaves them out.
+pub trait ZeroIsRight {}
+impl<D> ZeroIsRight for Quantity<D, NotNegative> {}
+
+impl<D, R> fmt::Debug for Quantity<D, R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.0)
+    }
+}
+
+impl<D, R> PartialEq for Quantity<D, R> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_divide_so_that_decimal_values_are_the_nearest_number() {
+        assert_eq!("10 mm".parse::<Length>().unwrap(), Length::new(0.01).unwrap());
+        assert_eq!("0.3 um".parse::<Length>().unwrap(), Length::new(3e-7).unwrap());
+        assert_eq!("1e-3 µm".parse::<Length>().unwrap(), Length::new(1e-9).unwrap());
+        assert_eq!("50 mJ/m²".parse::<WorkOfAdhesion>().unwrap(), WorkOfAdhesion::new(0.05).unwrap());
+        assert_eq!("2e3Pa".parse::<Modulus>().unwrap(), Modulus::new(2e3).unwrap());
+    }
+
+    #[test]
+    fn a_refusal_says_what_it_was_and_what_would_be_right() {
+        let text = |r: Result<Length, QuantityError>| r.unwrap_err().to_string();
+        assert!(text("10".parse()).contains("has no unit: expected a length in one of m, km"));
+        assert!(text("10 MPa".parse()).contains("has the unit \"MPa\": expected a length"));
+        assert!(text("-1 mm".parse()).contains("\"-1 mm\" is out of range: expected a length, above zero"));
+        assert!(text("ten mm".parse()).contains("does not start with a number"));
+        assert!(text(Length::new(f64::NAN)).contains("is not a number"));
+        assert!(text("1e400 m".parse()).contains("is infinite"));
+    }
+}

@@ -1,0 +1,66 @@
+//! The scene: what is pressed on what, and how.
+
+use super::adhesion::Adhesion;
+use super::friction::Friction;
+use super::history::Entry;
+use super::material::Body;
+use super::quantity::Accuracy;
+use super::shape::Shape;
+use serde::{Deserialize, Serialize};
+use std::num::NonZeroUsize;
+
+/// A contact to be computed, as written in a scene file.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// Title, for figures and summaries.
+    #[serde(default)]
+    pub title: String,
+    /// Shape of the indenter.
+    pub shape: Shape,
+    /// The two bodies.
+    pub bodies: (Body, Body),
+    /// Adhesion, if any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub adhesion: Option<Adhesion>,
+    /// Friction, if any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<Friction>,
+    /// What is done, in order.
+    pub history: Vec<Entry>,
+    /// Relative error to aim at, 1e-6 if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<Accuracy>,
+    /// Number of springs, to study the classical bed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub springs: Option<NonZeroUsize>,
+    /// Records per history entry.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub steps: Option<NonZeroUsize>,
+    /// Figures wanted; what suits the scene if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plots: Option<Vec<Plot>>,
+}
+
+/// A figure one can ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+pub enum Plot {
+    /// Force against indentation, and against time where time matters.
+    Force,
+    /// Contact radius.
+    Radius,
+    /// Pressure profile.
+    Pressure,
+    /// Stress below the surface, on the axis.
+    Stress,
+    /// Stored and dissipated energy.
+    Energy,
+    /// Shape f(r) with its one-dimensional equivalent g(x).
+    Shape,
+    /// Relaxation modulus and storage and loss moduli.
+    Moduli,
+    /// Tangential force against tangential displacement.
+    Friction,
+    /// Restitution against speed.
+    Restitution,
+}
