@@ -11,3 +11,4 @@ pub mod quantity;
 pub mod root;
 pub mod scene;
 pub mod shape;
+pub mod table;
