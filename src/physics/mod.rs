@@ -8,6 +8,7 @@ pub mod history;
 pub mod material;
 pub mod quadrature;
 pub mod quantity;
+pub mod quasistatic;
 pub mod root;
 pub mod scene;
 pub mod shape;

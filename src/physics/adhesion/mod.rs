@@ -1,4 +1,8 @@
-//! Adhesion, as a scene names it.
+//! Adhesion: the models as a scene names them, their equilibria and the branches of these.
+
+pub mod equilibrium;
+pub mod line;
+pub mod range;
 
 use super::quantity::{Modulus, Positive, Speed, WorkOfAdhesion};
 use serde::{Deserialize, Serialize};
