@@ -10,6 +10,7 @@ pub mod quadrature;
 pub mod quantity;
 pub mod quasistatic;
 pub mod root;
+pub mod rough;
 pub mod scene;
 pub mod shape;
 pub mod table;
