@@ -2,15 +2,17 @@
 //!
 //! Modules stand in the order of use: each one may use only those above it.
 
+pub mod problem;
+pub mod table;
+pub mod quantity;
+pub mod root;
+pub mod quadrature;
+pub mod rough;
+pub mod shape;
+pub mod material;
 pub mod adhesion;
 pub mod friction;
 pub mod history;
-pub mod material;
-pub mod quadrature;
-pub mod quantity;
 pub mod quasistatic;
-pub mod root;
-pub mod rough;
 pub mod scene;
-pub mod shape;
-pub mod table;
+pub mod setup;

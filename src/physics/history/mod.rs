@@ -1,5 +1,9 @@
 //! Load histories, as a scene names them.
 
+mod motion;
+
+pub use motion::{Driven, Motion};
+
 use super::quantity::{Amplitude, Displacement, Duration, Force, Frequency, Incidence, Mass, Positive, Speed, Spin};
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::path::PathBuf;

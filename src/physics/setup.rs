@@ -1,0 +1,76 @@
+//! A scene made ready: what the simulation works with.
+
+use super::history::{Entry, Motion};
+use super::material::{self, Pair, Relaxation};
+use super::problem::Problem;
+use super::scene::Scene;
+use super::shape::{Profile, Shape};
+use super::table::Tables;
+use std::sync::Arc;
+
+/// A scene whose parts fit together, with its tables read and its effective moduli known.
+///
+/// Made only by [`Scene::resolve`], so whoever has one need not ask again.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// The scene as written.
+    pub scene: Scene,
+    /// Profile of the indenter.
+    pub profile: Arc<dyn Profile>,
+    /// Effective moduli; instantaneous ones of a viscoelastic pair.
+    pub pair: Pair,
+    /// E*(t) if one of the bodies is viscoelastic.
+    pub relaxation: Option<Relaxation>,
+    /// One per history entry: the table it names, `None` for an entry without.
+    pub motions: Vec<Option<Motion>>,
+}
+
+impl Setup {
+    /// Relative error to aim at: the scene's, or 1e-6.
+    #[must_use]
+    pub fn accuracy(&self) -> f64 {
+        self.scene.accuracy.map_or(1e-6, |accuracy| accuracy.si())
+    }
+
+    /// The entries of the history in order, each with the motion of its table if it names one.
+    pub fn entries(&self) -> impl Iterator<Item = (&Entry, Option<&Motion>)> {
+        self.scene.history.iter().zip(self.motions.iter().map(Option::as_ref))
+    }
+}
+
+impl Scene {
+    /// The scene with its tables read, or everything that is wrong with it.
+    ///
+    /// # Errors
+    /// Parts that do not fit together, tables that cannot be read: all problems at once, in no
+    /// particular order.
+    pub fn resolve(self, tables: &dyn Tables) -> Result<Setup, Vec<Problem>> {
+        let mut problems = Vec::new();
+        let motions = motions(&self.history, tables, &mut problems);
+        let pair = material::pair(&self.bodies, tables).map_err(|found| problems.extend(found)).ok();
+        match pair {
+            Some((pair, relaxation)) if problems.is_empty() => {
+                let profile = profile(&self.shape);
+                Ok(Setup { scene: self, profile, pair, relaxation, motions })
+            }
+            _ => Err(problems),
+        }
+    }
+}
+
+fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<Motion>> {
+    let mut read = |(index, entry): (usize, &Entry)| {
+        let Entry::Table(path) = entry else { return None };
+        let motion = Motion::read(path, tables);
+        motion.map_err(|error| problems.push(Problem::new(format!("history[{index}]"), error.to_string()))).ok()
+    };
+    history.iter().enumerate().map(&mut read).collect()
+}
+
+fn profile(shape: &Shape) -> Arc<dyn Profile> {
+    match shape {
+        Shape::Paraboloid(shape) => Arc::new(shape.clone()),
+        Shape::Cone(shape) => Arc::new(shape.clone()),
+        Shape::Power(shape) => Arc::new(shape.clone()),
+    }
+}
