@@ -11,6 +11,7 @@ pub mod rough;
 pub mod shape;
 pub mod material;
 pub mod adhesion;
+pub mod bed;
 pub mod friction;
 pub mod history;
 pub mod quasistatic;
