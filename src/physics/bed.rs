@@ -7,7 +7,7 @@
 use super::adhesion::equilibrium::Control;
 use super::shape::{Profile, Rim};
 use ndarray::Array1;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_PI, PI};
 
 /// How the contact radius and the force at the edge are read off the bed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -230,6 +230,35 @@ impl SpringBed {
     #[must_use]
     pub fn work(&self) -> f64 {
         self.work
+    }
+
+    /// Pressure p(r) [Pa]: the inverse transform of the loads joined by straight lines.
+    #[must_use]
+    pub fn pressure(&self, r: f64) -> f64 {
+        let a = self.contact_radius();
+        if r >= a {
+            return 0.0;
+        }
+        // On the axis itself the transform is the limit of a small radius.
+        let r = r.max(1e-6 * self.spacing);
+        let edge = (a, self.modulus * self.edge_deflection());
+        let mut sum = 0.0;
+        let mut last: Option<(f64, f64)> = None;
+        for (x, q) in self.loads().filter(|load| load.0 < a).chain([edge]) {
+            if let Some((x0, q0)) = last.filter(|_| x > r) {
+                let slope = (q - q0) / (x - x0);
+                sum -= slope * ((x / r).acosh() - (x0 / r).max(1.0).acosh());
+            }
+            last = Some((x, q));
+        }
+        FRAC_1_PI * (sum + edge.1 / ((a - r) * (a + r)).sqrt())
+    }
+
+    /// Displacement of the surface outside the contact [m], by the sum over the springs.
+    #[must_use]
+    pub fn surface(&self, r: f64) -> f64 {
+        let kernel = |(x, q): (f64, f64)| q / ((r - x) * (r + x)).sqrt();
+        2.0 * FRAC_1_PI * self.spacing / self.modulus * self.loads().filter(|load| load.0 < r).map(kernel).sum::<f64>()
     }
 
     /// Loads of the springs in contact per length, q = E*(d − g) [N/m], with their places [m].

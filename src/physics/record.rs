@@ -1,0 +1,154 @@
+//! What a simulation gives back: records, fields, named results. No clock, no path, no thread count.
+
+use super::adhesion::line::Energy;
+use serde::Serialize;
+
+/// State of the contact at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Record {
+    /// Number of the history entry it belongs to.
+    pub entry: usize,
+    /// Time [s].
+    pub time: f64,
+    /// State of the normal contact.
+    pub normal: Normal,
+    /// State of the tangential contact, if the scene has friction.
+    pub tangential: Option<Tangential>,
+}
+
+/// State of the normal contact. A value that does not exist is `None`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Normal {
+    /// Indentation d [m]; `None` after the bodies have parted under a prescribed force.
+    pub indentation: Option<f64>,
+    /// Normal force F [N], compression positive.
+    pub force: f64,
+    /// Contact radius a [m].
+    pub contact_radius: f64,
+    /// Contact stiffness 2E*a [N/m].
+    pub stiffness: f64,
+    /// Stored energy [J] by part.
+    pub stored: Energy,
+    /// Energy lost so far in the normal motion [J].
+    pub dissipated: f64,
+}
+
+/// State of the tangential contact at one time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tangential {
+    /// Tangential displacement of the indenter [m].
+    pub slide: f64,
+    /// Tangential force [N].
+    pub force: f64,
+    /// Radius of the sticking part of the contact [m].
+    pub stick_radius: f64,
+    /// Energy lost to friction so far [J].
+    pub dissipated: f64,
+}
+
+/// Pressure and surface displacement over the radius, at one time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// What the field belongs to, such as "end of entry 1".
+    pub label: String,
+    /// Time [s].
+    pub time: f64,
+    /// Contact radius [m].
+    pub contact_radius: f64,
+    /// Stress intensity K_I at the edge [Pa √m], if the edge is singular.
+    pub stress_intensity: Option<f64>,
+    /// Rows of the field, from the axis outwards.
+    pub rows: Vec<FieldRow>,
+}
+
+/// One radius of a [`Field`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FieldRow {
+    /// Radius r [m].
+    pub radius: f64,
+    /// Pressure p(r) [Pa], `None` where it is singular.
+    pub pressure: Option<f64>,
+    /// Surface displacement u_z(r) [m].
+    pub displacement: Option<f64>,
+}
+
+/// Stresses on the axis below the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StressRow {
+    /// Depth z below the surface [m].
+    pub depth: f64,
+    /// Axial stress σ_zz [Pa], tension positive.
+    pub axial: f64,
+    /// Radial stress σ_xx [Pa], tension positive.
+    pub radial: f64,
+    /// Largest shear stress |σ_zz − σ_xx|/2 [Pa].
+    pub shear: f64,
+}
+
+/// A named number or answer.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// A number in the SI unit its name ends with.
+    Number(f64),
+    /// A yes or no.
+    Answer(bool),
+    /// A count.
+    Count(usize),
+}
+
+/// Estimate of the relative error of forces and radii, and how it was made.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ErrorEstimate {
+    /// Relative to the largest force and radius of the scene.
+    pub relative: f64,
+    /// How it was made.
+    pub basis: String,
+}
+
+/// What a scene needs and what it leaves out.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Plan {
+    /// The solver.
+    pub solver: &'static str,
+    /// Why this one.
+    pub reason: String,
+    /// Parts used.
+    pub used: Vec<&'static str>,
+    /// Parts left out.
+    pub left_out: Vec<&'static str>,
+    /// Number of springs allocated.
+    pub springs: usize,
+    /// Bytes of state.
+    pub state_bytes: usize,
+}
+
+/// What came out of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Records in order of time.
+    pub records: Vec<Record>,
+    /// Pressure and surface, at the end of each entry and at the largest depth; empty if not asked for.
+    pub fields: Vec<Field>,
+    /// Stresses on the axis at the largest force; empty if not asked for.
+    pub stresses: Vec<StressRow>,
+    /// Named results in a fixed order.
+    pub results: Vec<(&'static str, Value)>,
+    /// Estimate of the error.
+    pub error_estimate: ErrorEstimate,
+    /// Physics a user must know.
+    pub warnings: Vec<String>,
+    /// What was used.
+    pub plan: Plan,
+}
+
+impl Outcome {
+    /// The number with this name, if the scene has it.
+    #[must_use]
+    pub fn number(&self, name: &str) -> Option<f64> {
+        self.results.iter().find(|entry| entry.0 == name).and_then(|entry| match entry.1 {
+            Value::Number(number) => Some(number),
+            _ => None,
+        })
+    }
+}

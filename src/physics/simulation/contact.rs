@@ -1,0 +1,199 @@
+//! What the simulation asks of a normal contact, and the direct path and the bed of springs behind it.
+
+use crate::physics::adhesion::equilibrium::{Balance, BranchError, Control};
+use crate::physics::adhesion::line::Energy;
+use crate::physics::bed::SpringBed;
+use crate::physics::quasistatic::{Jump, QuasiStatic};
+use crate::physics::record::Normal;
+
+/// A sudden change on the way, with the state on both sides.
+#[derive(Debug, Clone, Copy)]
+pub struct Event {
+    /// Value of the prescribed quantity.
+    pub at: f64,
+    /// State just before.
+    pub before: Normal,
+    /// State just after.
+    pub after: Normal,
+}
+
+/// A normal contact that can be driven by depth or force.
+pub trait NormalContact {
+    /// Moves linearly to the value `to` of the prescribed quantity in the time `over` [s]; returns
+    /// the jumps on the way.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn advance(&mut self, control: Control, to: f64, over: f64) -> Result<Vec<Event>, BranchError>;
+
+    /// Present state.
+    fn state(&self) -> Normal;
+
+    /// Depth [m] at which a retraction from here parts the bodies, if it is known beforehand.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn last_depth(&self) -> Result<f64, BranchError>;
+
+    /// Pressure at the radius r [Pa]; `None` where it is singular.
+    fn pressure(&self, r: f64) -> Option<f64>;
+
+    /// Surface displacement at the radius r [m]; `None` where the method gives none.
+    fn surface(&self, r: f64) -> Option<f64>;
+
+    /// Stress intensity at the edge [Pa √m], if the edge is singular.
+    fn stress_intensity(&self) -> Option<f64>;
+
+    /// Whether the bodies touch or attract each other.
+    fn joined(&self) -> bool;
+
+    /// Radius up to which the bodies act on each other [m].
+    fn reach(&self) -> f64;
+
+    /// The contact as it is, to be looked at later.
+    fn snapshot(&self) -> Box<dyn NormalContact + '_>;
+}
+
+/// The direct path with the energy it has lost in jumps.
+#[derive(Debug, Clone)]
+pub struct Direct<'p> {
+    contact: QuasiStatic<'p>,
+    modulus: f64,
+    dissipated: f64,
+}
+
+impl<'p> Direct<'p> {
+    /// A contact with the effective modulus E* [Pa].
+    #[must_use]
+    pub fn new(contact: QuasiStatic<'p>, modulus: f64) -> Self {
+        Self { contact, modulus, dissipated: 0.0 }
+    }
+
+    fn normal(&self, balance: &Balance, stored: Energy) -> Normal {
+        Normal {
+            indentation: (!balance.indentation.is_nan()).then_some(balance.indentation),
+            force: balance.force,
+            contact_radius: balance.contact_radius,
+            stiffness: 2.0 * self.modulus * balance.contact_radius,
+            stored,
+            dissipated: self.dissipated,
+        }
+    }
+
+    fn event(&mut self, jump: &Jump) -> Event {
+        let before = self.normal(&jump.before, jump.stored.0);
+        self.dissipated += jump.dissipated;
+        let at = if jump.control == Control::Indentation { jump.before.indentation } else { jump.before.force };
+        let indentation = if jump.control == Control::Indentation { at } else { f64::NAN };
+        let parted = Balance { contact_radius: 0.0, reach: 0.0, indentation, force: 0.0 };
+        let after = self.normal(&jump.after.unwrap_or(parted), jump.stored.1);
+        Event { at, before, after }
+    }
+}
+
+impl NormalContact for Direct<'_> {
+    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, BranchError> {
+        let jumps = match control {
+            Control::Indentation => self.contact.indent(to)?,
+            Control::Force => self.contact.press(to)?,
+        };
+        Ok(jumps.iter().map(|jump| self.event(jump)).collect())
+    }
+
+    fn state(&self) -> Normal {
+        self.normal(&self.contact.present().balance, self.contact.energy())
+    }
+
+    fn last_depth(&self) -> Result<f64, BranchError> {
+        self.contact.last_depth()
+    }
+
+    fn pressure(&self, r: f64) -> Option<f64> {
+        Some(self.contact.pressure(r)).filter(|pressure| pressure.is_finite())
+    }
+
+    fn surface(&self, r: f64) -> Option<f64> {
+        Some(self.contact.surface(r))
+    }
+
+    fn stress_intensity(&self) -> Option<f64> {
+        Some(self.contact.stress_intensity()).filter(|intensity| intensity.abs() > 0.0)
+    }
+
+    fn joined(&self) -> bool {
+        self.contact.present().joined
+    }
+
+    fn reach(&self) -> f64 {
+        self.contact.present().balance.reach
+    }
+
+    fn snapshot(&self) -> Box<dyn NormalContact + '_> {
+        Box::new(self.clone())
+    }
+}
+
+/// The bed of springs; `parted` while a prescribed force keeps the bodies apart.
+#[derive(Debug, Clone)]
+pub struct Springs {
+    bed: SpringBed,
+    modulus: f64,
+    parted: bool,
+    last_depth: f64,
+}
+
+impl Springs {
+    /// A bed with the effective modulus E* [Pa] that a retraction parts at `last_depth` [m].
+    #[must_use]
+    pub fn new(bed: SpringBed, modulus: f64, last_depth: f64) -> Self {
+        Self { bed, modulus, parted: false, last_depth }
+    }
+}
+
+impl NormalContact for Springs {
+    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, BranchError> {
+        self.parted = !self.bed.follow(control, to) && to < 0.0;
+        Ok(Vec::new())
+    }
+
+    fn state(&self) -> Normal {
+        let a = self.bed.contact_radius();
+        let stored = Energy { elastic: self.bed.elastic_energy(), surface: self.bed.surface_energy() };
+        Normal {
+            indentation: (!self.parted).then_some(self.bed.indentation()),
+            force: self.bed.force(),
+            contact_radius: a,
+            stiffness: 2.0 * self.modulus * a,
+            stored,
+            dissipated: self.bed.work() - stored.stored(),
+        }
+    }
+
+    fn last_depth(&self) -> Result<f64, BranchError> {
+        Ok(self.last_depth)
+    }
+
+    fn pressure(&self, r: f64) -> Option<f64> {
+        Some(self.bed.pressure(r)).filter(|pressure| pressure.is_finite())
+    }
+
+    fn surface(&self, r: f64) -> Option<f64> {
+        (r > self.bed.contact_radius()).then(|| self.bed.surface(r))
+    }
+
+    fn stress_intensity(&self) -> Option<f64> {
+        None
+    }
+
+    fn joined(&self) -> bool {
+        self.bed.contact_radius() > 0.0
+    }
+
+    fn reach(&self) -> f64 {
+        self.bed.contact_radius()
+    }
+
+    fn snapshot(&self) -> Box<dyn NormalContact + '_> {
+        Box::new(self.clone())
+    }
+}

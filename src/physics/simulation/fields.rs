@@ -1,0 +1,64 @@
+//! Fields over the radius and under the axis.
+
+use super::contact::NormalContact;
+use crate::physics::material::Body;
+use crate::physics::record::{Field, FieldRow, Normal, StressRow};
+use crate::physics::setup::Setup;
+use crate::physics::stress::Loading;
+use std::f64::consts::FRAC_PI_2;
+
+/// Radii inside the contact, denser towards the edge.
+const INSIDE: usize = 96;
+/// Radii outside, out to three times the reach of the contact.
+const OUTSIDE: usize = 64;
+/// Depths below the surface.
+const DEPTHS: usize = 96;
+
+/// Pressure and surface of a contact; `None` where the bodies are apart.
+#[must_use]
+pub fn field(contact: &dyn NormalContact, label: String, time: f64) -> Option<Field> {
+    if !contact.joined() {
+        return None;
+    }
+    let a = contact.state().contact_radius;
+    let intensity = contact.stress_intensity();
+    let row = |radius: f64| FieldRow { radius, pressure: contact.pressure(radius), displacement: contact.surface(radius) };
+    let rows = radii(a, contact.reach()).into_iter().map(row).collect();
+    Some(Field { label, time, contact_radius: a, stress_intensity: intensity, rows })
+}
+
+#[expect(clippy::cast_precision_loss, reason = "few radii")]
+fn radii(a: f64, reach: f64) -> Vec<f64> {
+    let inside = (0..=INSIDE).map(|k| a * (FRAC_PI_2 * k as f64 / INSIDE as f64).sin());
+    let ring = (1..=INSIDE / 4).map(|k| a + (reach - a) * k as f64 / (INSIDE / 4) as f64);
+    let outside = (1..=OUTSIDE).map(|k| reach * (1.0 + 2.0 * (k as f64 / OUTSIDE as f64).powi(2)));
+    let mut all: Vec<f64> = inside.filter(|_| a > 0.0).collect();
+    if reach > a {
+        all.extend(ring);
+    }
+    all.extend(outside);
+    all
+}
+
+/// Stresses on the axis in the first body that can deform, at the given state.
+#[must_use]
+pub fn stresses(setup: &Setup, normal: &Normal) -> Vec<StressRow> {
+    let a = normal.contact_radius;
+    if a <= 0.0 {
+        return Vec::new();
+    }
+    let profile = setup.profile.as_ref();
+    let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
+    let edge_load = setup.pair.normal * edge;
+    let poisson = poisson(&setup.scene.bodies);
+    Loading { profile, modulus: setup.pair.normal, poisson, contact_radius: a, edge_load }.profile_down(DEPTHS)
+}
+
+fn poisson(bodies: &(Body, Body)) -> f64 {
+    let of = |body: &Body| match body {
+        Body::Rigid => None,
+        Body::Elastic(elastic) => Some(elastic.poisson.si()),
+        Body::Viscoelastic(viscoelastic) => Some(viscoelastic.poisson.si()),
+    };
+    of(&bodies.0).or_else(|| of(&bodies.1)).unwrap_or(0.5)
+}

@@ -1,0 +1,245 @@
+//! A scene run from its first touch to the end of its history.
+
+mod contact;
+mod fields;
+mod results;
+
+pub use contact::{Direct, Event, NormalContact, Springs};
+
+use super::adhesion::Adhesion;
+use super::adhesion::equilibrium::{BranchError, Control};
+use super::adhesion::line::EdgeLine;
+use super::adhesion::range::RangeDisc;
+use super::bed::SpringBed;
+use super::plan;
+use super::quasistatic::{Attraction, QuasiStatic};
+use super::record::{ErrorEstimate, Field, Normal, Outcome, Record};
+use super::setup::Setup;
+use super::stage::{Path, Stage, stages};
+use std::f64::consts::PI;
+
+/// Why a scene could not be run to its end.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SimulationError {
+    /// The contact cannot follow what an entry prescribes.
+    #[error("history[{entry}]: {source}")]
+    Branch {
+        /// Number of the entry.
+        entry: usize,
+        /// Why.
+        source: BranchError,
+    },
+    /// The scene holds a part that cannot be computed.
+    #[error("{0}")]
+    Refused(String),
+}
+
+/// What is wanted beside records and results; what is not asked for is not computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Wanted {
+    /// Pressure and surface profiles.
+    pub fields: bool,
+    /// Stresses below the surface.
+    pub stresses: bool,
+}
+
+/// Runs a scene.
+///
+/// The order: the plan picks a solver; the history becomes stages; each stage is followed record by
+/// record, jumps between records included; then the named results are read off the records.
+///
+/// # Errors
+/// The contact would leave its profile, or cannot be followed.
+pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
+    let plan = plan::of(setup);
+    let direct = direct(setup)?;
+    let mut run = match setup.scene.springs {
+        None => follow(setup, Box::new(direct), wanted)?,
+        Some(springs) => {
+            let bed = springs_under(setup, springs.get(), direct)?;
+            follow(setup, Box::new(bed), wanted)?
+        }
+    };
+    let error_estimate = error_estimate(setup);
+    let stresses = if wanted.stresses { run.stresses(setup) } else { Vec::new() };
+    let results = results::named(setup, &run.records, &run.fields);
+    Ok(Outcome {
+        records: std::mem::take(&mut run.records),
+        fields: std::mem::take(&mut run.fields),
+        stresses,
+        results,
+        error_estimate,
+        warnings: std::mem::take(&mut run.notes),
+        plan,
+    })
+}
+
+/// The direct path of a scene, bodies just touching.
+fn direct(setup: &Setup) -> Result<Direct<'_>, SimulationError> {
+    let modulus = setup.pair.normal;
+    let profile = setup.profile.as_ref();
+    let attraction = match &setup.scene.adhesion {
+        None => Attraction::Line(EdgeLine::new(profile, modulus, 0.0)),
+        Some(Adhesion::Jkr(jkr)) => Attraction::Line(EdgeLine::new(profile, modulus, jkr.work.si())),
+        Some(Adhesion::Maugis(maugis)) => {
+            let disc = RangeDisc::new(profile, modulus, maugis.work.si(), maugis.stress.si());
+            Attraction::Range(disc.map_err(|error| SimulationError::Refused(error.to_string()))?)
+        }
+    };
+    Ok(Direct::new(QuasiStatic::new(profile, modulus, attraction), modulus))
+}
+
+/// A bed of `springs` springs that is just wide enough for the history, as the direct path finds it.
+fn springs_under(setup: &Setup, springs: usize, direct: Direct<'_>) -> Result<Springs, SimulationError> {
+    let work = match &setup.scene.adhesion {
+        Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
+        Some(Adhesion::Maugis(_)) => {
+            return Err(SimulationError::Refused("springs: a bed of springs cannot carry Maugis adhesion".to_owned()));
+        }
+        None => 0.0,
+    };
+    let parting = direct.last_depth().unwrap_or(0.0);
+    let run = follow(setup, Box::new(direct), Wanted { fields: false, stresses: false })?;
+    let largest = run.records.iter().map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let reach = match setup.profile.rim() {
+        super::shape::Rim::Wall(end) if largest >= end => end,
+        _ if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
+        _ => setup.profile.scale(),
+    };
+    let bed = SpringBed::new(setup.profile.as_ref(), (springs, reach), setup.pair.normal, work);
+    Ok(Springs::new(bed, setup.pair.normal, parting))
+}
+
+/// Where the error of a scene comes from.
+fn error_estimate(setup: &Setup) -> ErrorEstimate {
+    match setup.scene.springs {
+        None => ErrorEstimate {
+            relative: 1e-11,
+            basis: "direct path: rounding, against closed forms over twelve decades".to_owned(),
+        },
+        Some(springs) => {
+            let count = springs.get() as f64;
+            ErrorEstimate {
+                relative: (17.0 / 16.0 * 2.0 / count).powi(2).max(1e-11),
+                basis: format!("bed of {springs} springs: second order in the spring width, constant at most 4"),
+            }
+        }
+    }
+}
+
+/// A history being followed.
+struct Run<'p> {
+    contact: Box<dyn NormalContact + 'p>,
+    control: Control,
+    time: f64,
+    entry: usize,
+    records: Vec<Record>,
+    fields: Vec<Field>,
+    notes: Vec<String>,
+    loaded: Option<Normal>,
+}
+
+fn follow<'p>(setup: &Setup, contact: Box<dyn NormalContact + 'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
+    let stages = stages(setup.entries(), setup.scene.steps.map(std::num::NonZeroUsize::get));
+    let mut run = Run {
+        contact,
+        control: Control::Indentation,
+        time: 0.0,
+        entry: 0,
+        records: Vec::new(),
+        fields: Vec::new(),
+        notes: Vec::new(),
+        loaded: None,
+    };
+    run.push(run.contact.state(), 0.0);
+    for (number, stage) in stages.iter().enumerate() {
+        run.follow_stage(stage).map_err(|source| SimulationError::Branch { entry: stage.entry, source })?;
+        let ends_entry = stages.get(number + 1).is_none_or(|next| next.entry != stage.entry);
+        if wanted.fields && ends_entry {
+            run.field(format!("end of entry {}", stage.entry + 1));
+        }
+    }
+    Ok(run)
+}
+
+impl Run<'_> {
+    fn follow_stage(&mut self, stage: &Stage) -> Result<(), BranchError> {
+        self.entry = stage.entry;
+        self.control = stage.control.unwrap_or(self.control);
+        let from = self.prescribed();
+        let start = self.time;
+        let (path, over) = self.resolved(stage)?;
+        for k in 1..=stage.records {
+            let part = k as f64 / stage.records as f64;
+            let to = match path {
+                Path::To(to) if k == stage.records => to,
+                Path::To(to) => from + part * (to - from),
+                Path::Stay | Path::UntilParted { .. } => from,
+                Path::Wave { amplitude, frequency } => {
+                    from + amplitude * (2.0 * PI * (part * over * frequency).fract()).sin()
+                }
+            };
+            self.advance(to, start + part * over)?;
+        }
+        Ok(())
+    }
+
+    /// The path and duration of a stage; a retraction becomes a ramp to the depth where the bodies part.
+    fn resolved(&mut self, stage: &Stage) -> Result<(Path, f64), BranchError> {
+        let Path::UntilParted { speed } = stage.normal else { return Ok((stage.normal, stage.over)) };
+        if !self.contact.joined() {
+            self.notes.push(format!("history[{}]: the bodies have parted already; there is nothing to retract", stage.entry));
+            return Ok((Path::Stay, 0.0));
+        }
+        let to = self.contact.last_depth()?;
+        Ok((Path::To(to), (self.prescribed() - to).abs() / speed))
+    }
+
+    /// Present value of what is prescribed; a body that has come free starts again from first touch.
+    fn prescribed(&self) -> f64 {
+        let state = self.contact.state();
+        match self.control {
+            Control::Indentation => state.indentation.unwrap_or(0.0),
+            Control::Force => state.force,
+        }
+    }
+
+    fn advance(&mut self, to: f64, time: f64) -> Result<(), BranchError> {
+        let (from, since) = (self.prescribed(), self.time);
+        let was_joined = self.contact.joined();
+        for event in self.contact.advance(self.control, to, time - since)? {
+            let part = if (to - from).abs() > 0.0 { ((event.at - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+            let at = since + part * (time - since);
+            self.push(event.before, at);
+            self.push(event.after, at);
+        }
+        if was_joined && !self.contact.joined() && self.control == Control::Force && to < 0.0 {
+            self.notes.push(format!(
+                "history[{}]: the prescribed force passes pull-off at t = {time:e} s: the bodies part and stay apart",
+                self.entry
+            ));
+        }
+        self.push(self.contact.state(), time);
+        Ok(())
+    }
+
+    fn push(&mut self, normal: Normal, time: f64) {
+        let record = Record { entry: self.entry, time, normal, tangential: None };
+        if self.records.last() != Some(&record) {
+            self.records.push(record);
+        }
+        self.time = time;
+        if self.loaded.is_none_or(|most| normal.force > most.force) {
+            self.loaded = Some(normal);
+        }
+    }
+
+    fn field(&mut self, label: String) {
+        let field = fields::field(self.contact.as_ref(), label, self.time);
+        self.fields.extend(field);
+    }
+
+    fn stresses(&self, setup: &Setup) -> Vec<super::record::StressRow> {
+        self.loaded.map_or_else(Vec::new, |normal| fields::stresses(setup, &normal))
+    }
+}

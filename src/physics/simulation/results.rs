@@ -1,0 +1,55 @@
+//! Named results of a run.
+
+use crate::physics::record::{Field, Record, Value};
+use crate::physics::setup::Setup;
+
+/// The results the scene has, in a fixed order.
+#[must_use]
+pub fn named(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<(&'static str, Value)> {
+    let largest = |of: fn(&Record) -> f64| records.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+    let mut results = vec![
+        ("largest_force_n", Value::Number(largest(|record| record.normal.force))),
+        (
+            "largest_indentation_m",
+            Value::Number(largest(|record| record.normal.indentation.unwrap_or(f64::NEG_INFINITY))),
+        ),
+        ("largest_contact_radius_m", Value::Number(largest(|record| record.normal.contact_radius))),
+    ];
+    let mut add = |name, value: Option<f64>| results.extend(value.map(|value| (name, Value::Number(value))));
+    add("peak_pressure_pa", peak_pressure(fields));
+    let intensity = fields.iter().filter_map(|field| field.stress_intensity);
+    add("largest_stress_intensity_pa_sqrt_m", intensity.max_by(|x, y| x.abs().total_cmp(&y.abs())));
+    if setup.scene.adhesion.is_some() {
+        let least = records.iter().map(|record| record.normal.force).fold(f64::INFINITY, f64::min);
+        add("pull_off_force_n", (least < 0.0).then_some(least));
+    }
+    if let (Some(first), Some(last)) = (records.first(), records.last()) {
+        let stored = last.normal.stored.stored();
+        let initial = first.normal.stored.stored();
+        add("work_j", Some(stored - initial + last.normal.dissipated));
+        add("dissipated_j", Some(last.normal.dissipated));
+        add("final_time_s", Some(last.time));
+        add("final_indentation_m", last.normal.indentation);
+        add("final_force_n", Some(last.normal.force));
+        add("final_contact_radius_m", Some(last.normal.contact_radius));
+        add("final_stored_elastic_j", Some(last.normal.stored.elastic));
+        if setup.scene.adhesion.is_some() {
+            add("final_stored_surface_j", Some(last.normal.stored.surface));
+        }
+    }
+    results
+}
+
+/// The largest pressure of all fields, if it is finite: a sharp edge or apex has none.
+fn peak_pressure(fields: &[Field]) -> Option<f64> {
+    let compressed = |field: &&Field| field.stress_intensity.is_none_or(|intensity| intensity > 0.0);
+    if fields.iter().any(|field| !compressed(&field)) {
+        return None;
+    }
+    let all_known = |field: &Field| field.rows.first().is_some_and(|row| row.pressure.is_some());
+    if !fields.iter().all(all_known) {
+        return None;
+    }
+    let pressures = fields.iter().flat_map(|field| field.rows.iter().filter_map(|row| row.pressure));
+    pressures.reduce(f64::max)
+}

@@ -1,0 +1,125 @@
+//! A history as a row of stages: what is prescribed, from when to when, and where records stand.
+
+use super::adhesion::equilibrium::Control;
+use super::history::{Entry, Motion, TableControl};
+
+/// Records per ramp unless the scene says otherwise: a smooth curve on paper.
+const RECORDS_PER_RAMP: usize = 100;
+/// Records per cycle of an oscillation.
+const RECORDS_PER_CYCLE: usize = 64;
+
+/// How a prescribed quantity moves during a stage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Path {
+    /// Linearly to this value.
+    To(f64),
+    /// Stays.
+    Stay,
+    /// amplitude·sin(2π·frequency·t) about the present value.
+    Wave {
+        /// Amplitude [m].
+        amplitude: f64,
+        /// Frequency [Hz].
+        frequency: f64,
+    },
+    /// Back at this speed [m/s] until the bodies part.
+    UntilParted {
+        /// Speed [m/s].
+        speed: f64,
+    },
+}
+
+/// A part of the history in which everything moves along one path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stage {
+    /// Number of the history entry.
+    pub entry: usize,
+    /// What is prescribed; `None` keeps what was prescribed before.
+    pub control: Option<Control>,
+    /// How it moves.
+    pub normal: Path,
+    /// How the tangential displacement moves.
+    pub tangential: Path,
+    /// Duration [s]; not known beforehand for a retraction.
+    pub over: f64,
+    /// Number of records, at equal times.
+    pub records: usize,
+}
+
+/// The stages of the history entries; `steps` overrides the number of records per entry.
+#[must_use]
+pub fn stages<'e>(entries: impl Iterator<Item = (&'e Entry, Option<&'e Motion>)>, steps: Option<usize>) -> Vec<Stage> {
+    let of_entry = |(number, (entry, motion))| match (entry, motion) {
+        (Entry::Table(_), Some(motion)) => of_motion(number, motion),
+        (entry, _) => of_entry(number, entry, steps).into_iter().collect(),
+    };
+    entries.enumerate().flat_map(of_entry).collect()
+}
+
+fn of_entry(number: usize, entry: &Entry, steps: Option<usize>) -> Option<Stage> {
+    let ramp = Stage {
+        entry: number,
+        control: Some(Control::Indentation),
+        normal: Path::Stay,
+        tangential: Path::Stay,
+        over: 0.0,
+        records: steps.unwrap_or(RECORDS_PER_RAMP),
+    };
+    let stage = match entry {
+        Entry::Indent(indent) => Stage { normal: Path::To(indent.to.si()), over: indent.over.si(), ..ramp },
+        Entry::Press(press) => Stage {
+            control: Some(Control::Force),
+            normal: Path::To(press.to.si()),
+            over: press.over.si(),
+            ..ramp
+        },
+        Entry::Hold(hold) => Stage { over: hold.over.si(), ..ramp },
+        Entry::HoldForce(hold) => Stage { control: Some(Control::Force), over: hold.over.si(), ..ramp },
+        Entry::Slide(slide) => {
+            Stage { control: None, tangential: Path::To(slide.to.si()), over: slide.over.si(), ..ramp }
+        }
+        Entry::Oscillate(wave) => Stage { normal: wave.path(), over: wave.over(), records: wave.records(steps), ..ramp },
+        Entry::Shake(wave) => Stage {
+            control: None,
+            tangential: wave.path(),
+            over: wave.over(),
+            records: wave.records(steps),
+            ..ramp
+        },
+        Entry::Retract(retract) => Stage { normal: Path::UntilParted { speed: retract.speed.si() }, ..ramp },
+        Entry::Impact(_) | Entry::Table(_) => return None,
+    };
+    Some(stage)
+}
+
+impl super::history::Oscillate {
+    fn path(&self) -> Path {
+        Path::Wave { amplitude: self.amplitude.si(), frequency: self.frequency.si() }
+    }
+
+    fn over(&self) -> f64 {
+        self.cycles.si() / self.frequency.si()
+    }
+
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "clamped before")]
+    fn records(&self, steps: Option<usize>) -> usize {
+        steps.unwrap_or((self.cycles.si() * RECORDS_PER_CYCLE as f64).ceil().clamp(1.0, 1e6) as usize)
+    }
+}
+
+/// One stage per row: the first row is reached at once, the others linearly.
+fn of_motion(number: usize, motion: &Motion) -> Vec<Stage> {
+    let (control, values) = match &motion.control {
+        TableControl::Indentation(values) => (Control::Indentation, values),
+        TableControl::Force(values) => (Control::Force, values),
+    };
+    let stage = |row: usize| Stage {
+        entry: number,
+        control: Some(control),
+        normal: Path::To(values[row]),
+        tangential: motion.slide.as_ref().map_or(Path::Stay, |slide| Path::To(slide[row])),
+        over: if row == 0 { motion.time[0].max(0.0) } else { motion.time[row] - motion.time[row - 1] },
+        records: 1,
+    };
+    (0..values.len()).map(stage).collect()
+}
