@@ -1,7 +1,7 @@
 //! A history as a row of stages: what is prescribed, from when to when, and where records stand.
 
 use super::adhesion::equilibrium::Control;
-use super::history::{Entry, Motion, TableControl};
+use super::history::{Driven, Entry, Motion};
 
 /// Records per ramp unless the scene says otherwise: a smooth curve on paper.
 const RECORDS_PER_RAMP: usize = 100;
@@ -49,11 +49,14 @@ pub struct Stage {
 /// The stages of the history entries; `steps` overrides the number of records per entry.
 #[must_use]
 pub fn stages<'e>(entries: impl Iterator<Item = (&'e Entry, Option<&'e Motion>)>, steps: Option<usize>) -> Vec<Stage> {
-    let of_entry = |(number, (entry, motion))| match (entry, motion) {
-        (Entry::Table(_), Some(motion)) => of_motion(number, motion),
-        (entry, _) => of_entry(number, entry, steps).into_iter().collect(),
-    };
-    entries.enumerate().flat_map(of_entry).collect()
+    let mut all = Vec::new();
+    for (number, (entry, motion)) in entries.enumerate() {
+        match (entry, motion) {
+            (Entry::Table(_), Some(motion)) => all.extend(of_motion(number, motion)),
+            _ => all.extend(of_entry(number, entry, steps)),
+        }
+    }
+    all
 }
 
 fn of_entry(number: usize, entry: &Entry, steps: Option<usize>) -> Option<Stage> {
@@ -67,25 +70,20 @@ fn of_entry(number: usize, entry: &Entry, steps: Option<usize>) -> Option<Stage>
     };
     let stage = match entry {
         Entry::Indent(indent) => Stage { normal: Path::To(indent.to.si()), over: indent.over.si(), ..ramp },
-        Entry::Press(press) => Stage {
-            control: Some(Control::Force),
-            normal: Path::To(press.to.si()),
-            over: press.over.si(),
-            ..ramp
-        },
+        Entry::Press(press) => {
+            Stage { control: Some(Control::Force), normal: Path::To(press.to.si()), over: press.over.si(), ..ramp }
+        }
         Entry::Hold(hold) => Stage { over: hold.over.si(), ..ramp },
         Entry::HoldForce(hold) => Stage { control: Some(Control::Force), over: hold.over.si(), ..ramp },
         Entry::Slide(slide) => {
             Stage { control: None, tangential: Path::To(slide.to.si()), over: slide.over.si(), ..ramp }
         }
-        Entry::Oscillate(wave) => Stage { normal: wave.path(), over: wave.over(), records: wave.records(steps), ..ramp },
-        Entry::Shake(wave) => Stage {
-            control: None,
-            tangential: wave.path(),
-            over: wave.over(),
-            records: wave.records(steps),
-            ..ramp
-        },
+        Entry::Oscillate(wave) => {
+            Stage { normal: wave.path(), over: wave.over(), records: wave.records(steps), ..ramp }
+        }
+        Entry::Shake(wave) => {
+            Stage { control: None, tangential: wave.path(), over: wave.over(), records: wave.records(steps), ..ramp }
+        }
         Entry::Retract(retract) => Stage { normal: Path::UntilParted { speed: retract.speed.si() }, ..ramp },
         Entry::Impact(_) | Entry::Table(_) => return None,
     };
@@ -101,7 +99,12 @@ impl super::history::Oscillate {
         self.cycles.si() / self.frequency.si()
     }
 
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "clamped before")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "clamped before"
+    )]
     fn records(&self, steps: Option<usize>) -> usize {
         steps.unwrap_or((self.cycles.si() * RECORDS_PER_CYCLE as f64).ceil().clamp(1.0, 1e6) as usize)
     }
@@ -110,8 +113,8 @@ impl super::history::Oscillate {
 /// One stage per row: the first row is reached at once, the others linearly.
 fn of_motion(number: usize, motion: &Motion) -> Vec<Stage> {
     let (control, values) = match &motion.control {
-        TableControl::Indentation(values) => (Control::Indentation, values),
-        TableControl::Force(values) => (Control::Force, values),
+        Driven::Indentation(values) => (Control::Indentation, values),
+        Driven::Force(values) => (Control::Force, values),
     };
     let stage = |row: usize| Stage {
         entry: number,

@@ -22,7 +22,8 @@ pub fn field(contact: &dyn NormalContact, label: String, time: f64) -> Option<Fi
     }
     let a = contact.state().contact_radius;
     let intensity = contact.stress_intensity();
-    let row = |radius: f64| FieldRow { radius, pressure: contact.pressure(radius), displacement: contact.surface(radius) };
+    let row =
+        |radius: f64| FieldRow { radius, pressure: contact.pressure(radius), displacement: contact.surface(radius) };
     let rows = radii(a, contact.reach()).into_iter().map(row).collect();
     Some(Field { label, time, contact_radius: a, stress_intensity: intensity, rows })
 }

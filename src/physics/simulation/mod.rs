@@ -188,7 +188,8 @@ impl Run<'_> {
     fn resolved(&mut self, stage: &Stage) -> Result<(Path, f64), BranchError> {
         let Path::UntilParted { speed } = stage.normal else { return Ok((stage.normal, stage.over)) };
         if !self.contact.joined() {
-            self.notes.push(format!("history[{}]: the bodies have parted already; there is nothing to retract", stage.entry));
+            self.notes
+                .push(format!("history[{}]: the bodies have parted already; there is nothing to retract", stage.entry));
             return Ok((Path::Stay, 0.0));
         }
         let to = self.contact.last_depth()?;
