@@ -1,1 +1,4 @@
 //! The outside world.
+
+#[cfg(feature = "plot")]
+pub mod figure;

@@ -1,0 +1,86 @@
+//! Axes of a panel made ready: range, ticks, caption.
+
+use super::range::{Range, usable};
+use super::ticks::{Along, SIZE, Tick, ticks};
+use super::{Axis, Guide, Panel, text, unit};
+
+/// An axis with its ticks.
+#[derive(Clone, Debug)]
+pub(super) struct Ruler {
+    pub(super) range: Range,
+    pub(super) ticks: Vec<Tick>,
+    pub(super) caption: String,
+}
+
+impl Ruler {
+    fn new(axis: &Axis, range: Range, ticks: Vec<Tick>) -> Self {
+        let caption = unit::caption(&axis.label, &axis.unit, range.exponent);
+        Self { range, ticks, caption }
+    }
+
+    /// Width of the widest tick label in px.
+    pub(super) fn widest(&self) -> f64 {
+        let widths = self.ticks.iter().map(|t| text::width(&t.label, SIZE));
+        widths.fold(0.0, f64::max)
+    }
+
+    /// Px by which the last label stands out beyond an axis of `length` px.
+    pub(super) fn overhang(&self, length: f64) -> f64 {
+        let beyond = |t: &Tick| (t.at - 1.0) * length + 0.5 * text::width(&t.label, SIZE);
+        self.ticks.iter().map(beyond).fold(0.0, f64::max)
+    }
+}
+
+/// Horizontal and vertical axis of a panel of `size` px.
+pub(super) fn rulers(panel: &Panel, size: (f64, f64)) -> (Ruler, Ruler) {
+    let (x, y) = ends(panel);
+    let x = Range::new(&panel.x, x.map(|e| widened(e, xs(panel))));
+    let y = Range::new(&panel.y, y.map(|e| widened(e, ys(panel))));
+    (Ruler::new(&panel.x, x, ticks(&x, Along::X, size.0)), Ruler::new(&panel.y, y, ticks(&y, Along::Y, size.1)))
+}
+
+type Ends = Option<(f64, f64)>;
+
+/// Least and largest x and y of the points shown.
+fn ends(panel: &Panel) -> (Ends, Ends) {
+    let points = panel.series.iter().flat_map(|s| &s.points);
+    let shown = points.filter(|p| inside(&panel.x, p.0) && inside(&panel.y, p.1));
+    shown.fold((None, None), |(x, y), p| (join(x, p.0), join(y, p.1)))
+}
+
+/// Whether a value is neither a gap nor beyond the limits asked for.
+fn inside(axis: &Axis, value: f64) -> bool {
+    usable(axis.scale, value)
+        && axis.limits.0.is_none_or(|lo| value >= lo)
+        && axis.limits.1.is_none_or(|hi| value <= hi)
+}
+
+fn join(ends: Ends, value: f64) -> Ends {
+    let (lo, hi) = ends.unwrap_or((value, value));
+    Some((lo.min(value), hi.max(value)))
+}
+
+/// Ends that include the guides not farther away than half the span.
+fn widened(ends: (f64, f64), guides: impl Iterator<Item = f64>) -> (f64, f64) {
+    let far = 0.5 * ends.1 - 0.5 * ends.0;
+    let near = guides.filter(|v| *v >= ends.0 - far && *v <= ends.1 + far);
+    near.fold(ends, |(lo, hi), v| (lo.min(v), hi.max(v)))
+}
+
+fn xs(panel: &Panel) -> impl Iterator<Item = f64> {
+    let values = panel.guides.iter().flat_map(|guide| match guide {
+        Guide::Vertical { at, .. } => vec![*at],
+        Guide::Jump { from, to } => vec![from.0, to.0],
+        _ => Vec::new(),
+    });
+    values.filter(|v| inside(&panel.x, *v))
+}
+
+fn ys(panel: &Panel) -> impl Iterator<Item = f64> {
+    let values = panel.guides.iter().flat_map(|guide| match guide {
+        Guide::Horizontal { at, .. } => vec![*at],
+        Guide::Jump { from, to } => vec![from.1, to.1],
+        _ => Vec::new(),
+    });
+    values.filter(|v| inside(&panel.y, *v))
+}

@@ -1,0 +1,153 @@
+//! The one place that talks to the drawing library.
+//!
+//! The library rounds coordinates to whole numbers, so everything is drawn ten times larger and
+//! shown ten times smaller: px outside, tenths of a px inside.
+
+use plotters::prelude::{DrawingBackend, IntoFont, RGBColor, SVGBackend, ShapeStyle, TextStyle};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, FontStyle, FontTransform};
+
+use super::text;
+
+/// A place in px, y downwards.
+pub(super) type Dot = (f64, f64);
+
+/// Units of the drawing library per px.
+const FINE: f64 = 10.0;
+/// The library takes the font size as line height; this ratio is its own.
+const LINE_HEIGHT: f64 = 1.24;
+
+/// Ink of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pen {
+    pub(super) colour: RGBColor,
+    /// Width in px.
+    pub(super) width: f64,
+}
+
+/// How a text stands.
+#[derive(Clone, Copy)]
+pub(super) struct Type {
+    /// Font size in px.
+    pub(super) size: f64,
+    pub(super) colour: RGBColor,
+    pub(super) weight: Weight,
+    /// Side of the text that is at the place given.
+    pub(super) anchor: HPos,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Weight {
+    Regular,
+    Bold,
+}
+
+/// A sheet to draw on.
+pub(super) struct Canvas<'a> {
+    sheet: SVGBackend<'a>,
+    /// Place on the sheet of what is called (0, 0).
+    pub(super) origin: Dot,
+}
+
+/// SVG document of `size` px with a title for those who cannot see it.
+pub(super) fn document(size: Dot, title: &str, draw: impl FnOnce(&mut Canvas)) -> String {
+    let mut svg = String::with_capacity(1 << 15);
+    let extent = (whole(size.0 * FINE).unsigned_abs(), whole(size.1 * FINE).unsigned_abs());
+    let mut canvas = Canvas { sheet: SVGBackend::with_string(&mut svg, extent), origin: (0.0, 0.0) };
+    draw(&mut canvas);
+    drop(canvas);
+    dress(&svg, size, title)
+}
+
+/// Document with the size shown, what all elements share said once, and a title.
+fn dress(svg: &str, size: Dot, title: &str) -> String {
+    let body = svg.split_once('\n').map_or("", |(_, body)| body);
+    let body = body
+        .replace(" opacity=\"1\"", "")
+        .replace(" fill=\"none\"", "")
+        .replace(" font-family=\"sans-serif\"", "")
+        .replace(" \"/>", "\"/>");
+    let (w, h) = (whole(size.0), whole(size.1));
+    let (fine_w, fine_h) = (whole(size.0 * FINE), whole(size.1 * FINE));
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{w}\" height=\"{h}\" \
+         viewBox=\"0 0 {fine_w} {fine_h}\" fill=\"none\" stroke-linejoin=\"round\" \
+         font-family=\"sans-serif\">\n<title>{}</title>\n{body}",
+        escaped(&text::clean(title)),
+    )
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the cast saturates and turns NaN into 0")]
+fn whole(value: f64) -> i32 {
+    value.round() as i32
+}
+
+/// Writing into a string does not fail; the errors of the library are those of files and fonts.
+fn drawn<E>(_always_ok: Result<(), E>) {}
+
+impl Canvas<'_> {
+    fn fine(&self, dot: Dot) -> (i32, i32) {
+        let (x, y) = (self.origin.0 + dot.0, self.origin.1 + dot.1);
+        (whole(x * FINE), whole(y * FINE))
+    }
+
+    fn fines(&self, path: &[Dot]) -> Vec<(i32, i32)> {
+        path.iter().map(|dot| self.fine(*dot)).collect()
+    }
+
+    /// Connected straight lines.
+    pub(super) fn path(&mut self, path: &[Dot], pen: Pen) {
+        let style = ShapeStyle {
+            color: pen.colour.to_rgba(),
+            filled: false,
+            stroke_width: whole(pen.width * FINE).unsigned_abs(),
+        };
+        let path = self.fines(path);
+        drawn(self.sheet.draw_path(path, &style));
+    }
+
+    /// Filled polygon.
+    pub(super) fn polygon(&mut self, corners: &[Dot], colour: RGBColor) {
+        let corners = self.fines(corners);
+        drawn(self.sheet.fill_polygon(corners, &colour));
+    }
+
+    /// Filled circle.
+    pub(super) fn disc(&mut self, centre: Dot, radius: f64, colour: RGBColor) {
+        let centre = self.fine(centre);
+        let radius = whole(radius * FINE).unsigned_abs();
+        drawn(self.sheet.draw_circle(centre, radius, &colour, true));
+    }
+
+    /// Filled rectangle from its upper left to its lower right corner.
+    pub(super) fn rectangle(&mut self, from: Dot, to: Dot, colour: RGBColor) {
+        let (from, to) = (self.fine(from), self.fine(to));
+        drawn(self.sheet.draw_rect(from, to, &colour, true));
+    }
+
+    /// One line of text, centred vertically on the place.
+    pub(super) fn text(&mut self, at: Dot, text: &str, kind: Type) {
+        self.write(at, text, (kind, FontTransform::None));
+    }
+
+    /// One line of text running upwards, centred horizontally on the place.
+    pub(super) fn upward_text(&mut self, at: Dot, text: &str, kind: Type) {
+        self.write(at, text, (kind, FontTransform::Rotate270));
+    }
+
+    fn write(&mut self, at: Dot, text: &str, (kind, turn): (Type, FontTransform)) {
+        let weight = match kind.weight {
+            Weight::Regular => FontStyle::Normal,
+            Weight::Bold => FontStyle::Bold,
+        };
+        let font = ("sans-serif", kind.size * FINE * LINE_HEIGHT).into_font();
+        let font = font.style(weight).transform(turn);
+        let style = TextStyle::from(font).color(&kind.colour).pos(Pos::new(kind.anchor, VPos::Center));
+        let at = self.fine(at);
+        drawn(self.sheet.draw_text(text, &style, at));
+    }
+}

@@ -1,0 +1,149 @@
+use proptest::prelude::*;
+
+use super::*;
+
+mod samples;
+
+/// Attribute values `name="…"` of a document.
+fn values<'a>(svg: &'a str, name: &'a str) -> impl Iterator<Item = &'a str> {
+    let start = format!(" {name}=\"");
+    let parts: Vec<&str> = svg.split(start.as_str()).skip(1).collect();
+    parts.into_iter().filter_map(|part| part.split('"').next())
+}
+
+/// Numbers of all attributes that carry coordinates.
+fn coordinates(svg: &str) -> Vec<(f64, f64)> {
+    let pair = |text: &str| {
+        let (x, y) = text.split_once(',')?;
+        Some((x.parse().ok()?, y.parse().ok()?))
+    };
+    let points = values(svg, "points").flat_map(|p| p.split_whitespace().filter_map(pair));
+    points.collect()
+}
+
+#[test]
+#[ignore = "writes pictures to look at into the directory for temporary files"]
+fn write_samples() -> std::io::Result<()> {
+    for (name, figure) in samples::all() {
+        let path = std::env::temp_dir().join(format!("springbed-{name}.svg"));
+        std::fs::write(path, figure.svg())?;
+    }
+    Ok(())
+}
+
+#[test]
+#[ignore = "a clock, to be read with nothing else running"]
+fn write_times() {
+    for (name, figure) in samples::all() {
+        let times = (0..20).map(|_| {
+            let start = std::time::Instant::now();
+            let bytes = figure.svg().len();
+            (start.elapsed().as_secs_f64(), bytes)
+        });
+        let best = times.fold((f64::INFINITY, 0), |a, b| (a.0.min(b.0), b.1));
+        println!("{name}: {:.2} ms, {} bytes", 1e3 * best.0, best.1);
+    }
+}
+
+#[test]
+fn a_figure_is_the_same_bytes_twice_and_small() {
+    for (name, figure) in samples::all() {
+        let svg = figure.svg();
+        assert_eq!(svg, figure.svg(), "{name}");
+        assert!(svg.len() < 60_000, "{name}: {} bytes", svg.len());
+    }
+}
+
+#[test]
+fn curves_stay_on_the_sheet() {
+    for (name, figure) in samples::all() {
+        let svg = figure.svg();
+        let sheet: Vec<f64> =
+            values(&svg, "viewBox").flat_map(|v| v.split(' ').filter_map(|n| n.parse().ok())).collect();
+        let dots = coordinates(&svg);
+        assert!(dots.len() > 50, "{name}");
+        let on = |d: &(f64, f64)| (0.0..=sheet[2]).contains(&d.0) && (0.0..=sheet[3]).contains(&d.1);
+        assert!(dots.iter().all(on), "{name}");
+    }
+}
+
+#[test]
+fn what_a_user_types_cannot_break_the_document() {
+    let axis = Axis::linear("a < b & \"c\"", "N<m>");
+    let panel = Panel::new(axis.clone(), axis).titled("<svg>\u{1}");
+    let svg = Figure::new("</title><script>").with(panel).svg();
+    assert!(!svg.contains("<script>") && !svg.contains('\u{1}'));
+    assert_eq!(svg.matches("<svg").count(), 1);
+    assert_eq!(svg.matches("</svg>").count(), 1);
+}
+
+#[test]
+fn a_gap_interrupts_the_line() {
+    let axis = Axis::linear("", "1");
+    let points = vec![(0.0, 0.0), (1.0, 1.0), (f64::NAN, 0.0), (2.0, 0.0), (3.0, 1.0)];
+    let panel = Panel::new(axis.clone(), axis).with(Series::new("", points));
+    let svg = Figure::new("").with(panel).svg();
+    assert_eq!(svg.matches("stroke=\"#0072B2\"").count(), 2);
+}
+
+#[test]
+fn a_figure_without_panels_is_a_title() {
+    assert!(Figure::new("nothing yet").svg().contains("nothing yet\n</text>"));
+}
+
+/// Any double, the awkward ones often.
+fn awkward() -> impl Strategy<Value = f64> {
+    let special =
+        [0.0, -0.0, 1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN, 5e-324, 1e300, 1e-300];
+    prop_oneof![
+        prop::sample::select(special.to_vec()),
+        (-310..309i32, -9..10i32).prop_map(|(k, m)| f64::from(m) * 10f64.powi(k)),
+        any::<f64>(),
+        (0..1000i32).prop_map(|i| 1.0 + f64::from(i) * 1e-16),
+    ]
+}
+
+fn axes() -> impl Strategy<Value = Axis> {
+    let units = prop::sample::select(vec!["N", "m", "m^2", "1", "", "s", "kg", "J/m^2", "µ"]);
+    let limit = || prop::option::weighted(0.3, awkward());
+    (any::<bool>(), units, limit(), limit()).prop_map(|(log, unit, lo, hi)| {
+        let mut axis = if log { Axis::log("x", unit) } else { Axis::linear("x", unit) };
+        axis.limits = (lo, hi);
+        axis
+    })
+}
+
+fn guides() -> impl Strategy<Value = Guide> {
+    (0..4, awkward(), awkward(), ".{0,20}").prop_map(|(kind, a, b, label)| match kind {
+        0 => Guide::horizontal(a, label),
+        1 => Guide::vertical(a, label),
+        2 => Guide::slope(a, label),
+        _ => Guide::Jump { from: (a, b), to: (b, a) },
+    })
+}
+
+fn panels() -> impl Strategy<Value = Panel> {
+    let points = prop::collection::vec((awkward(), awkward()), 0..30);
+    let series =
+        (".{0,30}", points).prop_map(|(label, points)| Series::new(label, points).marks(Marks::Numbered).arrow());
+    let series = prop::collection::vec(series, 0..4);
+    let guides = prop::collection::vec(guides(), 0..3);
+    (axes(), axes(), series, guides, ".{0,60}").prop_map(|(x, y, series, guides, title)| Panel {
+        title: title.clone(),
+        series,
+        guides,
+        notes: vec![title],
+        ..Panel::new(x, y)
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn whatever_the_values_there_is_a_figure(panels in prop::collection::vec(panels(), 0..5), title in ".{0,200}") {
+        let svg = Figure { title, panels }.svg();
+        prop_assert!(svg.ends_with("</svg>\n"));
+        prop_assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    }
+}
