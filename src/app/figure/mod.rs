@@ -7,7 +7,7 @@
 //! let panel = Panel::new(Axis::linear("indentation d", "m"), Axis::linear("force F", "N"))
 //!     .with(Series::new("approach", force.collect()).arrow());
 //! let svg = Figure::new("Steel ball on a rigid flat").with(panel).svg();
-//! assert!(svg.contains("indentation d (nm)"));
+//! assert!(svg.contains("indentation d (µm)"));
 //! ```
 
 mod axis;

@@ -19,6 +19,8 @@ const PREFIXES: [(i32, &str); 12] = [
 
 /// Exponent n of the factor 10ⁿ taken out of the numbers on an axis whose largest magnitude is `largest` (SI).
 pub(super) fn exponent(unit: &str, largest: f64) -> i32 {
+    // a rounding below 1 µm is 1 µm, not 1000 nm
+    let largest = largest * (1.0 + 1e-9);
     if largest <= 0.0 || plain(unit, largest) {
         return 0;
     }
@@ -113,6 +115,7 @@ mod tests {
         assert_eq!(label("N", 0.0048), "(mN)");
         assert_eq!(label("m", 1e-6), "(µm)");
         assert_eq!(label("m", 9.99e-7), "(nm)");
+        assert_eq!(label("m", 1e-6 * (1.0 - f64::EPSILON)), "(µm)");
         assert_eq!(label("Pa", 1.2e9), "(GPa)");
         assert_eq!(label("J", 3e-9), "(nJ)");
         assert_eq!(label("N/m", 2e5), "(kN/m)");
