@@ -1,1 +1,2 @@
 //! What is right, and how well the program hits it.
+pub mod theory;
