@@ -10,6 +10,7 @@ pub mod quadrature;
 pub mod rough;
 pub mod shape;
 pub mod material;
+pub mod viscoelastic;
 pub mod adhesion;
 pub mod quasistatic;
 pub mod bed;

@@ -1,0 +1,21 @@
+//! Viscoelastic beds, exact in time.
+//!
+//! Every spring is E∞, any number of Maxwell elements and a dashpot in parallel. While the indenter
+//! moves at constant speed the spring's load is known in closed form, so a history of straight
+//! pieces has no error of time stepping. Three beds share the [`spring`](mod@spring): the
+//! [`direct`] one updates every spring in every step; the [`lazy`] one does work only for the springs
+//! touched or released.
+
+pub mod direct;
+#[cfg(test)]
+mod laws;
+pub mod layout;
+pub mod lazy;
+pub mod ledger;
+mod secular;
+mod spectrum;
+pub mod spring;
+mod totals;
+
+pub use spectrum::{Mode, Spectrum, Term};
+pub use spring::Motion;
