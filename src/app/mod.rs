@@ -1,4 +1,6 @@
-//! The outside world.
+//! The outside world: scenes, tables, figures, the command line.
 
 #[cfg(feature = "plot")]
 pub mod figure;
+pub mod export;
+pub mod run;

@@ -1,2 +1,4 @@
 //! What is right, and how well the program hits it.
+
 pub mod theory;
+pub mod validity;

@@ -1,0 +1,94 @@
+//! The figures a scene asks for, or those that suit it.
+
+mod branches;
+mod fields;
+mod shape;
+
+use crate::app::figure::{Axis, Figure, Guide, Panel, Series};
+use crate::physics::record::{Outcome, Record};
+use crate::physics::scene::Plot;
+use crate::physics::setup::Setup;
+use branches::{Branch, branches, jumps};
+
+/// The figure of a scene: one panel per plot wanted.
+#[must_use]
+pub fn figures(setup: &Setup, outcome: &Outcome) -> Figure {
+    let wanted = setup.scene.plots.clone().unwrap_or_else(|| suiting(setup, outcome));
+    let panels = wanted.iter().flat_map(|plot| panels(*plot, setup, outcome));
+    panels.fold(Figure::new(setup.scene.title.clone()), Figure::with)
+}
+
+/// What suits a scene that asks for nothing.
+fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
+    let mut plots = vec![Plot::Force, Plot::Radius];
+    if outcome.records.iter().any(|record| record.tangential.is_some()) {
+        plots.push(Plot::Friction);
+    }
+    if !outcome.fields.is_empty() {
+        plots.push(Plot::Pressure);
+    }
+    if setup.scene.friction.is_none() {
+        plots.push(Plot::Shape);
+    }
+    plots
+}
+
+fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
+    let records = &outcome.records;
+    match plot {
+        Plot::Force => force(setup, records),
+        Plot::Radius => vec![against_depth(records, "contact radius a", "m", |record| record.normal.contact_radius)],
+        Plot::Pressure => vec![fields::pressure(setup, outcome)],
+        Plot::Stress => vec![fields::stress(outcome)],
+        Plot::Energy => vec![energy(records)],
+        Plot::Shape => vec![shape::profile(setup, outcome)],
+        Plot::Friction => vec![friction(records)],
+        Plot::Moduli => setup.relaxation.as_ref().map(shape::moduli).into_iter().collect(),
+        Plot::Restitution => Vec::new(),
+    }
+}
+
+/// Force against indentation, and against time where the bodies remember.
+fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
+    let mut panels = vec![against_depth(records, "force F", "N", |record| record.normal.force)];
+    if setup.relaxation.is_some() {
+        panels.push(against_time(records, ("force F", "N"), |record| Some(record.normal.force)));
+        panels.push(against_time(records, ("indentation d", "m"), |record| record.normal.indentation));
+    }
+    panels
+}
+
+fn against_depth(records: &[Record], name: &str, unit: &str, of: impl Fn(&Record) -> f64 + Copy) -> Panel {
+    let panel = Panel::new(Axis::linear("indentation d", "m"), Axis::linear(name, unit));
+    let point = |record: &Record| (record.normal.indentation.unwrap_or(f64::NAN), of(record));
+    let panel = branches(records).into_iter().fold(panel, |panel, branch| panel.with(series(&branch, point)));
+    jumps(records).fold(panel, |panel, (before, after)| {
+        panel.guide(Guide::Jump { from: point(before), to: point(after) })
+    })
+}
+
+fn series(branch: &Branch<'_>, point: impl Fn(&Record) -> (f64, f64)) -> Series {
+    Series::new(branch.label, branch.records.iter().map(point).collect()).arrow()
+}
+
+fn against_time(records: &[Record], (name, unit): (&str, &str), of: impl Fn(&Record) -> Option<f64>) -> Panel {
+    let points = records.iter().map(|record| (record.time, of(record).unwrap_or(f64::NAN))).collect();
+    Panel::new(Axis::linear("time t", "s"), Axis::linear(name, unit)).with(Series::new("", points))
+}
+
+fn energy(records: &[Record]) -> Panel {
+    let of = |value: fn(&Record) -> f64| records.iter().map(|record| (record.time, value(record))).collect::<Vec<_>>();
+    let mut panel = Panel::new(Axis::linear("time t", "s"), Axis::linear("energy", "J"))
+        .with(Series::new("elastic", of(|record| record.normal.stored.elastic)));
+    if records.iter().any(|record| record.normal.stored.surface.abs() > 0.0) {
+        panel = panel.with(Series::new("surface", of(|record| record.normal.stored.surface)));
+    }
+    let lost = |record: &Record| record.normal.dissipated + record.tangential.map_or(0.0, |state| state.dissipated);
+    panel.with(Series::new("dissipated", records.iter().map(|record| (record.time, lost(record))).collect()))
+}
+
+fn friction(records: &[Record]) -> Panel {
+    let points = records.iter().filter_map(|record| record.tangential.map(|state| (state.slide, state.force))).collect();
+    Panel::new(Axis::linear("tangential displacement u", "m"), Axis::linear("tangential force Fₓ", "N"))
+        .with(Series::new("", points).arrow())
+}

@@ -1,0 +1,58 @@
+//! The indenter and its one-dimensional equivalent; the moduli of a viscoelastic body.
+
+use crate::app::figure::{Axis, Panel, Series};
+use crate::physics::material::Relaxation;
+use crate::physics::record::Outcome;
+use crate::physics::setup::Setup;
+use crate::physics::shape::Rim;
+use std::f64::consts::TAU;
+
+const POINTS: usize = 400;
+
+/// f(r) and g(x) out to a little beyond the largest contact.
+pub fn profile(setup: &Setup, outcome: &Outcome) -> Panel {
+    let profile = setup.profile.as_ref();
+    let largest = outcome.records.iter().map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let wanted = if largest > 0.0 { 1.25 * largest } else { profile.scale() };
+    let reach = match profile.rim() {
+        Rim::None => wanted,
+        Rim::Wall(end) | Rim::End(end) => wanted.min(end),
+    };
+    let at = |k: usize| reach * (k as f64 / POINTS as f64);
+    let of = |height: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (at(k), height(at(k)))).collect::<Vec<_>>();
+    let panel = Panel::new(Axis::linear("radius r, place x", "m").from(0.0), Axis::linear("height", "m"))
+        .with(Series::new("profile f(r)", of(&|r| profile.height(r))))
+        .with(Series::new("equivalent g(x)", of(&|x| profile.reduced(x))));
+    if matches!(profile.rim(), Rim::Wall(_)) { panel.note("Beyond the radius of the punch both rise vertically.") } else { panel }
+}
+
+/// Relaxation and storage and loss moduli over the decades of the spectrum.
+pub fn moduli(relaxation: &Relaxation) -> Panel {
+    let times = relaxation.terms.iter().map(|term| term.1).filter(|time| *time > 0.0);
+    let (least, most) = times.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), time| (least.min(time), most.max(time)));
+    let (low, high) = if most > 0.0 { ((0.01 / most).log10(), (100.0 / least).log10()) } else { (-3.0, 3.0) };
+    let rate = |k: usize| 10f64.powf(low + (high - low) * k as f64 / POINTS as f64);
+    let of = |modulus: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (rate(k), modulus(rate(k)))).collect::<Vec<_>>();
+    Panel::new(Axis::log("angular frequency ω, 1/t", "1/s"), Axis::log("modulus", "Pa"))
+        .with(Series::new("relaxation E*(t = 1/ω)", of(&|rate| relaxed(relaxation, 1.0 / rate))))
+        .with(Series::new("storage E′(ω)", of(&|rate| storage(relaxation, rate))))
+        .with(Series::new("loss E″(ω)", of(&|rate| loss(relaxation, rate))))
+        .note(format!("Angular frequency ω = {:.4} × frequency.", TAU))
+}
+
+fn relaxed(relaxation: &Relaxation, time: f64) -> f64 {
+    relaxation.equilibrium + relaxation.terms.iter().map(|term| term.0 * (-time / term.1).exp()).sum::<f64>()
+}
+
+fn storage(relaxation: &Relaxation, rate: f64) -> f64 {
+    let part = |term: &(f64, f64)| {
+        let x = (rate * term.1).powi(2);
+        term.0 * x / (1.0 + x)
+    };
+    relaxation.equilibrium + relaxation.terms.iter().map(part).sum::<f64>()
+}
+
+fn loss(relaxation: &Relaxation, rate: f64) -> f64 {
+    let part = |term: &(f64, f64)| term.0 * rate * term.1 / (1.0 + (rate * term.1).powi(2));
+    relaxation.viscosity * rate + relaxation.terms.iter().map(part).sum::<f64>()
+}

@@ -1,0 +1,14 @@
+//! Results as bytes: tables, JSON, figures, a summary. Nothing here writes a file.
+
+mod json;
+mod summary;
+mod tables;
+
+#[cfg(feature = "plot")]
+mod figures;
+
+#[cfg(feature = "plot")]
+pub use figures::figures;
+pub use json::json;
+pub use summary::summary;
+pub use tables::{pressure_table, record_table};

@@ -1,0 +1,79 @@
+//! CSV tables of records and fields.
+
+use crate::physics::record::{Field, Outcome, Record};
+
+/// The records, one row each; columns of a part appear only if the scene has it.
+///
+/// # Errors
+/// The table cannot be put together (never for records of a simulation).
+pub fn record_table(outcome: &Outcome) -> Result<String, csv::Error> {
+    let sheared = outcome.records.iter().any(|record| record.tangential.is_some());
+    let mut header = vec![
+        "time_s",
+        "indentation_m",
+        "force_n",
+        "contact_radius_m",
+        "stiffness_n_per_m",
+        "stored_j",
+        "dissipated_j",
+    ];
+    if sheared {
+        header.extend(["slide_m", "tangential_force_n", "stick_radius_m", "friction_dissipated_j"]);
+    }
+    let rows = outcome.records.iter().map(|record| cells(record, sheared));
+    table(&header, rows)
+}
+
+fn cells(record: &Record, sheared: bool) -> Vec<Option<f64>> {
+    let normal = &record.normal;
+    let mut row = vec![
+        Some(record.time),
+        normal.indentation,
+        Some(normal.force),
+        Some(normal.contact_radius),
+        Some(normal.stiffness),
+        Some(normal.stored.stored()),
+        Some(normal.dissipated),
+    ];
+    if sheared {
+        let part = |of: fn(&crate::physics::record::Tangential) -> f64| record.tangential.as_ref().map(of);
+        row.extend([part(|t| t.slide), part(|t| t.force), part(|t| t.stick_radius), part(|t| t.dissipated)]);
+    }
+    row
+}
+
+/// Pressure and surface profiles, one block of rows per field, named in the first column.
+///
+/// # Errors
+/// The table cannot be put together (never for fields of a simulation).
+pub fn pressure_table(fields: &[Field]) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["profile", "time_s", "radius_m", "pressure_pa", "surface_displacement_m"])?;
+    for field in fields {
+        for row in &field.rows {
+            let numbers = [Some(field.time), Some(row.radius), row.pressure, row.displacement].map(cell);
+            writer.write_record(std::iter::once(field.label.clone()).chain(numbers))?;
+        }
+    }
+    text(writer)
+}
+
+fn table(header: &[&str], rows: impl Iterator<Item = Vec<Option<f64>>>) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(header)?;
+    for row in rows {
+        writer.write_record(row.into_iter().map(cell))?;
+    }
+    text(writer)
+}
+
+/// The shortest text that reads back as the same number; empty where there is none.
+fn cell(value: Option<f64>) -> String {
+    // Adding zero turns −0 into 0.
+    value.filter(|value| value.is_finite()).map_or_else(String::new, |value| format!("{:?}", value + 0.0))
+}
+
+fn text(writer: csv::Writer<Vec<u8>>) -> Result<String, csv::Error> {
+    let bytes = writer.into_inner().map_err(|error| std::io::Error::other(error.to_string()))?;
+    String::from_utf8(bytes).map_err(|error| std::io::Error::other(error).into())
+}

@@ -1,0 +1,81 @@
+//! A scene from its setup to the bytes of its files.
+
+use super::export;
+use crate::check::validity;
+use crate::physics::record::Outcome;
+use crate::physics::setup::Setup;
+use crate::physics::simulation::{self, SimulationError, Wanted};
+
+/// One kind of output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// Tables of records and fields.
+    Csv,
+    /// Summary.
+    Json,
+    /// Figure.
+    Svg,
+}
+
+/// A file to be written: what follows the stem of the scene's name, and the bytes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Product {
+    /// Ending such as `.csv` or `.pressure.csv`.
+    pub ending: &'static str,
+    /// Content.
+    pub content: String,
+}
+
+/// Why a scene gave no files.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The computation failed.
+    #[error(transparent)]
+    Simulation(#[from] SimulationError),
+    /// A table could not be put together.
+    #[error("the table could not be written: {0}")]
+    Table(#[from] csv::Error),
+    /// The summary could not be put together.
+    #[error("the summary could not be written: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// Computes a scene, with what the `formats` need and nothing else.
+///
+/// # Errors
+/// The computation failed.
+pub fn compute(setup: &Setup, formats: &[Format]) -> Result<Outcome, RunError> {
+    let plotted = |plot| setup.scene.plots.as_ref().is_some_and(|plots| plots.contains(&plot));
+    let figure = formats.contains(&Format::Svg);
+    let wanted = Wanted {
+        fields: formats.contains(&Format::Csv)
+            || formats.contains(&Format::Json)
+            || figure && (setup.scene.plots.is_none() || plotted(crate::physics::scene::Plot::Pressure)),
+        stresses: figure && plotted(crate::physics::scene::Plot::Stress),
+    };
+    let mut outcome = simulation::run(setup, wanted)?;
+    outcome.warnings.extend(validity::warnings(setup, &outcome));
+    Ok(outcome)
+}
+
+/// The files of an outcome; `file` is the name of the scene's file.
+///
+/// # Errors
+/// A file could not be put together.
+pub fn products(setup: &Setup, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
+    let mut products = Vec::new();
+    if formats.contains(&Format::Csv) {
+        products.push(Product { ending: ".csv", content: export::record_table(outcome)? });
+        if !outcome.fields.is_empty() {
+            products.push(Product { ending: ".pressure.csv", content: export::pressure_table(&outcome.fields)? });
+        }
+    }
+    if formats.contains(&Format::Json) {
+        products.push(Product { ending: ".json", content: export::json(&setup.scene, file, outcome)? });
+    }
+    #[cfg(feature = "plot")]
+    if formats.contains(&Format::Svg) {
+        products.push(Product { ending: ".svg", content: export::figures(setup, outcome).svg() });
+    }
+    Ok(products)
+}

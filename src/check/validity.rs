@@ -1,0 +1,112 @@
+//! Where a computed contact leaves the assumptions of the half-space, with numbers.
+
+use crate::physics::adhesion::Adhesion;
+use crate::physics::material::Body;
+use crate::physics::record::{Normal, Outcome};
+use crate::physics::setup::Setup;
+use crate::physics::shape::{Profile, Shape};
+use crate::physics::stress::Loading;
+use std::f64::consts::PI;
+
+/// Slope of the indenter at the edge beyond which the half-space is doubtful; the error grows with
+/// the square of the slope.
+const STEEP: f64 = 0.3;
+/// Relative difference between a paraboloid and the ball it stands for that is worth a word.
+const BALL: f64 = 0.01;
+/// Range of the attraction assumed for the Tabor parameter [m], an atomic distance.
+const ATOMIC_RANGE: f64 = 0.3e-9;
+
+/// The physics a user must know about an outcome.
+#[must_use]
+pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
+    let states = outcome.records.iter().map(|record| record.normal);
+    let Some(largest) = states.max_by(|x, y| x.contact_radius.total_cmp(&y.contact_radius)) else { return Vec::new() };
+    let profile = setup.profile.as_ref();
+    let found = [
+        steep(profile, largest.contact_radius),
+        not_a_ball(setup, largest.contact_radius),
+        tabor(setup),
+        coupled(setup),
+    ];
+    found.into_iter().flatten().chain(first_yield(setup, &largest)).collect()
+}
+
+fn steep(profile: &dyn Profile, a: f64) -> Option<String> {
+    let slope = (profile.height(a) - profile.height(a * (1.0 - 1e-3))) / (1e-3 * a);
+    (a > 0.0 && slope.is_finite() && slope > STEEP).then(|| {
+        format!(
+            "the indenter's slope reaches {slope:.2} at the edge of the contact: the half-space assumes slopes well below one, expect errors of the order of {:.0} %",
+            100.0 * slope * slope
+        )
+    })
+}
+
+/// A paraboloid stands for a ball only while a ≪ R: the difference of the forces at equal a.
+fn not_a_ball(setup: &Setup, a: f64) -> Option<String> {
+    let Shape::Paraboloid(paraboloid) = &setup.scene.shape else { return None };
+    let part = a / paraboloid.radius.si();
+    if part >= 1.0 {
+        return Some(format!("the contact radius is {part:.2} times the radius of curvature: no ball has such a contact"));
+    }
+    let exact = 0.5 * (1.0 + part * part) * ((1.0 + part) / (1.0 - part)).ln() - part;
+    let difference = exact / (2.0 / 3.0 * part.powi(3)) - 1.0;
+    (difference > BALL).then(|| {
+        format!(
+            "a/R = {part:.2}: if the paraboloid stands for a ball, use Sphere(radius: …), whose force at this contact radius is {:.1} % larger",
+            100.0 * difference
+        )
+    })
+}
+
+/// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} with an atomic range z₀; JKR needs more than 5.
+fn tabor(setup: &Setup) -> Option<String> {
+    let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
+    let radius = match &setup.scene.shape {
+        Shape::Paraboloid(shape) => shape.radius.si(),
+        _ => return None,
+    };
+    let parameter = (radius * (jkr.work.si() / setup.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
+    (parameter < 5.0).then(|| {
+        format!(
+            "Tabor parameter {parameter:.2} (range of attraction 0.3 nm): JKR holds above 5; use Maugis(work: …, stress: …)"
+        )
+    })
+}
+
+fn coupled(setup: &Setup) -> Option<String> {
+    let beta = setup.pair.coupling;
+    (setup.scene.friction.is_some() && beta.abs() > 1e-9).then(|| {
+        format!(
+            "the pair breaks elastic similarity (Dundurs' β = {beta:.3}): normal and tangential contact are treated as independent, expect errors of this order in friction"
+        )
+    })
+}
+
+/// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress.
+fn first_yield(setup: &Setup, largest: &Normal) -> Vec<String> {
+    let bodies = [&setup.scene.bodies.0, &setup.scene.bodies.1];
+    bodies.into_iter().filter_map(|body| yielding(setup, largest, body)).collect()
+}
+
+fn yielding(setup: &Setup, largest: &Normal, body: &Body) -> Option<String> {
+    let Body::Elastic(elastic) = body else { return None };
+    let limit = elastic.yield_stress?.si();
+    let (a, modulus) = (largest.contact_radius, setup.pair.normal);
+    let edge = largest.indentation? - setup.profile.reduced(a);
+    let loading = Loading {
+        profile: setup.profile.as_ref(),
+        modulus,
+        poisson: elastic.poisson.si(),
+        contact_radius: a,
+        edge_load: modulus * edge,
+    };
+    let worst = loading.profile_down(96).into_iter().max_by(|x, y| x.shear.total_cmp(&y.shear))?;
+    (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
+        format!(
+            "the stress passes first yield: |σ_zz − σ_xx| = {:.3e} Pa at the depth {:.2} a, yield stress {limit:.3e} Pa, mean pressure {:.3e} Pa",
+            2.0 * worst.shear,
+            worst.depth / a,
+            largest.force / (PI * a * a)
+        )
+    })
+}
