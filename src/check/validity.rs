@@ -46,10 +46,12 @@ fn not_a_ball(setup: &Setup, a: f64) -> Option<String> {
     let Shape::Paraboloid(paraboloid) = &setup.scene.shape else { return None };
     let part = a / paraboloid.radius.si();
     if part >= 1.0 {
-        return Some(format!("the contact radius is {part:.2} times the radius of curvature: no ball has such a contact"));
+        return Some(format!(
+            "the contact radius is {part:.2} times the radius of curvature: no ball has such a contact"
+        ));
     }
     let exact = 0.5 * (1.0 + part * part) * ((1.0 + part) / (1.0 - part)).ln() - part;
-    let difference = exact / (2.0 / 3.0 * part.powi(3)) - 1.0;
+    let difference = exact / (4.0 / 3.0 * part.powi(3)) - 1.0;
     (difference > BALL).then(|| {
         format!(
             "a/R = {part:.2}: if the paraboloid stands for a ball, use Sphere(radius: …), whose force at this contact radius is {:.1} % larger",

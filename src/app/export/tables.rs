@@ -8,15 +8,8 @@ use crate::physics::record::{Field, Outcome, Record};
 /// The table cannot be put together (never for records of a simulation).
 pub fn record_table(outcome: &Outcome) -> Result<String, csv::Error> {
     let sheared = outcome.records.iter().any(|record| record.tangential.is_some());
-    let mut header = vec![
-        "time_s",
-        "indentation_m",
-        "force_n",
-        "contact_radius_m",
-        "stiffness_n_per_m",
-        "stored_j",
-        "dissipated_j",
-    ];
+    let mut header =
+        vec!["time_s", "indentation_m", "force_n", "contact_radius_m", "stiffness_n_per_m", "stored_j", "dissipated_j"];
     if sheared {
         header.extend(["slide_m", "tangential_force_n", "stick_radius_m", "friction_dissipated_j"]);
     }

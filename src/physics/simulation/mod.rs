@@ -86,7 +86,12 @@ fn direct(setup: &Setup) -> Result<Direct<'_>, SimulationError> {
             Attraction::Range(disc.map_err(|error| SimulationError::Refused(error.to_string()))?)
         }
     };
-    Ok(Direct::new(QuasiStatic::new(profile, modulus, attraction), modulus))
+    let mut contact = QuasiStatic::new(profile, modulus, attraction);
+    if let Attraction::Range(_) = attraction {
+        // The bodies have come from far away: at d = 0 they attract each other already.
+        contact.indent(0.0).map_err(|source| SimulationError::Branch { entry: 0, source })?;
+    }
+    Ok(Direct::new(contact, modulus))
 }
 
 /// A bed of `springs` springs that is just wide enough for the history, as the direct path finds it.
@@ -181,6 +186,9 @@ impl Run<'_> {
             };
             self.advance(to, start + part * over)?;
         }
+        if let Path::UntilParted { .. } = stage.normal {
+            self.part()?;
+        }
         Ok(())
     }
 
@@ -221,6 +229,16 @@ impl Run<'_> {
             ));
         }
         self.push(self.contact.state(), time);
+        Ok(())
+    }
+
+    /// The instant in which a retracted contact parts: a hair below the last stable depth.
+    fn part(&mut self) -> Result<(), BranchError> {
+        let last = self.prescribed();
+        let events = self.contact.advance(Control::Indentation, last.next_down(), 0.0)?;
+        for event in events {
+            self.push(event.after, self.time);
+        }
         Ok(())
     }
 

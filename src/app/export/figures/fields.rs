@@ -44,7 +44,8 @@ fn mean_pressure(field: &Field) -> f64 {
 
 fn curve(field: &Field) -> Series {
     let point = |row: &FieldRow| (row.radius, row.pressure.unwrap_or(f64::NAN));
-    let until = |row: &&FieldRow| row.radius <= 1.5 * field.contact_radius || row.pressure.is_some_and(|p| p.abs() > 0.0);
+    let until =
+        |row: &&FieldRow| row.radius <= 1.5 * field.contact_radius || row.pressure.is_some_and(|p| p.abs() > 0.0);
     Series::new(field.label.clone(), field.rows.iter().filter(until).map(point).collect())
 }
 

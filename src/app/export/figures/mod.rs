@@ -62,9 +62,8 @@ fn against_depth(records: &[Record], name: &str, unit: &str, of: impl Fn(&Record
     let panel = Panel::new(Axis::linear("indentation d", "m"), Axis::linear(name, unit));
     let point = |record: &Record| (record.normal.indentation.unwrap_or(f64::NAN), of(record));
     let panel = branches(records).into_iter().fold(panel, |panel, branch| panel.with(series(&branch, point)));
-    jumps(records).fold(panel, |panel, (before, after)| {
-        panel.guide(Guide::Jump { from: point(before), to: point(after) })
-    })
+    jumps(records)
+        .fold(panel, |panel, (before, after)| panel.guide(Guide::Jump { from: point(before), to: point(after) }))
 }
 
 fn series(branch: &Branch<'_>, point: impl Fn(&Record) -> (f64, f64)) -> Series {
@@ -88,7 +87,8 @@ fn energy(records: &[Record]) -> Panel {
 }
 
 fn friction(records: &[Record]) -> Panel {
-    let points = records.iter().filter_map(|record| record.tangential.map(|state| (state.slide, state.force))).collect();
+    let points =
+        records.iter().filter_map(|record| record.tangential.map(|state| (state.slide, state.force))).collect();
     Panel::new(Axis::linear("tangential displacement u", "m"), Axis::linear("tangential force Fₓ", "N"))
         .with(Series::new("", points).arrow())
 }

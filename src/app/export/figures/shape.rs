@@ -23,13 +23,18 @@ pub fn profile(setup: &Setup, outcome: &Outcome) -> Panel {
     let panel = Panel::new(Axis::linear("radius r, place x", "m").from(0.0), Axis::linear("height", "m"))
         .with(Series::new("profile f(r)", of(&|r| profile.height(r))))
         .with(Series::new("equivalent g(x)", of(&|x| profile.reduced(x))));
-    if matches!(profile.rim(), Rim::Wall(_)) { panel.note("Beyond the radius of the punch both rise vertically.") } else { panel }
+    if matches!(profile.rim(), Rim::Wall(_)) {
+        panel.note("Beyond the radius of the punch both rise vertically.")
+    } else {
+        panel
+    }
 }
 
 /// Relaxation and storage and loss moduli over the decades of the spectrum.
 pub fn moduli(relaxation: &Relaxation) -> Panel {
     let times = relaxation.terms.iter().map(|term| term.1).filter(|time| *time > 0.0);
-    let (least, most) = times.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), time| (least.min(time), most.max(time)));
+    let (least, most) =
+        times.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), time| (least.min(time), most.max(time)));
     let (low, high) = if most > 0.0 { ((0.01 / most).log10(), (100.0 / least).log10()) } else { (-3.0, 3.0) };
     let rate = |k: usize| 10f64.powf(low + (high - low) * k as f64 / POINTS as f64);
     let of = |modulus: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (rate(k), modulus(rate(k)))).collect::<Vec<_>>();
