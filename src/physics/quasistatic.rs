@@ -106,6 +106,34 @@ impl<'p> QuasiStatic<'p> {
         Ok(jumps)
     }
 
+    /// States on the stable path from the reach `from` to the reach `to` [m] at which the force turns,
+    /// in the order of the path: the pull-off force under prescribed depth is one of them.
+    ///
+    /// # Errors
+    /// The contact cannot be followed.
+    pub fn force_turns(&mut self, from: f64, to: f64) -> Result<Vec<Balance>, BranchError> {
+        let attraction = self.attraction;
+        if attraction.search() == Search::Nowhere {
+            return Ok(Vec::new());
+        }
+        let mut branches = match self.by_force.take() {
+            Some(branches) => branches,
+            None => Branches::new(&attraction, Control::Force)?,
+        };
+        let mut turns = branches.turns_between(&attraction, from.min(to), from.max(to))?;
+        self.by_force = Some(branches);
+        if to < from {
+            turns.reverse();
+        }
+        Ok(turns.into_iter().map(|s| attraction.at(s)).collect())
+    }
+
+    /// Stored energy of a state in equilibrium.
+    #[must_use]
+    pub fn energy_at(&self, balance: &Balance) -> Energy {
+        self.energy_of(Some(balance))
+    }
+
     fn state_at(&self, control: Control, s: f64, to: f64) -> Result<Present, BranchError> {
         let attraction = &self.attraction;
         let at_end = s >= attraction.end();

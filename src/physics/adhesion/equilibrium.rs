@@ -249,6 +249,16 @@ impl Branches {
         self.turning[from..].iter().find(|turning| turning.kind == Kind::Minimum).copied()
     }
 
+    /// Parameters strictly between `low` and `high` at which Q turns, ascending.
+    ///
+    /// # Errors
+    /// A wavy contact covers too many waves.
+    pub fn turns_between(&mut self, curve: &impl Equilibrium, low: f64, high: f64) -> Result<Vec<f64>, BranchError> {
+        self.scan_to(curve, high)?;
+        let inside = |turning: &&Turning| turning.s > low && turning.s < high && turning.s > curve.start();
+        Ok(self.turning.iter().filter(inside).map(|turning| turning.s).collect())
+    }
+
     /// The lowest value of Q on the stable branch at or below `s`, where the bodies part or jump.
     #[must_use]
     pub fn least_below(&self, s: f64) -> Option<f64> {
@@ -362,17 +372,30 @@ impl Branches {
     /// Searches a wavy curve until it has risen above `target` for good.
     fn scan_until(&mut self, curve: &impl Equilibrium, target: f64) -> Result<(), BranchError> {
         let Search::Spaced(length) = curve.search() else { return Ok(()) };
-        let (step, end) = (length / POINTS_PER_WAVE, curve.end());
-        while self.scanned < end && !self.has_passed(curve, target) {
-            let next = (self.scanned + step).min(end);
-            if next / length > MOST_WAVES as f64 {
-                return Err(BranchError::TooManyWaves { most: MOST_WAVES });
-            }
-            self.find_between(curve, (self.scanned, next))?;
-            self.scanned = next;
+        while self.scanned < curve.end() && !self.has_passed(curve, target) {
+            self.scan_step(curve, length)?;
         }
-        if self.scanned >= end {
-            self.close_at_wall(curve, end);
+        Ok(())
+    }
+
+    /// Searches a wavy curve out to the parameter `s`.
+    fn scan_to(&mut self, curve: &impl Equilibrium, s: f64) -> Result<(), BranchError> {
+        let Search::Spaced(length) = curve.search() else { return Ok(()) };
+        while self.scanned < s.min(curve.end()) {
+            self.scan_step(curve, length)?;
+        }
+        Ok(())
+    }
+
+    fn scan_step(&mut self, curve: &impl Equilibrium, length: f64) -> Result<(), BranchError> {
+        let next = (self.scanned + length / POINTS_PER_WAVE).min(curve.end());
+        if next / length > MOST_WAVES as f64 {
+            return Err(BranchError::TooManyWaves { most: MOST_WAVES });
+        }
+        self.find_between(curve, (self.scanned, next))?;
+        self.scanned = next;
+        if next >= curve.end() {
+            self.close_at_wall(curve, next);
         }
         Ok(())
     }

@@ -80,6 +80,27 @@ impl<'p> Direct<'p> {
         }
     }
 
+    /// The jumps, and between them the states at which the force turns: pull-off is no matter of records.
+    fn with_force_turns(&mut self, from: f64, jumps: &[Jump]) -> Result<Vec<Event>, BranchError> {
+        let mut events = Vec::new();
+        let mut from = from;
+        for jump in jumps {
+            self.turn_events(from, jump.before.reach, &mut events)?;
+            events.push(self.event(jump));
+            from = jump.after.map_or(0.0, |balance| balance.reach);
+        }
+        self.turn_events(from, self.contact.present().balance.reach, &mut events)?;
+        Ok(events)
+    }
+
+    fn turn_events(&mut self, from: f64, to: f64, events: &mut Vec<Event>) -> Result<(), BranchError> {
+        for balance in self.contact.force_turns(from, to)? {
+            let state = self.normal(&balance, self.contact.energy_at(&balance));
+            events.push(Event { at: balance.indentation, before: state, after: state });
+        }
+        Ok(())
+    }
+
     fn event(&mut self, jump: &Jump) -> Event {
         let before = self.normal(&jump.before, jump.stored.0);
         self.dissipated += jump.dissipated;
@@ -93,11 +114,14 @@ impl<'p> Direct<'p> {
 
 impl NormalContact for Direct<'_> {
     fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, BranchError> {
-        let jumps = match control {
-            Control::Indentation => self.contact.indent(to)?,
-            Control::Force => self.contact.press(to)?,
-        };
-        Ok(jumps.iter().map(|jump| self.event(jump)).collect())
+        let from = self.contact.present().balance.reach;
+        match control {
+            Control::Force => Ok(self.contact.press(to)?.iter().map(|jump| self.event(jump)).collect()),
+            Control::Indentation => {
+                let jumps = self.contact.indent(to)?;
+                self.with_force_turns(from, &jumps)
+            }
+        }
     }
 
     fn state(&self) -> Normal {
