@@ -1,2 +1,9 @@
 //! The program springbed.
-fn main() {}
+//!
+//! `springbed run SCENE.ron` goes: command line → scene file → setup → simulation → exports → files.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    springbed::app::command_line::main()
+}

@@ -1,6 +1,15 @@
 //! The outside world: scenes, tables, figures, the command line.
 
+pub mod place;
+pub mod fault;
+pub mod scene_file;
+pub mod table_file;
+pub mod write;
+pub mod console;
 #[cfg(feature = "plot")]
 pub mod figure;
 pub mod export;
 pub mod run;
+pub mod check;
+pub mod starters;
+pub mod command_line;

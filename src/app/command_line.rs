@@ -1,0 +1,157 @@
+//! The command line: what can be asked for, and who answers.
+
+use super::console::{Colour, Console, Failure, Voice};
+use super::{check, starters, write};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Exact contact mechanics from a text file: indentation, adhesion, friction, creep, impact.
+#[derive(Debug, Parser)]
+#[command(name = "springbed", version, max_term_width = 100, arg_required_else_help = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+    #[command(flatten)]
+    common: Common,
+}
+
+/// Flags of all commands.
+#[derive(Debug, Clone, Args)]
+pub struct Common {
+    /// Folder for the files written.
+    #[arg(long, global = true, value_name = "DIR", default_value = "plots")]
+    pub out: PathBuf,
+    /// Kinds of files to write.
+    #[arg(long, global = true, value_enum, value_delimiter = ',', default_value = "csv,json,svg")]
+    pub format: Vec<Kind>,
+    /// Threads to compute on; all cores if not given. The results do not depend on it.
+    #[arg(long, global = true, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// Say nothing but errors.
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// Results on standard output as JSON.
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Colour in messages.
+    #[arg(long, global = true, value_enum, value_name = "WHEN", default_value = "auto")]
+    pub color: Colour,
+}
+
+/// A kind of output file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// Tables.
+    Csv,
+    /// Summary.
+    Json,
+    /// Figures.
+    Svg,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Compute scenes; write tables, summaries and figures.
+    Run {
+        /// Scene files.
+        #[arg(required = true, value_name = "SCENE.ron")]
+        scenes: Vec<PathBuf>,
+    },
+    /// Read and check scenes, compute nothing.
+    Check {
+        /// Scene files.
+        #[arg(required = true, value_name = "SCENE.ron")]
+        scenes: Vec<PathBuf>,
+    },
+    /// Say how a scene would be computed, and how well.
+    Explain {
+        /// Scene file.
+        #[arg(value_name = "SCENE.ron")]
+        scene: PathBuf,
+    },
+    /// Print a commented scene to start from.
+    New {
+        /// Kind of scene; without it, the kinds.
+        #[arg(value_name = "KIND")]
+        kind: Option<String>,
+    },
+    /// Compute every case with a known answer and show the errors.
+    Verify {
+        /// Only cases whose name contains this.
+        #[arg(value_name = "FILTER")]
+        filter: Option<String>,
+        /// Print the table as the VALIDATION.md of the project.
+        #[arg(long)]
+        markdown: bool,
+    },
+    /// Compare springs, the direct path and the full half-space on a scene.
+    Compare {
+        /// Scene file.
+        #[arg(value_name = "SCENE.ron")]
+        scene: PathBuf,
+    },
+    /// Error against run time, behaviour at the extremes, throughput.
+    Report {
+        /// What to report.
+        #[arg(value_enum)]
+        topic: Topic,
+        /// Scene to report on; without it, the cases with known answers.
+        #[arg(value_name = "SCENE.ron")]
+        scene: Option<PathBuf>,
+        /// Take longer than a minute if it helps.
+        #[arg(long)]
+        thorough: bool,
+    },
+}
+
+/// Topic of a report.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Topic {
+    /// Error against run time.
+    Accuracy,
+    /// Stiff and extreme values.
+    Stability,
+    /// Throughput.
+    Speed,
+}
+
+/// Reads the command line, does what it asks for and says how it ended.
+#[must_use]
+pub fn main() -> ExitCode {
+    let CommandLine { command, common } = match CommandLine::try_parse() {
+        Ok(line) => line,
+        Err(error) => {
+            // Help and version also come as an error; a closed pipe is not worth a word.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let voice = if common.quiet { Voice::Quiet } else { Voice::Normal };
+    let console = Console::new(common.color, voice);
+    console.end(prepared(&common).and_then(|()| answer(command, &common, &console)))
+}
+
+/// Threads and the handler of Ctrl-C.
+fn prepared(common: &Common) -> Result<(), Failure> {
+    write::remove_unfinished_on_interrupt().map_err(Failure::failed)?;
+    let Some(threads) = common.threads else { return Ok(()) };
+    if threads.get() > 4096 {
+        return Err(Failure::Usage(format!("--threads {threads} is more than any machine has: expected at most 4096")));
+    }
+    rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global().map_err(Failure::failed)
+}
+
+fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Failure> {
+    let later = |name: &str| Err(Failure::Failed(format!("`springbed {name}` is not there yet")));
+    match command {
+        Command::Run { .. } => later("run"),
+        Command::Check { scenes } => check::run(&scenes, common, console),
+        Command::Explain { .. } => later("explain"),
+        Command::New { kind } => starters::run(kind.as_deref(), console),
+        Command::Verify { .. } => later("verify"),
+        Command::Compare { .. } => later("compare"),
+        Command::Report { .. } => later("report"),
+    }
+}

@@ -1,0 +1,60 @@
+//! From a file to text: size, kind and encoding.
+
+use crate::app::fault::Fault;
+use crate::app::place::Position;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// The text of the file at `path` without its byte order mark, if it has at most `largest` bytes.
+///
+/// # Errors
+/// The file is missing, a directory, too large, or not UTF-8.
+pub fn read_text(path: &Path, largest: u64) -> Result<String, Fault> {
+    let bytes = read_bytes(path, largest)?;
+    let mut text = String::from_utf8(bytes).map_err(|error| not_utf8(path, &error))?;
+    if text.starts_with('\u{feff}') {
+        text.drain(..'\u{feff}'.len_utf8());
+    }
+    Ok(text)
+}
+
+fn read_bytes(path: &Path, largest: u64) -> Result<Vec<u8>, Fault> {
+    let fault = |error: io::Error| Fault::whole(path, unreadable(&error));
+    let metadata = std::fs::metadata(path).map_err(fault)?;
+    if metadata.is_dir() {
+        return Err(Fault::whole(path, "is a directory: expected a file"));
+    }
+    if metadata.len() > largest {
+        return Err(too_large(path, largest));
+    }
+    let mut bytes = Vec::new();
+    // The length of a pipe or device is not known before it is read.
+    File::open(path).and_then(|file| file.take(largest + 1).read_to_end(&mut bytes)).map_err(fault)?;
+    if bytes.len() as u64 > largest { Err(too_large(path, largest)) } else { Ok(bytes) }
+}
+
+fn unreadable(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "may not be read: permission denied".to_owned(),
+        _ => format!("cannot be read: {error}"),
+    }
+}
+
+fn too_large(path: &Path, largest: u64) -> Fault {
+    Fault::whole(path, format!("is too large: expected at most {} MiB", largest >> 20))
+}
+
+/// Names the first byte that is not UTF-8, with its line and column.
+fn not_utf8(path: &Path, error: &std::string::FromUtf8Error) -> Fault {
+    let at = error.utf8_error().valid_up_to();
+    let bytes = error.as_bytes();
+    let before = String::from_utf8_lossy(&bytes[..at]);
+    let hint = match bytes {
+        [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "the file looks like UTF-16; save it as UTF-8",
+        _ => "save the file as UTF-8",
+    };
+    let message = format!("the byte 0x{:02x} is not UTF-8: {hint}", bytes.get(at).copied().unwrap_or(0));
+    Fault { position: Some(Position::of(&before, before.len())), ..Fault::whole(path, message) }
+}

@@ -1,0 +1,271 @@
+//! From text to a scene, and from a parser's error to a message a person can act on.
+
+use super::names::advice;
+use crate::app::fault::Fault;
+use crate::app::place::{self, Position, Surroundings};
+use crate::physics::scene::Scene;
+use ron::error::{Error, SpannedError};
+use ron::extensions::Extensions;
+use std::path::Path;
+
+/// Deepest nesting of brackets; a scene needs eight.
+const DEEPEST: usize = 64;
+
+/// The scene in `text`; single values are checked, whether they fit together is not.
+///
+/// # Errors
+/// The first fault of the text.
+pub fn scene(path: &Path, text: &str) -> Result<Scene, Box<Fault>> {
+    let options = ron::Options::default()
+        .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_VARIANT_NEWTYPES)
+        .with_recursion_limit(DEEPEST);
+    options.from_str(text).map_err(|error| Box::new(fault(path, text, &error)))
+}
+
+fn fault(path: &Path, text: &str, error: &SpannedError) -> Fault {
+    let source = Source::new(text, error);
+    let (offset, message) = source.explained(&error.code);
+    Fault::at(path, (text, offset), message)
+}
+
+/// The text around the place at which the parser stopped.
+struct Source<'t> {
+    text: &'t str,
+    /// Whether the parser ran into the end of the text.
+    ended: bool,
+    /// Byte offset of the place.
+    at: usize,
+    around: Surroundings,
+}
+
+impl<'t> Source<'t> {
+    fn new(text: &'t str, error: &SpannedError) -> Self {
+        let offset = |place: ron::error::Position| Position { line: place.line, column: place.col }.offset(text);
+        let mut at = offset(error.span.start);
+        let next = text[at..].chars().next();
+        if matches!(error.code, Error::InvalidValueForType { .. }) && next.is_none_or(|c| !place::word(c)) {
+            // The parser has stepped over a bare word such as `ten`.
+            at -= text[..at].chars().next_back().filter(|&c| place::word(c)).map_or(0, char::len_utf8);
+        }
+        let ended = text[offset(error.span.end)..].trim_start().is_empty();
+        Self { text, ended, at, around: place::surroundings(text, at) }
+    }
+
+    /// The token at the place.
+    fn token(&self) -> &'t str {
+        place::token(self.text, self.around.token)
+    }
+
+    /// The token before the place.
+    fn before(&self) -> &'t str {
+        self.around.before.map_or("", |(start, end)| &self.text[start..end])
+    }
+
+    /// The rest of the line from the token on.
+    fn rest(&self) -> &'t str {
+        self.text[self.around.token..].lines().next().unwrap_or("")
+    }
+
+    fn explained(&self, code: &Error) -> (usize, String) {
+        let message = match code {
+            Error::Message(_) | Error::InvalidValueForType { .. } => self.wrong_value(code),
+            Error::ExpectedStringEnd => "this text has no closing quote: expected `\"`".into(),
+            Error::UnclosedBlockComment => return self.endless_comment(),
+            Error::MissingStructField { field, outer } => return self.missing(field, outer.as_deref()),
+            Error::ExceededRecursionLimit => format!("brackets are nested deeper than {DEEPEST}: expected a scene"),
+            Error::Eof | Error::ExpectedComma if self.ended => return self.never_closed(),
+            _ if self.token().is_empty() && self.around.open.is_some() => return self.never_closed(),
+            _ => self.wrong_form(code),
+        };
+        (self.around.token, message)
+    }
+
+    fn endless_comment(&self) -> (usize, String) {
+        (self.text.rfind("/*").unwrap_or(self.at), "this comment has no end: expected `*/`".into())
+    }
+
+    fn never_closed(&self) -> (usize, String) {
+        let Some((open, at)) = place::surroundings(self.text, self.text.len()).open else {
+            return (self.at, "the text ends too early: expected a scene".into());
+        };
+        let close = match open {
+            '(' => ')',
+            '[' => ']',
+            _ => '}',
+        };
+        (at, format!("the bracket `{open}` is never closed: expected `{close}` before the end of the file"))
+    }
+
+    fn missing(&self, field: &str, holder: Option<&str>) -> (usize, String) {
+        let open = self.around.open.map_or(self.at, |(_, at)| at);
+        let head = self.text[..open].trim_end_matches(place::word).len();
+        (head, format!("{} lacks the field `{field}`: expected `{field}: …`", holder.unwrap_or("this")))
+    }
+
+    /// A value that was read but is not right, with the path of its field.
+    fn wrong_value(&self, code: &Error) -> String {
+        let what = match code {
+            Error::InvalidValueForType { expected, found } => {
+                let some = if found.contains("optional") { "Some(…) is not needed: " } else { "" };
+                let expected = if expected == "a nonzero usize" { "a whole number above zero" } else { expected };
+                format!("{some}`{}` cannot stand here: expected {expected}", self.token())
+            }
+            other => other.to_string(),
+        };
+        if self.around.path.is_empty() { what } else { format!("{}: {what}", self.around.path) }
+    }
+
+    /// A text whose form is not right.
+    fn wrong_form(&self, code: &Error) -> String {
+        self.wrong_name(code).or_else(|| self.wrong_number(code)).unwrap_or_else(|| self.wrong_bracket(code))
+    }
+
+    fn wrong_name(&self, code: &Error) -> Option<String> {
+        let outer = |outer: &Option<String>| outer.clone().unwrap_or_else(|| "this".into());
+        Some(match code {
+            Error::NoSuchEnumVariant { expected, found, outer: kind } => {
+                format!("unknown {} `{found}`: {}", kind_in_words(kind.as_deref()), advice(found, expected))
+            }
+            Error::NoSuchStructField { expected, found, outer: holder } => {
+                let holder = outer(holder);
+                let bracket = if holder != "Scene" && FIELDS.contains(&found.as_str()) {
+                    ", or is a closing bracket missing before it?"
+                } else {
+                    ""
+                };
+                format!("{holder} has no field `{found}`: {}{bracket}", advice(found, expected))
+            }
+            Error::DuplicateStructField { field, outer: holder } => {
+                format!("the field `{field}` of {} is given twice: expected it once", outer(holder))
+            }
+            Error::NoSuchExtension(name) => format!("unknown extension `{name}`: expected none"),
+            _ => return None,
+        })
+    }
+
+    fn wrong_number(&self, code: &Error) -> Option<String> {
+        let (before, token) = (self.before(), self.token());
+        let number = before.starts_with(|c: char| c.is_ascii_digit());
+        Some(match code {
+            Error::InvalidIntegerDigit { .. } | Error::IntegerOutOfBounds => self.not_whole(token),
+            Error::ExpectedFloat => format!("`{token}` is not a number: expected one such as 1.5 or 1e-6"),
+            Error::ExpectedChar => "text stands in double quotes: expected \"…\"".into(),
+            Error::ExpectedComma | Error::UnexpectedChar(_) if number && token == "/" => {
+                "fractions are not computed: expected the number itself, such as 0.3333333333333333 for 1/3".into()
+            }
+            Error::ExpectedComma if number && matches!(token, "*" | "^") => {
+                "arithmetic is not computed: expected the number itself, such as 1e3 for 10^3".into()
+            }
+            Error::ExpectedComma if number && token.starts_with(char::is_alphabetic) && !self.names_a_field() => {
+                format!("a number with a unit stands in quotes: expected \"{before} {}\"", self.unit())
+            }
+            Error::ExpectedComma if token.starts_with(|c: char| c.is_ascii_digit()) => self.broken_number(token)?,
+            _ => return None,
+        })
+    }
+
+    /// A number that goes on where it should end.
+    fn broken_number(&self, token: &str) -> Option<String> {
+        if token.parse::<f64>().is_ok() {
+            return Some(self.not_whole(token));
+        }
+        let unit = token.find(|c: char| c.is_alphabetic())?;
+        Some(format!("a number with a unit stands in quotes: expected \"{} {}\"", &token[..unit], &token[unit..]))
+    }
+
+    fn not_whole(&self, token: &str) -> String {
+        let whole = token.parse::<f64>().ok().filter(|value| value.fract() == 0.0 && (1.0..1e15).contains(value));
+        let right = whole.map_or_else(|| "one above zero".to_owned(), |value| format!("{value:.0}"));
+        format!("{}: `{token}` is not a whole number: expected {right}", self.around.path)
+    }
+
+    /// Whether a colon follows the token, so that it is the name of the next field.
+    fn names_a_field(&self) -> bool {
+        self.rest()[self.token().len()..].trim_start().starts_with(':')
+    }
+
+    /// What looks like a unit: all up to the next comma or bracket.
+    fn unit(&self) -> &'t str {
+        let rest = self.rest();
+        rest[..rest.find([',', ')', ']']).unwrap_or(rest.len())].trim_end()
+    }
+
+    fn wrong_bracket(&self, code: &Error) -> String {
+        let found = if self.token().is_empty() { "the end of the file" } else { self.token() };
+        let expected = match code {
+            Error::ExpectedNamedStructLike(_) | Error::ExpectedDifferentStructName { .. } => return self.no_scene(),
+            Error::TrailingCharacters => "nothing after the closing bracket of the scene",
+            Error::ExpectedDifferentLength { .. } | Error::ExpectedStructLike if self.wants_bodies() => {
+                "a pair of bodies such as (Elastic(young: \"210 GPa\", poisson: 0.3), Rigid)"
+            }
+            Error::ExpectedStructLike => return self.no_fields(found),
+            Error::ExpectedStructLikeEnd if self.in_bodies() => "`)`: there are two bodies, and Rigid has no fields",
+            Error::ExpectedStructLikeEnd => "`)`",
+            Error::ExpectedArray => "a list in square brackets, […]",
+            Error::ExpectedString => "text in double quotes, \"…\"",
+            Error::ExpectedMapColon => {
+                return format!("`{}` needs a value: expected `{0}: …`, found `{found}`", self.before());
+            }
+            Error::ExpectedComma => "a comma or a closing bracket",
+            Error::InvalidEscape(_) => return "unknown escape in the text: expected `\\\\` for a backslash".into(),
+            Error::SuggestRawIdentifier(_) | Error::InvalidIdentifier(_) | Error::ExpectedIdentifier => {
+                return self.no_name(found);
+            }
+            Error::UnexpectedChar(_) => "a value",
+            other => return format!("{other}: expected a scene in the notation of RON"),
+        };
+        format!("found `{found}`: expected {expected}")
+    }
+
+    fn wants_bodies(&self) -> bool {
+        self.in_bodies() && !self.before().starts_with(char::is_alphabetic)
+    }
+
+    fn in_bodies(&self) -> bool {
+        self.around.path.starts_with("bodies") && !self.around.path.contains("shear")
+    }
+
+    fn no_scene(&self) -> String {
+        let found = match self.token() {
+            "" => "there is no scene in the file".to_owned(),
+            token => format!("found `{token}`"),
+        };
+        format!("{found}: expected (shape: …, bodies: (…), history: […])")
+    }
+
+    fn no_fields(&self, found: &str) -> String {
+        let before = self.before();
+        if before.starts_with(char::is_alphabetic) {
+            return format!("`{before}` needs its fields in round brackets: expected {before}(…), found `{found}`");
+        }
+        format!("found `{found}`: expected `(`")
+    }
+
+    /// Something else where a name should be.
+    fn no_name(&self, found: &str) -> String {
+        let decimals = found.chars().all(|c| c.is_ascii_digit()) && self.before() == ",";
+        if decimals && self.around.path.is_empty() {
+            return format!("found `{found}`: expected a field such as `title: …`");
+        }
+        match found.chars().next() {
+            Some('0'..='9') if decimals => {
+                format!("found `{found}`: expected a field; a decimal number has a point, as in 1.5")
+            }
+            Some('"') => format!("found {found}: names stand without quotes, expected {}", found.trim_matches('"')),
+            Some('#' | '%' | ';') => format!("found `{found}`: expected a name; a comment begins with //"),
+            _ => format!("found `{found}`: expected a name, such as that of a field: `name: …`"),
+        }
+    }
+}
+
+/// The fields of a scene.
+const FIELDS: [&str; 10] =
+    ["title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots"];
+
+fn kind_in_words(kind: Option<&str>) -> String {
+    match kind {
+        Some("Entry") => "history entry".into(),
+        Some(kind) => kind.to_lowercase(),
+        None => "name".into(),
+    }
+}
