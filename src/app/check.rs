@@ -45,7 +45,7 @@ pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), 
         let title = &scene.setup.scene.title;
         if !common.json {
             console.say(&format!(
-                "{}: right{}{title}",
+                "{}: ok{}{title}",
                 scene.path.display(),
                 if title.is_empty() { "" } else { " — " }
             ))?;
