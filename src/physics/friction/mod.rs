@@ -1,4 +1,14 @@
-//! Friction, as a scene names it.
+//! Tangential contact: stick, slip, dissipation, adhesion under shear, sliding, oblique impact.
+
+pub mod bed;
+pub mod fretting;
+mod load;
+mod slipped;
+pub mod turning;
+
+pub use bed::CoulombBed;
+pub use fretting::{FrettingMap, WearMap};
+pub use turning::{Grip, Position, TangentialMemory, TangentialState};
 
 use super::quantity::{Modulus, Ratio, Stress};
 use serde::{Deserialize, Serialize};
@@ -40,4 +50,21 @@ pub struct PressureLaw {
     pub shear: Stress,
     /// Slope β.
     pub slope: Ratio,
+}
+
+/// Why a tangential state does not exist.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum FrictionError {
+    /// The indentation asks for a contact beyond the end of the profile.
+    #[error("the profile ends before the indentation {depth:e} m is reached")]
+    BeyondProfile {
+        /// Indentation [m].
+        depth: f64,
+    },
+    /// A bed asks for springs beyond the end of the profile.
+    #[error("the profile ends before the radius {radius:e} m of the bed")]
+    BeyondRadius {
+        /// Radius [m].
+        radius: f64,
+    },
 }
