@@ -89,8 +89,8 @@ struct Cut {
 /// State and cost do not depend on any number of springs: a step costs the turning points it wipes
 /// out. The bed of springs is [`CoulombBed`](super::bed::CoulombBed).
 ///
-/// Valid for a simply connected contact of bodies that are elastically similar
-/// ([`mismatch`](super::similarity::mismatch)).
+/// Valid for a simply connected contact of elastically similar bodies
+/// ([`Pair::coupling`](crate::physics::material::Pair::coupling) zero).
 /// Check: a paraboloid, E* = G* = R = 1, μ = 0.3, at d = 1, pushed to u_x = 0.225 has c = 0.5 a and
 /// F_x = μF (1 − c³/a³) = 0.35.
 #[derive(Debug, Clone)]
