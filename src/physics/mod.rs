@@ -7,6 +7,7 @@ pub mod table;
 pub mod quantity;
 pub mod root;
 pub mod quadrature;
+pub mod special;
 pub mod rough;
 pub mod shape;
 pub mod material;

@@ -52,6 +52,21 @@ pub fn panels(mut f: impl FnMut(f64) -> f64, (low, high): (f64, f64), breaks: &[
     sum
 }
 
+/// ∫ f dx over `[low, high]` by equal panels no longer than `longest`.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the number of panels is checked to be small"
+)]
+pub fn equal_panels(mut f: impl FnMut(f64) -> f64, (low, high): (f64, f64), longest: f64) -> f64 {
+    let count = ((high - low) / longest).ceil().clamp(1.0, MOST_PANELS);
+    let length = (high - low) / count;
+    (0..count as u32).map(|k| low + length * f64::from(k)).map(|from| panel(&mut f, from, from + length)).sum()
+}
+
+/// More panels than any integral here asks for.
+const MOST_PANELS: f64 = 1e6;
+
 /// ∫ f dx over `[low, high]` where f may have a root or inverse-root singularity at either end.
 ///
 /// The substitution x = middle − half·cos(φ), dx = half·sin(φ) dφ makes (x−low)^{±1/2} and

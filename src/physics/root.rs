@@ -132,6 +132,13 @@ pub fn bracket_upwards(mut function: impl FnMut(f64) -> f64, low: f64, high: f64
     Some((low, high))
 }
 
+/// The root of a growing function known to lie in `[low, high]` up to rounding.
+///
+/// Where rounding hides the change of sign the root is one of the ends to the last bits.
+pub fn within(mut function: impl FnMut(f64) -> f64, low: f64, high: f64) -> f64 {
+    brent(&mut function, low, high).unwrap_or_else(|_| if function(low) > 0.0 { low } else { high })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ use super::history::{Entry, Motion};
 use super::material::{self, Pair, Relaxation};
 use super::problem::Problem;
 use super::scene::Scene;
-use super::shape::{Profile, Shape};
+use super::shape::Profile;
 use super::table::Tables;
 use std::sync::Arc;
 
@@ -48,9 +48,10 @@ impl Scene {
         let mut problems = Vec::new();
         let motions = motions(&self.history, tables, &mut problems);
         let pair = material::pair(&self.bodies, tables).map_err(|found| problems.extend(found)).ok();
-        match pair {
-            Some((pair, relaxation)) if problems.is_empty() => {
-                let profile = profile(&self.shape);
+        let profile =
+            self.shape.profile(tables).map_err(|error| problems.push(Problem::new("shape", error.to_string()))).ok();
+        match pair.zip(profile) {
+            Some(((pair, relaxation), profile)) if problems.is_empty() => {
                 Ok(Setup { scene: self, profile, pair, relaxation, motions })
             }
             _ => Err(problems),
@@ -65,12 +66,4 @@ fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) 
         motion.map_err(|error| problems.push(Problem::new(format!("history[{index}]"), error.to_string()))).ok()
     };
     history.iter().enumerate().map(&mut read).collect()
-}
-
-fn profile(shape: &Shape) -> Arc<dyn Profile> {
-    match shape {
-        Shape::Paraboloid(shape) => Arc::new(shape.clone()),
-        Shape::Cone(shape) => Arc::new(shape.clone()),
-        Shape::Power(shape) => Arc::new(shape.clone()),
-    }
 }

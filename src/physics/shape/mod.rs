@@ -3,17 +3,33 @@
 //! g(x) = |x| ∫₀^|x| f′(r) dr/√(x²−r²) = |x| ∫₀^{π/2} f′(|x| sin θ) dθ and
 //! f(r) = (2/π) ∫₀^r g(x) dx/√(r²−x²) (Popov & Heß 2015, eqs. 3.27 and 3.28).
 
+mod ellipsoid;
+mod kernel;
 mod paraboloid;
 mod power;
+mod punch;
+mod rounded;
+mod sphere;
+mod truncated;
+mod wavy;
 
+pub use ellipsoid::Ellipsoid;
 pub use paraboloid::Paraboloid;
 pub use power::{Cone, Power};
+pub use punch::FlatPunch;
+pub use rounded::{RoundedCone, RoundedPunch};
+pub use sphere::Sphere;
+pub use truncated::{TruncatedCone, TruncatedParaboloid};
+pub use wavy::WavyParaboloid;
 
 use super::quadrature;
+use super::quantity::QuantityError;
 use super::root;
+use super::table::{TableError, Tables};
 use serde::{Deserialize, Serialize};
-use std::f64::consts::FRAC_2_PI;
-use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
+use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2};
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The end of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,9 +84,11 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
     /// (2/π) ∫₀^a (g(a) − g(x)) dx/√(r²−x²) [m], r ≥ a: the surface displacement outside the contact
     /// if the edge carries no load.
     fn displacement_integral(&self, r: f64, a: f64) -> f64 {
-        // By parts: ∫ g′(x) arcsin(x/r) dx, a sum of one sign.
-        let at = |x: f64| self.reduced_slope(x) * (x / r).min(1.0).asin();
-        FRAC_2_PI * quadrature::panels(at, (0.0, a), &self.breaks(a))
+        // By parts ∫ g′(x) arcsin(x/r) dx, a sum of one sign; x = r sin θ takes the root at r away.
+        let angle = |x: f64| x.atan2(((r - x).max(0.0) * (r + x)).sqrt());
+        let breaks: Vec<f64> = self.breaks(a).into_iter().map(angle).collect();
+        let at = |theta: f64| self.reduced_slope(r * theta.sin()) * theta * r * theta.cos();
+        FRAC_2_PI * quadrature::panels(at, (0.0, angle(a)), &breaks)
     }
 
     /// The contact radius a [m] at the indentation `d` ≥ 0 [m] without adhesion: the largest a with
@@ -115,6 +133,18 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         None
     }
 
+    /// Radius [m] of an edge or of a change of law, about which g′ may rise and fall over any scale
+    /// (truncated and rounded shapes); `None` where there is none.
+    fn kink(&self) -> Option<f64> {
+        None
+    }
+
+    /// Radius [m] at which g′ first becomes negative: a larger contact would not stay simply
+    /// connected and the mapping would not be exact. `None` if that never happens.
+    fn simply_connected_up_to(&self) -> Option<f64> {
+        None
+    }
+
     /// Places in (0, a) where g′ or one of its derivatives jumps or where a quadrature panel should
     /// end, ascending [m].
     fn breaks(&self, _a: f64) -> Vec<f64> {
@@ -141,8 +171,63 @@ pub fn height_by_integral(reduced: impl Fn(f64) -> f64, r: f64, breaks: &[f64]) 
 pub enum Shape {
     /// Paraboloid of revolution.
     Paraboloid(Paraboloid),
+    /// Exact sphere.
+    Sphere(Sphere),
     /// Cone.
     Cone(Cone),
     /// Power-law profile.
     Power(Power),
+    /// Flat-ended cylindrical punch.
+    FlatPunch(FlatPunch),
+    /// Cone with a flat tip.
+    TruncatedCone(TruncatedCone),
+    /// Paraboloid with a flat tip.
+    TruncatedParaboloid(TruncatedParaboloid),
+    /// Cone with a rounded tip.
+    RoundedCone(RoundedCone),
+    /// Flat punch with a rounded edge.
+    RoundedPunch(RoundedPunch),
+    /// Paraboloid with concentric waves.
+    WavyParaboloid(WavyParaboloid),
+    /// Two different principal radii, by the effective radius.
+    Ellipsoid(Ellipsoid),
+    /// Measured profile: a table with the columns `radius_m` and `height_m`.
+    Table(PathBuf),
 }
+
+/// Why a shape cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ShapeError {
+    /// The table of a measured profile.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// A quantity derived from the shape's own is out of range.
+    #[error("effective radius of the ellipsoid: {0}")]
+    Quantity(#[from] QuantityError),
+}
+
+impl Shape {
+    /// The profile, ready for evaluation; tables are read now.
+    ///
+    /// # Errors
+    /// A table cannot be read or is not a profile; the error names its row.
+    pub fn profile(&self, _tables: &dyn Tables) -> Result<Arc<dyn Profile>, ShapeError> {
+        Ok(match self {
+            Self::Paraboloid(shape) => Arc::new(shape.clone()),
+            Self::Sphere(shape) => Arc::new(shape.clone()),
+            Self::Cone(shape) => Arc::new(shape.clone()),
+            Self::Power(shape) => Arc::new(shape.clone()),
+            Self::FlatPunch(shape) => Arc::new(shape.clone()),
+            Self::TruncatedCone(shape) => Arc::new(shape.clone()),
+            Self::TruncatedParaboloid(shape) => Arc::new(shape.clone()),
+            Self::RoundedCone(shape) => Arc::new(shape.clone()),
+            Self::RoundedPunch(shape) => Arc::new(shape.clone()),
+            Self::WavyParaboloid(shape) => Arc::new(shape.clone()),
+            Self::Ellipsoid(shape) => Arc::new(shape.effective()?),
+            Self::Table(path) => return Err(TableError::whole(path, "measured profiles are not read yet").into()),
+        })
+    }
+}
+
+#[cfg(test)]
+mod laws;

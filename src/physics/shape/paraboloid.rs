@@ -1,6 +1,7 @@
 //! Paraboloid of revolution, the shape of Hertz.
 
 use super::Profile;
+use super::kernel::{root_of_difference, sine_minus_arc_cosine};
 use crate::physics::quantity::Length;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_1_PI;
@@ -15,6 +16,12 @@ use std::f64::consts::FRAC_1_PI;
 pub struct Paraboloid {
     /// Radius of curvature at the apex.
     pub radius: Length,
+}
+
+/// (4/πR)∫₀^a x arcsin(x/r) dx = (r²/2πR)(sin 2θ − 2θ cos 2θ) with sin θ = a/r, r ≥ a.
+pub(super) fn displacement(radius: f64, r: f64, a: f64) -> f64 {
+    let theta = a.atan2(root_of_difference(r, a));
+    0.5 * FRAC_1_PI * r * (r / radius) * sine_minus_arc_cosine(2.0 * theta)
 }
 
 impl Profile for Paraboloid {
@@ -40,6 +47,10 @@ impl Profile for Paraboloid {
 
     fn pressure_integral(&self, r: f64, a: f64) -> f64 {
         2.0 * FRAC_1_PI / self.radius.si() * ((a - r) * (a + r)).sqrt()
+    }
+
+    fn displacement_integral(&self, r: f64, a: f64) -> f64 {
+        displacement(self.radius.si(), r, a)
     }
 
     fn edge(&self, d: f64) -> Option<f64> {
