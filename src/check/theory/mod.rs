@@ -12,7 +12,7 @@ mod survival;
 mod westergaard;
 
 pub use adhesive_area::{AdhesiveContact, AdhesiveRoughness, NotSettled, Region};
-pub use connectivity::{ConnectivityError, PlaneContact, WavyParabola, flat_punch_load, single_harmonic_load};
+pub use connectivity::{ConnectivityError, PlaneContact, Verdict, WavyParabola, flat_punch_load, single_harmonic_load};
 pub use exact_range::{ExactRange, exact_ranges, first_fall};
 pub use greenwood_williamson::{GreenwoodWilliamson, SummitStatistics, gaussian_tail};
 pub use pressure_field::{PerssonContact, area_fraction, low_load_area_slope};

@@ -1,6 +1,6 @@
 //! Spring bed of a rough line: independent springs, sorted by height.
 
-use super::RoughError;
+use super::{RoughError, RoughLine};
 
 /// What a rough bed is good for, to be shown beside its results.
 pub const VALIDITY: &str = "approximate: force and stiffness of a rough line stand for those of the isotropic surface; its contact length does not give the real contact area";
@@ -50,6 +50,19 @@ impl RoughBed {
         gaps.sort_unstable_by(f64::total_cmp);
         let (forces, energies) = touches(&gaps, stiffness);
         Ok(Self { stiffness, gaps, forces, energies })
+    }
+
+    /// The bed of a rough line of a number of points on the one-dimensional profile of a macroscopic shape.
+    ///
+    /// `base` is g(x) [m] for x ≥ 0 [m], zero for a nominally flat surface; the gaps are g(|x|) + z(x) over springs of stiffness E*Δx.
+    /// Indentation counts from the apex of the base on the mean line of the roughness.
+    ///
+    /// # Errors
+    /// Fewer than two points on the shortest wave; a modulus [Pa] that is not positive; a base that is not finite.
+    pub fn under(line: &RoughLine, points: usize, modulus: f64, base: impl Fn(f64) -> f64) -> Result<Self, RoughError> {
+        let heights = line.heights(points)?;
+        let gaps: Vec<_> = line.places(points).iter().zip(&heights).map(|(x, z)| base(x.abs()) + z).collect();
+        Self::new(&gaps, modulus * line.length() / number(points))
     }
 
     /// Least gap [m], the indentation of first touch.
@@ -138,6 +151,17 @@ mod tests {
         assert!(RoughBed::new(&[], 1.0).is_err());
         assert!(RoughBed::new(&[0.0, f64::NAN], 1.0).unwrap_err().to_string().contains("column 2 is NaN"));
         assert!(RoughBed::new(&[0.0], 0.0).unwrap_err().to_string().contains("spring stiffness = 0.0"));
+    }
+
+    /// Roughness that vanishes leaves the bed of the ball: Hertz to the order of the springs, (a/Δx)⁻² ≈ 1e-4.
+    #[test]
+    fn vanishing_roughness_is_the_smooth_ball() {
+        let spectrum = crate::physics::rough::Spectrum::table(&[(6.4, 1e-30), (64.0, 1e-33)]).unwrap();
+        let line = RoughLine::new(&crate::physics::rough::Rings::of(&spectrum, 1.0, 1000).unwrap(), 1);
+        let bed = RoughBed::under(&line, 1000, 1e6, |x| x * x).unwrap();
+        let force = 4.0 / 3.0 * 1e6 * 0.01f64.powf(1.5);
+        assert!((bed.at_indentation(0.01).force / force - 1.0).abs() < 2e-4);
+        assert!((bed.at_force(force).indentation / 0.01 - 1.0).abs() < 2e-4);
     }
 
     proptest! {

@@ -14,6 +14,7 @@ mod line;
 mod random;
 mod rings;
 mod self_affine;
+mod source;
 mod spectrum;
 mod surface;
 
@@ -25,5 +26,6 @@ pub use line::RoughLine;
 pub use random::Random;
 pub use rings::Rings;
 pub use self_affine::SelfAffine;
+pub use source::{SourceError, SpectrumSource};
 pub use spectrum::Spectrum;
 pub use surface::rough_surface;
