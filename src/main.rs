@@ -5,5 +5,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    springbed::app::command_line::main()
+    springbed::app::command::main()
 }

@@ -10,6 +10,5 @@ pub mod console;
 pub mod figure;
 pub mod export;
 pub mod run;
-pub mod check;
 pub mod starters;
-pub mod command_line;
+pub mod command;

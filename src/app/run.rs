@@ -7,7 +7,7 @@ use crate::physics::setup::Setup;
 use crate::physics::simulation::{self, SimulationError, Wanted};
 
 /// One kind of output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, clap::ValueEnum)]
 pub enum Format {
     /// Tables of records and fields.
     Csv,

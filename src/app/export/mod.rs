@@ -10,5 +10,5 @@ mod figures;
 #[cfg(feature = "plot")]
 pub use figures::figures;
 pub use json::json;
-pub use summary::summary;
+pub use summary::{summary, with_prefix};
 pub use tables::{pressure_table, record_table};

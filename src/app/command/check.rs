@@ -1,9 +1,9 @@
 //! `springbed check`: reads scenes and says what is wrong with them.
 
-use super::command_line::Common;
-use super::console::{Console, Failure};
-use super::fault::Fault;
-use super::scene_file::SceneFile;
+use super::Common;
+use crate::app::console::{Console, Failure};
+use crate::app::fault::Fault;
+use crate::app::scene_file::SceneFile;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

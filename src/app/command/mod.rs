@@ -1,7 +1,12 @@
 //! The command line: what can be asked for, and who answers.
 
+mod check;
+mod explain;
+mod run;
+
 use super::console::{Colour, Console, Failure, Voice};
-use super::{check, starters, write};
+use super::run::Format;
+use super::{starters, write};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -25,7 +30,7 @@ pub struct Common {
     pub out: PathBuf,
     /// Kinds of files to write.
     #[arg(long, global = true, value_enum, value_delimiter = ',', default_value = "csv,json,svg")]
-    pub format: Vec<Kind>,
+    pub format: Vec<Format>,
     /// Threads to compute on; all cores if not given. The results do not depend on it.
     #[arg(long, global = true, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
@@ -38,17 +43,6 @@ pub struct Common {
     /// Colour in messages.
     #[arg(long, global = true, value_enum, value_name = "WHEN", default_value = "auto")]
     pub color: Colour,
-}
-
-/// A kind of output file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Kind {
-    /// Tables.
-    Csv,
-    /// Summary.
-    Json,
-    /// Figures.
-    Svg,
 }
 
 #[derive(Debug, Subcommand)]
@@ -146,9 +140,9 @@ fn prepared(common: &Common) -> Result<(), Failure> {
 fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Failure> {
     let later = |name: &str| Err(Failure::Failed(format!("`springbed {name}` is not there yet")));
     match command {
-        Command::Run { .. } => later("run"),
+        Command::Run { scenes } => run::run(&scenes, common, console),
         Command::Check { scenes } => check::run(&scenes, common, console),
-        Command::Explain { .. } => later("explain"),
+        Command::Explain { scene } => explain::run(&scene, common, console),
         Command::New { kind } => starters::run(kind.as_deref(), console),
         Command::Verify { .. } => later("verify"),
         Command::Compare { .. } => later("compare"),

@@ -1,0 +1,106 @@
+//! `springbed run`: scenes to files.
+
+use super::Common;
+use super::check::load;
+use crate::app::console::{Console, Failure};
+use crate::app::export;
+use crate::app::run::{Product, compute, products};
+use crate::app::scene_file::SceneFile;
+use crate::app::write::write_all;
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// What is said about a scene that has been run.
+struct Done {
+    summary: String,
+    json: String,
+    warnings: Vec<String>,
+    written: Vec<PathBuf>,
+}
+
+/// Runs scenes on all threads; says what came out in the order given.
+///
+/// # Errors
+/// A scene is wrong (then none is run), a computation failed, or a file cannot be written.
+pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), Failure> {
+    let scenes = load(paths)?;
+    no_clash(&scenes)?;
+    let progress = bar(scenes.len(), console);
+    let done: Vec<Result<Done, String>> =
+        scenes.par_iter().map(|scene| done(scene, common)).inspect(|_| progress.inc(1)).collect();
+    progress.finish_and_clear();
+    let mut failed = Vec::new();
+    let mut jsons = Vec::new();
+    for (scene, done) in scenes.iter().zip(done) {
+        match done {
+            Ok(done) => jsons.push(said(&done, scene, common, console)?),
+            Err(message) => failed.push(format!("{}: {message}", scene.path.display())),
+        }
+    }
+    if common.json {
+        let text = if scenes.len() == 1 { jsons.concat() } else { format!("[\n{}]\n", jsons.join(",\n")) };
+        console.result(&text)?;
+    }
+    if failed.is_empty() { Ok(()) } else { Err(Failure::Failed(failed.join("\n"))) }
+}
+
+fn bar(count: usize, console: &Console) -> ProgressBar {
+    if count < 2 || !console.talks() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {eta} left");
+    ProgressBar::new(count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// Two scenes of one name would write the same files.
+fn no_clash(scenes: &[SceneFile]) -> Result<(), Failure> {
+    let mut seen = BTreeMap::new();
+    for scene in scenes {
+        if let Some(other) = seen.insert(scene.stem(), &scene.path) {
+            let (other, path) = (other.display(), scene.path.display());
+            return Err(Failure::Usage(format!(
+                "{other} and {path} would both write {}.*: expected scenes of different names",
+                scene.stem()
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn done(scene: &SceneFile, common: &Common) -> Result<Done, String> {
+    let setup = &scene.setup;
+    let file = scene.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let outcome = compute(setup, &common.format).map_err(|error| error.to_string())?;
+    let products = products(setup, &file, &outcome, &common.format).map_err(|error| error.to_string())?;
+    let json = if common.json { export::json(&setup.scene, &file, &outcome) } else { Ok(String::new()) };
+    Ok(Done {
+        summary: export::summary(&setup.scene.title, &outcome),
+        json: json.map_err(|error| error.to_string())?,
+        written: written(&products, scene, common)?,
+        warnings: outcome.warnings,
+    })
+}
+
+fn written(products: &[Product], scene: &SceneFile, common: &Common) -> Result<Vec<PathBuf>, String> {
+    let stem = scene.stem();
+    let files: Vec<(String, &[u8])> =
+        products.iter().map(|product| (format!("{stem}{}", product.ending), product.content.as_bytes())).collect();
+    write_all(&common.out, &files).map_err(|error| error.to_string())
+}
+
+/// Says what came out of one scene; gives back its JSON.
+fn said(done: &Done, scene: &SceneFile, common: &Common, console: &Console) -> Result<String, Failure> {
+    if !common.json {
+        console.say(&done.summary)?;
+    }
+    for warning in &done.warnings {
+        console.warning(&format!("{}: {warning}", scene.path.display()));
+    }
+    let written: Vec<String> = done.written.iter().map(|path| path.display().to_string()).collect();
+    if !written.is_empty() {
+        console.message(&format!("  wrote {}", written.join(", ")));
+    }
+    Ok(done.json.clone())
+}
