@@ -11,6 +11,8 @@ pub(super) const SIZE: f64 = 10.5;
 const HEIGHT: f64 = 13.0;
 /// Length of a reference slope in px.
 const SLOPE: f64 = 64.0;
+/// Blank between a reference slope and the frame in px.
+const RIM: f64 = 9.0;
 
 /// A guide inside the frame.
 #[derive(Clone, Debug, Default)]
@@ -121,10 +123,10 @@ fn slope(direction: Option<Dot>, label: &str, (map, clearance): (&Map, &mut Clea
 
 /// Areas of a size all over the panel.
 fn everywhere(panel: Dot, size: Dot) -> impl Iterator<Item = Area> {
-    let spare = (panel.0 - size.0 - 8.0, panel.1 - size.1 - 8.0);
+    let spare = (panel.0 - size.0 - 2.0 * RIM, panel.1 - size.1 - 2.0 * RIM);
     (0..400).map(move |i| {
         let (row, column) = (f64::from(i / 20) / 19.0, f64::from(i % 20) / 19.0);
-        let from = (4.0 + (1.0 - column) * spare.0, 4.0 + row * spare.1);
+        let from = (RIM + (1.0 - column) * spare.0, RIM + row * spare.1);
         Area { from, to: (from.0 + size.0, from.1 + size.1) }
     })
 }

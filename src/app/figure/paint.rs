@@ -38,7 +38,9 @@ pub(super) fn sheet(canvas: &mut Canvas, sheet: &Sheet) {
         Key::Below(legend) => key(canvas, legend, (-INDENT, sheet.size.1 + LEGEND_AT)),
         Key::Beside(legend) => key(canvas, legend, (sheet.size.0 + 18.0, 0.0)),
     }
-    words(canvas, sheet);
+    heading(canvas, sheet);
+    captions(canvas, sheet);
+    notes(canvas, sheet);
 }
 
 fn grid(canvas: &mut Canvas, sheet: &Sheet) {
@@ -180,15 +182,17 @@ fn sample(canvas: &mut Canvas, entry: &Placed) {
     }
 }
 
-/// Heading, axis labels and remarks.
-fn words(canvas: &mut Canvas, sheet: &Sheet) {
-    let (w, h) = sheet.size;
-    let mut y = 8.0 - sheet.above();
+fn heading(canvas: &mut Canvas, sheet: &Sheet) {
+    let kind = Type { weight: Weight::Bold, ..regular(HEADING, BLACK, HPos::Center) };
+    let mut y = 10.0 - sheet.above();
     for line in &sheet.heading {
-        let kind = Type { weight: Weight::Bold, ..regular(HEADING, BLACK, HPos::Center) };
-        canvas.text((0.5 * w, y + 2.0), line, kind);
+        canvas.text((0.5 * sheet.size.0, y), line, kind);
         y += 17.0;
     }
+}
+
+fn captions(canvas: &mut Canvas, sheet: &Sheet) {
+    let (w, h) = sheet.size;
     let (label, size) = text::fit(&sheet.x.caption, CAPTION, w + INDENT);
     written(canvas, (0.5 * w, h + 30.0), (&label, regular(size, BLACK, HPos::Center)));
     let (label, size) = text::fit(&sheet.y.caption, CAPTION, h);
@@ -196,7 +200,10 @@ fn words(canvas: &mut Canvas, sheet: &Sheet) {
         let at = (-sheet.y.widest() - 22.0, 0.5 * h);
         canvas.upward_text(at, &label, regular(size, BLACK, HPos::Center));
     }
-    let mut y = h + sheet.notes_at() + 6.0;
+}
+
+fn notes(canvas: &mut Canvas, sheet: &Sheet) {
+    let mut y = sheet.size.1 + sheet.notes_at() + 6.0;
     for line in &sheet.notes {
         canvas.text((-INDENT, y), line, regular(NOTE, RGBColor(80, 80, 80), HPos::Left));
         y += 14.0;

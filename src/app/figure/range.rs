@@ -40,24 +40,23 @@ impl Range {
         let exponent = unit::exponent(&axis.unit, largest);
         let (lo, hi) = (shift(ends.0, exponent), shift(ends.1, exponent));
         let (low, high) = widen(lo, hi);
+        let wide = hi - lo > CONSTANT * lo.abs().max(hi.abs());
         Self {
             scale: Scale::Linear,
             exponent,
-            lo: if limits.0.is_some() && hi > lo { lo } else { low },
-            hi: if limits.1.is_some() && hi > lo { hi } else { high },
+            lo: if wide && limits.0.is_some() { lo } else { low },
+            hi: if wide && limits.1.is_some() { hi } else { high },
         }
     }
 
     fn log(axis: &Axis, ends: (f64, f64), limits: Limits) -> Self {
         let (lo, hi) = (ends.0.log10(), ends.1.log10());
-        let pad = if hi - lo < CONSTANT { 0.5 } else { 0.04 * (hi - lo) };
-        let few = hi - lo + 2.0 * pad <= FEW_DECADES;
-        Self {
-            scale: Scale::Log,
-            exponent: if few { unit::exponent(&axis.unit, ends.1) } else { 0 },
-            lo: if limits.0.is_some() && hi > lo { lo } else { lo - pad },
-            hi: if limits.1.is_some() && hi > lo { hi } else { hi + pad },
-        }
+        let wide = hi - lo > CONSTANT;
+        let pad = if wide { 0.04 * (hi - lo) } else { 0.5 };
+        let lo = if wide && limits.0.is_some() { lo } else { lo - pad };
+        let hi = if wide && limits.1.is_some() { hi } else { hi + pad };
+        let few = hi - lo <= FEW_DECADES;
+        Self { scale: Scale::Log, exponent: if few { unit::exponent(&axis.unit, ends.1) } else { 0 }, lo, hi }
     }
 
     /// Whether the ticks are plain numbers, not powers of ten.
@@ -172,6 +171,9 @@ mod tests {
         assert_eq!((range.lo, range.hi), (-2.0, 3.0));
         let range = Range::new(&Axis::linear("", "1").from(20.0), Some((0.0, 9.0)));
         assert!(range.lo < range.hi && range.holds(9.0));
+        let close = Axis::linear("", "1").from(1.0).to(1.0 + 1e-12);
+        let range = Range::new(&close, Some((0.0, 9.0)));
+        assert!(range.hi - range.lo > 0.1);
         let range = Range::new(&Axis::log("", "1").from(-20.0), Some((1.0, 9.0)));
         assert!(range.holds(1.0));
     }

@@ -67,6 +67,67 @@ fn curves_stay_on_the_sheet() {
     }
 }
 
+/// Text without the escapes of XML.
+fn plain(text: &str) -> String {
+    let escapes = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
+    let unescape = |text: String, (from, to): (&str, &str)| text.replace(from, to);
+    escapes.into_iter().fold(text.to_owned(), unescape)
+}
+
+/// Texts of a document with the box each takes by the estimate of its width: left, top, right, bottom.
+fn boxes(svg: &str) -> Vec<(String, [f64; 4])> {
+    let number = |tag: &str, name| values(tag, name).next().and_then(|v| v.parse::<f64>().ok());
+    let parts = svg.split("<text").skip(1).filter_map(|part| part.split_once('>'));
+    parts
+        .filter_map(|(tag, rest)| {
+            let tag = format!("{tag} ");
+            let content = plain(rest.split("</text>").next()?.trim());
+            let (x, y, size) = (number(&tag, "x")?, number(&tag, "y")?, number(&tag, "font-size")?);
+            let bold = if tag.contains("bold") { text::BOLD } else { 1.0 };
+            let long = bold * text::width(&content, size);
+            let before = match values(&tag, "text-anchor").next()? {
+                "start" => 0.0,
+                "middle" => 0.5 * long,
+                _ => long,
+            };
+            let high = 0.5 * size;
+            let area = if tag.contains("rotate") {
+                [x - high, y + before - long, x + high, y + before]
+            } else {
+                [x - before, y - high, x - before + long, y + high]
+            };
+            Some((content, area))
+        })
+        .collect()
+}
+
+/// The first text that sticks out of the sheet, if any.
+fn cut_off(svg: &str) -> Option<String> {
+    let sheet: Vec<f64> = values(svg, "viewBox").flat_map(|v| v.split(' ').filter_map(|n| n.parse().ok())).collect();
+    let cut = |b: &[f64; 4]| b[0] < 0.0 || b[1] < 0.0 || b[2] > sheet[2] || b[3] > sheet[3];
+    let first = boxes(svg).into_iter().find(|(_, area)| cut(area));
+    first.map(|(content, area)| format!("{content:?} at {area:?} on {sheet:?}"))
+}
+
+/// Two texts that cover each other, if any.
+fn overlapping(svg: &str) -> Option<(String, String)> {
+    let all = boxes(svg);
+    let apart = |a: &[f64; 4], b: &[f64; 4]| a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
+    let pairs = (0..all.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let mut hits = pairs.filter(|(i, j)| !apart(&all[*i].1, &all[*j].1));
+    hits.next().map(|(i, j)| (all[i].0.clone(), all[j].0.clone()))
+}
+
+#[test]
+fn no_text_is_cut_off_or_covered_by_another() {
+    for (name, figure) in samples::all() {
+        let svg = figure.svg();
+        assert!(boxes(&svg).len() > 10, "{name}");
+        assert_eq!(cut_off(&svg), None, "{name}");
+        assert_eq!(overlapping(&svg), None, "{name}");
+    }
+}
+
 #[test]
 fn what_a_user_types_cannot_break_the_document() {
     let axis = Axis::linear("a < b & \"c\"", "N<m>");
@@ -144,6 +205,8 @@ proptest! {
     fn whatever_the_values_there_is_a_figure(panels in prop::collection::vec(panels(), 0..5), title in ".{0,200}") {
         let svg = Figure { title, panels }.svg();
         prop_assert!(svg.ends_with("</svg>\n"));
-        prop_assert!(!svg.contains("NaN") && !svg.contains("inf"));
+        let attributes = svg.split(['<', '>']).skip(1).step_by(2);
+        prop_assert!(attributes.into_iter().all(|a| !a.contains("NaN") && !a.contains("inf")));
+        prop_assert_eq!(cut_off(&svg), None);
     }
 }

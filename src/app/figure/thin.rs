@@ -1,7 +1,5 @@
 //! Fewer vertices, same picture.
 
-use std::collections::HashSet;
-
 use super::canvas::Dot;
 use super::dash::distance;
 
@@ -44,17 +42,20 @@ fn columns(path: &[Dot], width: f64) -> Vec<Dot> {
     }
     let column = |dot: &Dot| (dot.0 / width).floor();
     let stays = path.chunk_by(|a, b| column(a).total_cmp(&column(b)).is_eq());
-    stays.flat_map(outline).collect()
+    let mut kept = Vec::new();
+    stays.for_each(|stay| outline(stay, &mut kept));
+    kept
 }
 
-fn outline(stay: &[Dot]) -> Vec<Dot> {
+fn outline(stay: &[Dot], kept: &mut Vec<Dot>) {
+    if stay.len() <= 4 {
+        return kept.extend(stay);
+    }
     let by_height = |a: &usize, b: &usize| stay[*a].1.total_cmp(&stay[*b].1);
     let low = (0..stay.len()).min_by(by_height).unwrap_or(0);
     let high = (0..stay.len()).max_by(by_height).unwrap_or(0);
-    let mut kept = vec![0, low, high, stay.len() - 1];
-    kept.sort_unstable();
-    kept.dedup();
-    kept.into_iter().map(|i| stay[i]).collect()
+    let corners = [0, low.min(high), low.max(high), stay.len() - 1];
+    kept.extend(corners.map(|i| stay[i]));
 }
 
 /// Path without the vertices that lie within `slack` px of the line between the kept ones,
@@ -82,51 +83,71 @@ fn straight_block(path: &[Dot], slack: f64) -> Vec<Dot> {
 
 /// Vertex between two others that deviates most from their chord, if more than `slack`.
 fn farthest(path: &[Dot], (a, b): (usize, usize), slack: f64) -> Option<usize> {
-    let off = |i: &usize| deviation(path[*i], path[a], path[b]);
-    let inner = (a + 1..b).map(|i| (off(&i), i));
-    let worst = inner.max_by(|p, q| p.0.total_cmp(&q.0))?;
-    (worst.0 > slack).then_some(worst.1)
+    let mut worst = (slack * slack, None);
+    for (i, dot) in path.iter().enumerate().take(b).skip(a + 1) {
+        let off = square_deviation(*dot, path[a], path[b]);
+        if off > worst.0 {
+            worst = (off, Some(i));
+        }
+    }
+    worst.1
 }
 
-/// Distance of a point from the segment between two others.
-fn deviation(p: Dot, a: Dot, b: Dot) -> f64 {
+/// Squared distance of a point from the segment between two others.
+fn square_deviation(p: Dot, a: Dot, b: Dot) -> f64 {
     let (u, v) = (b.0 - a.0, b.1 - a.1);
-    let square = u * u + v * v;
-    if square <= 0.0 {
-        return distance(p, a);
-    }
-    let t = ((p.0 - a.0) * u + (p.1 - a.1) * v) / square;
+    let (x, y) = (p.0 - a.0, p.1 - a.1);
+    let t = (x * u + y * v) / (u * u + v * v).max(f64::MIN_POSITIVE);
     let t = t.clamp(0.0, 1.0);
-    (p.0 - a.0 - t * u).hypot(p.1 - a.1 - t * v)
+    (x - t * u).powi(2) + (y - t * v).powi(2)
 }
 
 /// Pieces made of the segments that ink something new: loops run a thousand times are drawn once.
 fn once(pieces: &[Vec<Dot>]) -> Vec<Vec<Dot>> {
-    let mut inked = HashSet::new();
+    let mut paper = Paper::new(pieces);
     let mut out = Vec::new();
     for piece in pieces {
-        let fresh: Vec<bool> = piece.windows(2).map(|p| ink(&mut inked, p[0], p[1])).collect();
+        let fresh: Vec<bool> = piece.windows(2).map(|p| paper.ink(p[0], p[1])).collect();
         out.extend(kept_runs(piece, &fresh));
     }
     out
 }
 
-/// Whether a segment enters a square px not entered before; enters it.
-fn ink(inked: &mut HashSet<(i32, i32)>, a: Dot, b: Dot) -> bool {
-    let steps = distance(a, b).ceil().max(1.0);
-    let mut fresh = false;
-    let mut i = 0.0;
-    while i <= steps {
-        let t = i / steps;
-        fresh |= inked.insert(cell(a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
-        i += 1.0;
-    }
-    fresh
+/// Square px and whether they have been inked.
+struct Paper {
+    columns: usize,
+    inked: Vec<bool>,
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "places in a panel, clipped to its frame")]
-fn cell(x: f64, y: f64) -> (i32, i32) {
-    (x.floor() as i32, y.floor() as i32)
+impl Paper {
+    /// Blank paper that holds all pieces, which lie at positive places.
+    fn new(pieces: &[Vec<Dot>]) -> Self {
+        let dots = || pieces.iter().flatten();
+        let columns = cell(dots().fold(0.0, |most, d| d.0.max(most))) + 1;
+        let rows = cell(dots().fold(0.0, |most, d| d.1.max(most))) + 1;
+        Self { columns, inked: vec![false; columns * rows] }
+    }
+
+    /// Inks a segment; whether it enters a px not inked before.
+    fn ink(&mut self, a: Dot, b: Dot) -> bool {
+        let steps = distance(a, b).ceil().max(1.0);
+        let (mut i, mut fresh) = (0.0, false);
+        while i <= steps {
+            let t = i / steps;
+            let dot = (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1));
+            let at = cell(dot.1) * self.columns + cell(dot.0);
+            if let Some(px) = self.inked.get_mut(at) {
+                fresh |= !std::mem::replace(px, true);
+            }
+            i += 1.0;
+        }
+        fresh
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "places in a panel, clipped to its frame")]
+fn cell(px: f64) -> usize {
+    px as usize
 }
 
 /// Runs of vertices joined by segments that are kept.
@@ -155,7 +176,7 @@ mod tests {
         let thinned = thin(std::slice::from_ref(&path));
         assert!(count(&thinned) < 60);
         let off = |p: &Dot| {
-            let near = thinned[0].windows(2).map(|w| deviation(*p, w[0], w[1]));
+            let near = thinned[0].windows(2).map(|w| square_deviation(*p, w[0], w[1]).sqrt());
             near.fold(f64::INFINITY, f64::min)
         };
         // column extremes and chords each deviate by no more than UNSEEN
