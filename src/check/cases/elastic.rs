@@ -1,0 +1,129 @@
+//! Elastic contacts with closed answers.
+
+use crate::check::case::{Case, Proof, worst};
+use crate::physics::adhesion::line::EdgeLine;
+use crate::physics::bed::{EdgeLocation, SpringBed};
+use crate::physics::quantity::{Length, Positive};
+use crate::physics::quasistatic::{Attraction, QuasiStatic};
+use crate::physics::shape::{Paraboloid, Power, Profile};
+use std::f64::consts::PI;
+
+const ROUNDING: &str = "closed forms, a dozen roundings";
+
+pub(super) const CASES: &[Case] = &[
+    Case {
+        name: "hertz/steel ball",
+        proof: Proof::Rounding,
+        bound: 1e-14,
+        reason: ROUNDING,
+        weak: "one state; the property tests span the decades",
+        error: || steel_ball().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "hertz/rail and wheel",
+        proof: Proof::Bound,
+        bound: 0.03,
+        reason: "Popov's answer 1.0 GPa and 6.8 mm has two digits",
+        weak: "a rounded book answer (Popov, Contact Mechanics and Friction, ch. 5, problem 1)",
+        error: || rail_and_wheel().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "power/stretch factors",
+        proof: Proof::Rounding,
+        bound: 1e-12,
+        reason: "references with twelve digits",
+        weak: "the factor κₙ, not a contact",
+        error: || stretch_factors().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "power/force and pressure",
+        proof: Proof::Rounding,
+        bound: 1e-12,
+        reason: "F = 2n/(n+1) E*da; ∫p dA = F by quadrature with a root end",
+        weak: "the pressure is checked through its integral",
+        error: || power_law().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "bed/hertz envelope",
+        proof: Proof::Bound,
+        bound: 1.0,
+        reason: "−1/4 ≤ ε(a/h)² ≤ 1/8 + (h/a)²/384, printed as the part of the envelope used",
+        weak: "the paraboloid only",
+        error: || bed_envelope().unwrap_or(f64::NAN),
+    },
+];
+
+fn indented(profile: &dyn Profile, modulus: f64, d: f64) -> Option<QuasiStatic<'_>> {
+    let mut contact = QuasiStatic::new(profile, modulus, Attraction::Line(EdgeLine::new(profile, modulus, 0.0)));
+    contact.indent(d).ok()?;
+    Some(contact)
+}
+
+fn steel_ball() -> Option<f64> {
+    let ball = Paraboloid { radius: Length::new(0.01).ok()? };
+    let contact = indented(&ball, 210e9 / 0.91, 1e-6)?;
+    let state = contact.present().balance;
+    Some(worst(&[
+        (state.force, 30.769_230_769_230_77),
+        (state.contact_radius, 1e-4),
+        (contact.pressure(0.0), 1.469_122_551_617_495e9),
+    ]))
+}
+
+fn rail_and_wheel() -> Option<f64> {
+    let wheel = Paraboloid { radius: Length::new(0.5).ok()? };
+    let modulus = 210e9 / 0.91 / 2.0;
+    let mut contact = QuasiStatic::new(&wheel, modulus, Attraction::Line(EdgeLine::new(&wheel, modulus, 0.0)));
+    contact.press(1e5).ok()?;
+    Some(worst(&[(contact.pressure(0.0), 1.0e9), (contact.present().balance.contact_radius, 6.8e-3)]))
+}
+
+fn stretch_factors() -> Option<f64> {
+    let of = |n: f64, right: f64| {
+        let power = Power { coefficient: Positive::new(1.0).ok()?, exponent: Positive::new(n).ok()? };
+        Some((power.reduced(1.0), right))
+    };
+    let pairs: Option<Vec<_>> = [
+        (1.0, PI / 2.0),
+        (2.0, 2.0),
+        (3.0, 0.75 * PI),
+        (4.0, 8.0 / 3.0),
+        (0.5, 1.311_028_777_146),
+        (2.5, 2.185_047_961_910),
+    ]
+    .into_iter()
+    .map(|(n, right)| of(n, right))
+    .collect();
+    Some(worst(&pairs?))
+}
+
+fn power_law() -> Option<f64> {
+    let mut pairs = Vec::new();
+    for n in [1.5, 2.5, 4.0] {
+        let power = Power { coefficient: Positive::new(3.0).ok()?, exponent: Positive::new(n).ok()? };
+        let contact = indented(&power, 2.0, 0.1)?;
+        let state = contact.present().balance;
+        pairs.push((state.force, 2.0 * n / (n + 1.0) * 2.0 * 0.1 * state.contact_radius));
+        let a = state.contact_radius;
+        let ring = |inner: f64, _outer: f64| contact.pressure(inner) * 2.0 * PI * inner;
+        pairs.push((crate::physics::quadrature::panel_with_root_ends(ring, a), state.force));
+    }
+    Some(worst(&pairs))
+}
+
+/// The largest part of the proved envelope that a scan over the place of the edge uses.
+fn bed_envelope() -> Option<f64> {
+    let ball = Paraboloid { radius: Length::new(1.0).ok()? };
+    let (springs, reach) = (200, 0.04);
+    let spacing = reach / f64::from(springs);
+    let part = |k: i32| {
+        let d = 4e-4 * (1.0 + 1e-3 * f64::from(k));
+        let mut bed = SpringBed::new(&ball, (200, reach), 1.0, 0.0).with_edge(EdgeLocation::AtSprings);
+        bed.indent(d);
+        let scaled = (bed.force() / (4.0 / 3.0 * d.powf(1.5)) - 1.0) * d / (spacing * spacing);
+        let highest = 0.125 + spacing * spacing / d / 384.0;
+        if scaled > 0.0 { scaled / highest } else { scaled / -0.25 }
+    };
+    // A rounding of the force is 1e-12 of the envelope at this width.
+    Some((0..400).map(part).fold(0.0, f64::max) - 1e-9)
+}

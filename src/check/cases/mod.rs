@@ -1,0 +1,38 @@
+//! All cases with an exact answer, written once for tests, `verify` and the reports.
+
+mod adhesive;
+mod elastic;
+
+use super::case::{Case, Verdict};
+
+/// Every case.
+#[must_use]
+pub fn all() -> Vec<Case> {
+    [elastic::CASES, adhesive::CASES].concat()
+}
+
+/// The cases whose name contains `filter`, run in order.
+#[must_use]
+pub fn verdicts(filter: &str) -> Vec<Verdict> {
+    all().iter().filter(|case| case.name.contains(filter)).map(Case::verdict).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_is_within_its_bound() {
+        let failed: Vec<Verdict> = verdicts("").into_iter().filter(|verdict| !verdict.passed).collect();
+        assert!(failed.is_empty(), "{failed:#?}");
+    }
+
+    #[test]
+    fn names_are_unique_and_every_case_says_why_and_where_it_is_weak() {
+        let cases = all();
+        for (at, case) in cases.iter().enumerate() {
+            assert!(!case.reason.is_empty() && !case.weak.is_empty(), "{}", case.name);
+            assert!(cases[at + 1..].iter().all(|other| other.name != case.name), "{}", case.name);
+        }
+    }
+}
