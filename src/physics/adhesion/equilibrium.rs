@@ -415,7 +415,7 @@ impl Branches {
             self.push(curve, s, kind);
             return Ok(());
         }
-        let Some(between) = nearest_to_zero(slope, (low, high)) else { return Ok(()) };
+        let Some(between) = nearest_to_zero((low, at_low), slope, (high, at_high)) else { return Ok(()) };
         if (slope(between) > 0.0) != (at_low > 0.0) {
             let pair = [root::brent(slope, low, between)?, root::brent(slope, between, high)?];
             let kinds = if at_low > 0.0 { [Kind::Maximum, Kind::Minimum] } else { [Kind::Minimum, Kind::Maximum] };
@@ -429,9 +429,9 @@ impl Branches {
 
 /// Where a function that keeps its sign at both ends comes nearest to zero between them, by the
 /// parabola through three points; `None` if that is not inside.
-fn nearest_to_zero(f: impl Fn(f64) -> f64, (low, high): (f64, f64)) -> Option<f64> {
+fn nearest_to_zero((low, a): (f64, f64), f: impl Fn(f64) -> f64, (high, c): (f64, f64)) -> Option<f64> {
     let middle = 0.5 * (low + high);
-    let (a, b, c) = (f(low), f(middle), f(high));
+    let b = f(middle);
     if b.abs() >= a.abs().min(c.abs()) && (b > 0.0) == (a > 0.0) {
         return None;
     }

@@ -24,6 +24,8 @@ pub struct RangeDisc<'p> {
     stress: f64,
     /// Radius c at which the bodies touch first.
     touch: f64,
+    /// Decades above it within which the branch turns for the last time.
+    decades: f64,
 }
 
 impl<'p> RangeDisc<'p> {
@@ -33,7 +35,7 @@ impl<'p> RangeDisc<'p> {
     /// # Errors
     /// No radius of attraction is found at which the bodies touch.
     pub fn new(profile: &'p dyn Profile, modulus: f64, work: f64, stress: f64) -> Result<Self, root::RootError> {
-        let mut disc = Self { profile, modulus, work, stress, touch: 0.0 };
+        let mut disc = Self { profile, modulus, work, stress, touch: 0.0, decades: 1.0 };
         let residual = |c: f64| disc.gap_without_contact(c) - disc.range();
         let (low, high) = root::bracket_upwards(residual, 0.0, disc.jkr_scale().min(disc.end()), disc.end().min(1e300))
             .unwrap_or((0.0, disc.end()));
@@ -41,7 +43,14 @@ impl<'p> RangeDisc<'p> {
             Err(root::RootError::NoSignChange { .. }) => high,
             found => found?,
         };
+        disc.decades = 2.0 + (disc.short_range_turn() / disc.touch).max(1.0).log10();
         Ok(disc)
+    }
+
+    /// Radius at which the contact would turn if the range vanished: g′ = Δl/2a.
+    fn short_range_turn(&self) -> f64 {
+        let residual = |a: f64| self.profile.reduced_slope(a) - (0.5 * PI * self.work / (self.modulus * a)).sqrt();
+        root::bracket_upwards(residual, 0.0, self.touch, self.end().min(1e300)).map_or(self.touch, |found| found.1)
     }
 
     /// Range of the attraction w/σ₀ [m].
@@ -213,7 +222,7 @@ impl Equilibrium for RangeDisc<'_> {
     }
 
     fn search(&self) -> Search {
-        Search::Decades(4.0, 6.0)
+        Search::Decades(4.0, self.decades)
     }
 }
 
