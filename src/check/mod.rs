@@ -1,5 +1,8 @@
 //! What is right, and how well the program hits it.
 
+pub mod elliptic;
+#[cfg(feature = "half-space")]
+pub mod halfspace;
 pub mod theory;
 pub mod case;
 pub mod cases;

@@ -1,0 +1,40 @@
+//! Error, time and memory of the half-space solver on the Hertz contact: `cargo run --release --example halfspace_hertz 512 1024`.
+use std::time::Instant;
+
+use ndarray::Array2;
+use springbed::check::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
+
+fn main() {
+    let (radius, depth) = (1.0, 0.01_f64);
+    let contact = (radius * depth).sqrt();
+    let force = 4.0 / 3.0 * contact * depth;
+    println!("grid force_error radius_error peak_error iterations products residual time_s");
+    for n in std::env::args().skip(1).filter_map(|word| word.parse::<usize>().ok()) {
+        let pixel = 3.0 * contact / n as f64;
+        let heights = Array2::from_shape_fn((n, n), |(row, column)| {
+            let place = |index: usize| (index as f64 - (n / 2) as f64) * pixel;
+            (place(row).powi(2) + place(column).powi(2)) / (2.0 * radius)
+        });
+        let problem = Problem {
+            heights: heights.view(),
+            pixel: [pixel; 2],
+            modulus: 1.0,
+            boundary: Boundary::Free,
+            control: Control::Indentation(depth),
+        };
+        let clock = Instant::now();
+        match solve(&problem, Start::Coarser, &Settings::default()) {
+            Ok(solution) => println!(
+                "{n} {:.3e} {:.3e} {:.3e} {} {} {:.2e} {:.4}",
+                solution.force() / force - 1.0,
+                solution.contact_radius() / contact - 1.0,
+                solution.peak_pressure() * std::f64::consts::PI * radius / (2.0 * contact) - 1.0,
+                solution.iterations,
+                solution.products,
+                solution.residual,
+                clock.elapsed().as_secs_f64()
+            ),
+            Err(error) => println!("{n} {error}"),
+        }
+    }
+}

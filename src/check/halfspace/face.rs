@@ -1,0 +1,280 @@
+//! Pressure on one grid: preconditioned conjugate gradients on the present contact, which is then
+//! corrected pixel by pixel until no pressure pulls and no gap is closed beyond the tolerance.
+
+use std::cmp::Ordering;
+
+use rayon::prelude::*;
+
+use super::transform::{Multiplier, Scratch};
+use super::vector::{dot, fold, sum, total, update};
+
+/// What is prescribed, in the solver's units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Goal {
+    /// The approach.
+    Approach(f64),
+    /// The sum of the pressures.
+    Sum(f64),
+}
+
+/// The contact on one grid.
+pub(super) struct Contact<'a> {
+    /// Pressure → displacement.
+    pub(super) influence: &'a Multiplier,
+    /// Approximately displacement → pressure.
+    pub(super) stiffness: &'a Multiplier,
+    /// Heights of the indenter, +∞ where it has no material.
+    pub(super) heights: &'a [f64],
+    /// What is prescribed.
+    pub(super) goal: Goal,
+    /// Displacement of a pixel under unit pressure on itself.
+    pub(super) compliance: f64,
+}
+
+/// Work done so far and where it must stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Effort {
+    pub(super) iterations: usize,
+    pub(super) products: usize,
+    pub(super) limit: usize,
+}
+
+/// Outcome on one grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Outcome {
+    pub(super) approach: f64,
+    pub(super) residual: f64,
+    pub(super) converged: bool,
+}
+
+/// How far a pressure is from a solution.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Misfit {
+    /// Largest |gap| in contact, and the sum of its square.
+    gap: f64,
+    gap_square: f64,
+    /// Largest overlap out of contact, and the sum of the squares of those that count.
+    overlap: f64,
+    overlap_square: f64,
+    /// Sum of the squares of the pulling pressures.
+    pull_square: f64,
+    /// Largest displacement in contact, and largest pressure.
+    displacement: f64,
+    pressure: f64,
+}
+
+impl Misfit {
+    fn join(self, other: Self) -> Self {
+        Self {
+            gap: self.gap.max(other.gap),
+            gap_square: self.gap_square + other.gap_square,
+            overlap: self.overlap.max(other.overlap),
+            overlap_square: self.overlap_square + other.overlap_square,
+            pull_square: self.pull_square + other.pull_square,
+            displacement: self.displacement.max(other.displacement),
+            pressure: self.pressure.max(other.pressure),
+        }
+    }
+}
+
+/// Multiple of the contact's own misfit below which the gap inside counts as settled and the contact is
+/// corrected. Smaller spends iterations on a wrong contact, larger corrects it from a pressure not yet known.
+const SETTLED: f64 = 8.0;
+
+/// Factor on it after each correction, so that a contact that keeps being corrected is solved ever more exactly
+/// in between: then each correction is a step of Newton's method and they come to an end.
+const PATIENCE: f64 = 0.9;
+
+/// Vectors of the iteration.
+struct State {
+    /// Displacement + height, i.e. gap + approach.
+    lift: Vec<f64>,
+    contact: Vec<bool>,
+    residual: Vec<f64>,
+    direction: Vec<f64>,
+    work: Vec<f64>,
+    /// Stiffness of the contact against a uniform displacement (prescribed sum only).
+    uniform: Vec<f64>,
+    slope: f64,
+    /// Overlap too small to count.
+    threshold: f64,
+    settled: f64,
+}
+
+impl Contact<'_> {
+    /// Pressure that solves the contact to the relative tolerance, from a start ≥ 0.
+    pub(super) fn solve(
+        &self,
+        pressure: &mut [f64],
+        tolerance: f64,
+        effort: &mut Effort,
+        scratch: &mut Scratch,
+    ) -> Outcome {
+        let mut state = self.start(pressure, effort, scratch);
+        loop {
+            let approach = self.approach(&state);
+            let misfit = self.misfit(pressure, &state, approach);
+            let scale = misfit.displacement.max(self.compliance * misfit.pressure).max(f64::MIN_POSITIVE);
+            let residual = misfit.gap.max(misfit.overlap) / scale;
+            let pulls = misfit.pull_square > 0.0;
+            let converged = residual <= tolerance && !pulls;
+            if converged || effort.iterations >= effort.limit {
+                return Outcome { approach, residual, converged };
+            }
+            state.threshold = 0.5 * tolerance * scale;
+            let wrong = misfit.overlap_square + (self.compliance * self.compliance) * misfit.pull_square;
+            if residual <= tolerance || misfit.gap_square <= state.settled * state.settled * wrong {
+                self.correct(pressure, &mut state, approach);
+                if pulls {
+                    self.refresh(pressure, &mut state, effort, scratch);
+                }
+                self.stiffen(&mut state, scratch);
+            }
+            self.step(pressure, &mut state, effort, scratch);
+        }
+    }
+
+    fn start(&self, pressure: &[f64], effort: &mut Effort, scratch: &mut Scratch) -> State {
+        let pixels = pressure.len();
+        let prescribed_sum = matches!(self.goal, Goal::Sum(_));
+        let mut state = State {
+            lift: vec![0.0; pixels],
+            contact: pressure.iter().map(|&p| p > 0.0).collect(),
+            residual: vec![0.0; pixels],
+            direction: vec![0.0; pixels],
+            work: vec![0.0; pixels],
+            uniform: if prescribed_sum { vec![0.0; pixels] } else { Vec::new() },
+            slope: 0.0,
+            threshold: 0.0,
+            settled: SETTLED,
+        };
+        self.lift(pressure, &mut state, effort, scratch);
+        let approach = self.approach(&state);
+        state.contact.par_iter_mut().zip(&state.lift).for_each(|(contact, lift)| *contact |= *lift < approach);
+        self.stiffen(&mut state, scratch);
+        state
+    }
+
+    /// Lift of the present pressure, computed afresh.
+    fn lift(&self, pressure: &[f64], state: &mut State, effort: &mut Effort, scratch: &mut Scratch) {
+        self.influence.apply(pressure, &mut state.lift, scratch);
+        update(&mut state.lift, self.heights, |lift, height| *lift += height);
+        effort.products += 1;
+    }
+
+    /// Prescribed approach, or the one that leaves no mean gap in the contact.
+    fn approach(&self, state: &State) -> f64 {
+        match self.goal {
+            Goal::Approach(approach) => approach,
+            Goal::Sum(_) => mean_where(&state.lift, &state.contact),
+        }
+    }
+
+    fn misfit(&self, pressure: &[f64], state: &State, approach: f64) -> Misfit {
+        let piece = |range: std::ops::Range<usize>| {
+            let mut misfit = Misfit::default();
+            for index in range {
+                let gap = state.lift[index] - approach;
+                if state.contact[index] {
+                    misfit.add_contact(gap, pressure[index], state.lift[index] - self.heights[index]);
+                } else if -gap > state.threshold {
+                    misfit.overlap = misfit.overlap.max(-gap);
+                    misfit.overlap_square += gap * gap;
+                }
+            }
+            misfit
+        };
+        fold(pressure.len(), piece, Misfit::default(), Misfit::join)
+    }
+
+    /// Contact from the present pressure and gap: pulling pixels leave it, overlapping ones join.
+    fn correct(&self, pressure: &mut [f64], state: &mut State, approach: f64) {
+        let (lift, threshold) = (&state.lift, state.threshold);
+        let both = state.contact.par_iter_mut().zip(pressure.par_iter_mut());
+        both.enumerate().for_each(|(index, (contact, p))| {
+            *contact = if *contact { *p >= 0.0 } else { lift[index] - approach < -threshold };
+            *p = p.max(0.0);
+        });
+        state.slope = 0.0;
+        state.settled *= PATIENCE;
+    }
+
+    /// Everything that follows from a pressure whose pulling part was cut off.
+    fn refresh(&self, pressure: &mut [f64], state: &mut State, effort: &mut Effort, scratch: &mut Scratch) {
+        if let Goal::Sum(wanted) = self.goal {
+            let factor = wanted / total(pressure);
+            pressure.par_iter_mut().for_each(|p| *p *= factor);
+        }
+        self.lift(pressure, state, effort, scratch);
+    }
+
+    /// Stiffness of the present contact against a uniform displacement.
+    fn stiffen(&self, state: &mut State, scratch: &mut Scratch) {
+        if state.uniform.is_empty() {
+            return;
+        }
+        let ones = &mut state.residual;
+        ones.par_iter_mut().zip(&state.contact).for_each(|(one, &contact)| *one = f64::from(u8::from(contact)));
+        self.stiffness.apply(ones, &mut state.uniform, scratch);
+        keep_where(&mut state.uniform, &state.contact);
+    }
+
+    /// One step of the conjugate gradients on the present contact.
+    fn step(&self, pressure: &mut [f64], state: &mut State, effort: &mut Effort, scratch: &mut Scratch) {
+        let approach = self.approach(state);
+        let (lift, contact) = (&state.lift, &state.contact);
+        state.residual.par_iter_mut().enumerate().for_each(|(index, residual)| {
+            *residual = if contact[index] { approach - lift[index] } else { 0.0 };
+        });
+        self.stiffness.apply(&state.residual, &mut state.work, scratch);
+        keep_where(&mut state.work, &state.contact);
+        if !state.uniform.is_empty() {
+            let share = -total(&state.work) / total(&state.uniform);
+            update(&mut state.work, &state.uniform, |value, uniform| *value += share * uniform);
+        }
+        let slope = dot(&state.work, &state.residual);
+        let memory = if state.slope > 0.0 { slope / state.slope } else { 0.0 };
+        state.slope = slope;
+        update(&mut state.direction, &state.work, |direction, value| *direction = value + memory * *direction);
+        self.influence.apply(&state.direction, &mut state.work, scratch);
+        effort.iterations += 1;
+        effort.products += 1;
+        let curvature = dot(&state.direction, &state.work);
+        // A contact of one pixel under a prescribed force has no direction to go; nor has one solved to rounding.
+        if slope.partial_cmp(&0.0) != Some(Ordering::Greater) || curvature.partial_cmp(&0.0) != Some(Ordering::Greater)
+        {
+            state.slope = 0.0;
+            return;
+        }
+        let length = slope / curvature;
+        update(pressure, &state.direction, |p, direction| *p += length * direction);
+        update(&mut state.lift, &state.work, |lift, change| *lift += length * change);
+    }
+}
+
+impl Misfit {
+    fn add_contact(&mut self, gap: f64, pressure: f64, displacement: f64) {
+        self.gap = self.gap.max(gap.abs());
+        self.gap_square += gap * gap;
+        self.pull_square += pressure.min(0.0).powi(2);
+        self.displacement = self.displacement.max(displacement.abs());
+        self.pressure = self.pressure.max(pressure);
+    }
+}
+
+fn keep_where(values: &mut [f64], contact: &[bool]) {
+    values.par_iter_mut().zip(contact).for_each(|(value, &contact)| {
+        if !contact {
+            *value = 0.0;
+        }
+    });
+}
+
+/// Mean over the contact, 0 where there is none.
+fn mean_where(values: &[f64], contact: &[bool]) -> f64 {
+    let count = contact.iter().filter(|&&contact| contact).count();
+    let part = |range: std::ops::Range<usize>| {
+        values[range.clone()].iter().zip(&contact[range]).filter(|(_, contact)| **contact).map(|(value, _)| value).sum()
+    };
+    sum(values.len(), part) / count.max(1) as f64
+}

@@ -1,0 +1,248 @@
+//! Grids of one problem: the measured one, the coarser ones that start it, and the part of each that matters.
+
+use rayon::prelude::*;
+
+use super::kernel::{Kernel, Rectangle};
+use super::transform::{Multiplier, Size, good_length, spectrum_of_even};
+
+/// Fewest pixels a side may have to be halved once more.
+const COARSEST: usize = 24;
+
+/// What the displacement of a grid is made of.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Law {
+    /// Free half-space.
+    FreeSpace,
+    /// Free half-plane whose datum is this far from the load, in the units of the pixel.
+    FreePlane(f64),
+    /// Half-space repeated periodically.
+    PeriodicSpace,
+    /// Half-plane repeated periodically.
+    PeriodicPlane,
+}
+
+impl Law {
+    pub(super) fn is_periodic(self) -> bool {
+        matches!(self, Self::PeriodicSpace | Self::PeriodicPlane)
+    }
+}
+
+/// Heights on pixels, in the units of the solver.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Grid {
+    pub(super) size: Size,
+    /// Pixel width (along a row) and height; equal for a line.
+    pub(super) pixel: [f64; 2],
+    pub(super) heights: Vec<f64>,
+}
+
+/// Part of a grid: first row and column, and size.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Window {
+    pub(super) row: usize,
+    pub(super) column: usize,
+    pub(super) size: Size,
+}
+
+impl Grid {
+    /// Length in which the solver measures: the mean side of a pixel.
+    pub(super) fn unit(&self) -> f64 {
+        (self.pixel[0] * self.pixel[1]).sqrt()
+    }
+
+    /// Grid of pixels twice as large, if the sides allow it.
+    pub(super) fn coarser(&self, law: Law) -> Option<Self> {
+        let line = self.size.rows == 1;
+        let even = |side: usize| !law.is_periodic() || side.is_multiple_of(2);
+        let large = |side: usize| side >= COARSEST && even(side);
+        if !large(self.size.columns) || !(line || large(self.size.rows)) {
+            return None;
+        }
+        let step = if line { 1 } else { 2 };
+        let size = Size { rows: self.size.rows.div_ceil(step), columns: self.size.columns.div_ceil(2) };
+        let heights = (0..size.pixels())
+            .into_par_iter()
+            .map(|index| self.mean_height(index / size.columns * step, step, index % size.columns * 2))
+            .collect();
+        Some(Self { size, pixel: self.pixel.map(|side| 2.0 * side), heights })
+    }
+
+    /// Mean of the finite heights of a pixel twice as large, +∞ where there are none.
+    fn mean_height(&self, row: usize, step: usize, column: usize) -> f64 {
+        let Size { rows, columns } = self.size;
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in row..(row + step).min(rows) {
+            for height in &self.heights[row * columns + column..row * columns + (column + 2).min(columns)] {
+                if height.is_finite() {
+                    sum += height;
+                    count += 1.0;
+                }
+            }
+        }
+        if count > 0.0 { sum / count } else { f64::INFINITY }
+    }
+
+    pub(super) fn whole(&self) -> Window {
+        Window { row: 0, column: 0, size: self.size }
+    }
+
+    /// Smallest window that holds every pixel chosen, widened by a margin; nothing if none is chosen.
+    pub(super) fn window(&self, margin: usize, chosen: impl Fn(usize) -> bool) -> Option<Window> {
+        let (mut first, mut last) = ([usize::MAX; 2], [0; 2]);
+        for index in (0..self.size.pixels()).filter(|&index| chosen(index)) {
+            let place = [index / self.size.columns, index % self.size.columns];
+            for axis in 0..2 {
+                first[axis] = first[axis].min(place[axis]);
+                last[axis] = last[axis].max(place[axis] + 1);
+            }
+        }
+        (last[0] > 0).then(|| {
+            let low = first.map(|side| side.saturating_sub(margin));
+            let high = [(last[0] + margin).min(self.size.rows), (last[1] + margin).min(self.size.columns)];
+            Window { row: low[0], column: low[1], size: Size { rows: high[0] - low[0], columns: high[1] - low[1] } }
+        })
+    }
+
+    /// Values of a window of the grid.
+    pub(super) fn cut(&self, values: &[f64], window: Window) -> Vec<f64> {
+        let rows = values.chunks(self.size.columns).skip(window.row).take(window.size.rows);
+        rows.flat_map(|row| &row[window.column..window.column + window.size.columns]).copied().collect()
+    }
+
+    /// Values of a window put back into a grid of zeros.
+    pub(super) fn paste(&self, part: &[f64], window: Window) -> Vec<f64> {
+        let mut values = vec![0.0; self.size.pixels()];
+        let rows = values.chunks_mut(self.size.columns).skip(window.row);
+        for (row, source) in rows.zip(part.chunks(window.size.columns)) {
+            row[window.column..window.column + window.size.columns].copy_from_slice(source);
+        }
+        values
+    }
+
+    /// Pressure of the twice coarser grid on this one.
+    ///
+    /// Linear in the square of the pressure, which is smooth up to the edge of a contact where the
+    /// pressure itself rises like a root; a pixel's pressure halves with the unit it is measured in.
+    pub(super) fn refine(&self, coarse: &[f64], from: &Grid, law: Law) -> Vec<f64> {
+        let periodic = law.is_periodic();
+        let square = |row: usize, column: usize| coarse[row * from.size.columns + column].powi(2);
+        (0..self.size.pixels())
+            .into_par_iter()
+            .map(|index| {
+                let (row, column) = (index / self.size.columns, index % self.size.columns);
+                let columns = neighbours(column, from.size.columns, periodic);
+                let rows =
+                    if self.size.rows == from.size.rows { [row; 2] } else { neighbours(row, from.size.rows, periodic) };
+                let near = 0.75 * square(rows[0], columns[0]) + 0.25 * square(rows[0], columns[1]);
+                let far = 0.75 * square(rows[1], columns[0]) + 0.25 * square(rows[1], columns[1]);
+                0.5 * (0.75 * near + 0.25 * far).sqrt()
+            })
+            .collect()
+    }
+}
+
+/// Coarse pixel that holds a fine one, and the nearest of its neighbours.
+fn neighbours(fine: usize, coarse: usize, periodic: bool) -> [usize; 2] {
+    let own = fine / 2;
+    let next = match (fine % 2, periodic) {
+        (0, true) => (own + coarse - 1) % coarse,
+        (0, false) => own.saturating_sub(1),
+        (_, true) => (own + 1) % coarse,
+        (_, false) => (own + 1).min(coarse - 1),
+    };
+    [own, next]
+}
+
+/// The two maps of a window: pressure → displacement, and roughly back.
+pub(super) struct Operators {
+    pub(super) influence: Multiplier,
+    pub(super) stiffness: Multiplier,
+    pub(super) compliance: f64,
+}
+
+impl Operators {
+    pub(super) fn new(grid: &Grid, size: Size, law: Law) -> Self {
+        match law {
+            Law::PeriodicSpace | Law::PeriodicPlane => Self::periodic(grid),
+            Law::FreeSpace => Self::free(size, Kernel::Rectangle(Rectangle::new(grid.pixel[0], grid.pixel[1]))),
+            Law::FreePlane(datum) => Self::free(size, Kernel::Strip { datum: datum / grid.unit() }),
+        }
+    }
+
+    /// Zero-padded convolution, and the inverse of the circulant nearest to it (T. Chan 1988).
+    fn free(size: Size, kernel: Kernel) -> Self {
+        let (period, table) = kernel_table(size, kernel);
+        let circulant = Size { rows: period.rows.div_ceil(2), columns: period.columns / 2 };
+        let nearest = circulant_table(&table, period, circulant);
+        let symbol = spectrum_of_even(nearest, circulant).into_iter().map(f64::recip).collect();
+        Self {
+            compliance: table[0],
+            influence: Multiplier::new(size, period, spectrum_of_even(table, period)),
+            stiffness: Multiplier::new(size, circulant, symbol),
+        }
+    }
+
+    fn periodic(grid: &Grid) -> Self {
+        let symbol = wave_numbers(grid);
+        let lowest = symbol[1..].iter().copied().reduce(f64::min).unwrap_or(1.0);
+        let compliance: Vec<f64> = symbol.iter().map(|&q| if q > 0.0 { 2.0 / q } else { 0.0 }).collect();
+        let stiffness = symbol.into_iter().map(|q| if q > 0.0 { q / 2.0 } else { lowest / 2.0 }).collect();
+        Self {
+            compliance: mean_over_period(&compliance, grid.size),
+            influence: Multiplier::new(grid.size, grid.size, compliance),
+            stiffness: Multiplier::new(grid.size, grid.size, stiffness),
+        }
+    }
+}
+
+/// Padded period of a free window and the influence of one pixel over a quarter of it.
+pub(super) fn kernel_table(size: Size, kernel: Kernel) -> (Size, Vec<f64>) {
+    let rows = if size.rows == 1 { 1 } else { 2 * good_length(size.rows) };
+    let period = Size { rows, columns: 2 * good_length(size.columns) };
+    let half = period.columns / 2 + 1;
+    let mut table = vec![0.0; (rows / 2 + 1) * half];
+    table.par_chunks_mut(half).enumerate().for_each(|(row, line)| {
+        line.iter_mut().enumerate().for_each(|(column, value)| *value = kernel.at(row, column));
+    });
+    (period, table)
+}
+
+/// Quarter of the circulant nearest to the convolution, weights as for a full window.
+fn circulant_table(table: &[f64], period: Size, circulant: Size) -> Vec<f64> {
+    let stride = period.columns / 2 + 1;
+    let (rows, columns) = (circulant.rows, circulant.columns);
+    let share = |step: usize, period: usize| (period - step) as f64 / period as f64;
+    let mut nearest = Vec::with_capacity((rows / 2 + 1) * (columns / 2 + 1));
+    for row in 0..=rows / 2 {
+        for column in 0..=columns / 2 {
+            let (down, across) = (share(row, rows), share(column, columns));
+            let at = |row: usize, column: usize| table[row * stride + column];
+            let other = if row == 0 { 0 } else { rows - row };
+            let near = across * at(row, column) + (1.0 - across) * at(row, columns - column);
+            let far = across * at(other, column) + (1.0 - across) * at(other, columns - column);
+            nearest.push(down * near + (1.0 - down) * far);
+        }
+    }
+    nearest
+}
+
+/// |q| in the units of the grid over a quarter of the frequencies, column first.
+fn wave_numbers(grid: &Grid) -> Vec<f64> {
+    let unit = std::f64::consts::TAU * grid.unit();
+    let step = [unit / (grid.pixel[0] * grid.size.columns as f64), unit / (grid.pixel[1] * grid.size.rows as f64)];
+    let across = (0..=grid.size.columns / 2).map(|k| k as f64 * step[0]);
+    across.flat_map(|qx| (0..=grid.size.rows / 2).map(move |k| qx.hypot(k as f64 * step[1]))).collect()
+}
+
+/// Mean of an even quantity over all frequencies: the displacement of a pixel under its own unit pressure.
+fn mean_over_period(quarter: &[f64], size: Size) -> f64 {
+    let copies = |index: usize, period: usize| {
+        if index == 0 || 2 * index == period { 1.0 } else { 2.0 }
+    };
+    let stride = size.rows / 2 + 1;
+    let weighted = quarter.iter().enumerate();
+    let sum: f64 = weighted
+        .map(|(index, value)| copies(index / stride, size.columns) * copies(index % stride, size.rows) * value)
+        .sum();
+    sum / size.pixels() as f64
+}

@@ -1,0 +1,235 @@
+//! From SI units, checked, to the solver's units and back.
+
+use ndarray::ArrayView2;
+
+use super::grid::{Grid, Law};
+use super::run::{Answer, Origin, Task, Wanted};
+use super::transform::{Size, good_length};
+use super::{Control, HalfSpaceError, Settings, Start};
+
+/// A problem without its heights.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Input {
+    pub(super) size: Size,
+    pub(super) pixel: [f64; 2],
+    pub(super) modulus: f64,
+    pub(super) law: Law,
+    pub(super) control: Control,
+}
+
+/// Solution in SI units.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Raw {
+    pub(super) pressure: Vec<f64>,
+    pub(super) displacement: Vec<f64>,
+    pub(super) approach: f64,
+    pub(super) residual: f64,
+    pub(super) iterations: usize,
+    pub(super) products: usize,
+    pub(super) bytes: u64,
+}
+
+/// Bounds of the heights, and their mean.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Range {
+    low: f64,
+    high: f64,
+    mean: f64,
+}
+
+impl Input {
+    /// Checks, scales, solves and scales back; heights come pixel by pixel, row after row.
+    pub(super) fn solve(
+        &self,
+        height: impl Fn(usize) -> f64,
+        start: Start<'_>,
+        settings: &Settings,
+    ) -> Result<Raw, HalfSpaceError> {
+        let bytes = self.check(settings)?;
+        let mut heights: Vec<f64> = (0..self.size.pixels()).map(height).collect();
+        let range = self.range(&heights)?;
+        let Some(scale) = self.height_scale(range)? else {
+            return Ok(self.apart(range.low, bytes));
+        };
+        heights.iter_mut().for_each(|height| *height = (*height - range.low) / scale);
+        let pressure_unit = self.modulus * scale / self.unit();
+        let origin = self.origin(start, pressure_unit)?;
+        let answer = self.task(heights, [range.low, scale], settings).run(origin)?;
+        Ok(Raw { bytes, ..self.restore(answer, [range.low, scale], pressure_unit) })
+    }
+
+    fn check(&self, settings: &Settings) -> Result<u64, HalfSpaceError> {
+        let Size { rows, columns } = self.size;
+        if rows == 0 || columns == 0 {
+            return Err(HalfSpaceError::Empty { rows, columns });
+        }
+        positive("pixel width", self.pixel[0])?;
+        positive("pixel height", self.pixel[1])?;
+        positive("effective modulus", self.modulus)?;
+        self.check_control()?;
+        within("tolerance", settings.tolerance, 1e-14..=0.1, "between 1e-14 and 0.1")?;
+        let needed = bytes_needed(self.size, self.law.is_periodic());
+        if needed > settings.memory_limit {
+            return Err(HalfSpaceError::Memory { rows, columns, needed, limit: settings.memory_limit });
+        }
+        Ok(needed)
+    }
+
+    fn check_control(&self) -> Result<(), HalfSpaceError> {
+        match self.control {
+            Control::Indentation(value) => within("indentation", value, f64::MIN..=f64::MAX, "finite"),
+            Control::Force(value) => within("force", value, 0.0..=f64::MAX, "finite and not negative"),
+        }
+    }
+
+    fn range(&self, heights: &[f64]) -> Result<Range, HalfSpaceError> {
+        let refused = |height: f64| height.is_nan() || height <= f64::NEG_INFINITY;
+        if let Some(index) = heights.iter().position(|&height| refused(height)) {
+            let (row, column) = (index / self.size.columns, index % self.size.columns);
+            return Err(HalfSpaceError::Height { row, column, value: heights[index] });
+        }
+        let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        if low.is_infinite() {
+            return Err(HalfSpaceError::NoMaterial);
+        }
+        let high = heights.iter().copied().filter(|height| height.is_finite()).fold(low, f64::max);
+        let mean = low + heights.iter().map(|height| height - low).sum::<f64>() / heights.len() as f64;
+        Ok(Range { low, high, mean })
+    }
+
+    /// Height that becomes 1, or nothing if the bodies do not touch.
+    fn height_scale(&self, range: Range) -> Result<Option<f64>, HalfSpaceError> {
+        match self.control {
+            Control::Indentation(depth) if depth <= range.low => Ok(None),
+            Control::Indentation(depth) if self.law.is_periodic() && depth >= range.mean => {
+                Err(HalfSpaceError::FullContact { indentation: depth, mean: range.mean })
+            }
+            Control::Indentation(depth) => Ok(Some(depth - range.low)),
+            Control::Force(force) if force <= 0.0 => Ok(None),
+            Control::Force(_) if range.high > range.low => Ok(Some(range.high - range.low)),
+            Control::Force(force) => Ok(Some(self.force_length(force))),
+        }
+    }
+
+    /// Length of the order of the displacement that a force makes under a flat.
+    fn force_length(&self, force: f64) -> f64 {
+        force / self.force_unit() / (self.size.pixels() as f64).sqrt()
+    }
+
+    /// Force that is 1 in the solver's units, per unit of height.
+    fn force_unit(&self) -> f64 {
+        if self.is_plane() { self.modulus } else { self.modulus * self.unit() }
+    }
+
+    fn is_plane(&self) -> bool {
+        matches!(self.law, Law::FreePlane(_) | Law::PeriodicPlane)
+    }
+
+    fn unit(&self) -> f64 {
+        self.pixel[0].sqrt() * self.pixel[1].sqrt()
+    }
+
+    fn task(&self, heights: Vec<f64>, [low, scale]: [f64; 2], settings: &Settings) -> Task {
+        let wanted = match self.control {
+            Control::Indentation(depth) => Wanted::Approach((depth - low) / scale),
+            Control::Force(force) => Wanted::Force(force / self.force_unit() / scale),
+        };
+        let law = match self.law {
+            Law::FreePlane(datum) => Law::FreePlane(datum / self.unit()),
+            other => other,
+        };
+        let pixel = self.pixel.map(|side| side / self.unit());
+        let grid = Grid { size: self.size, pixel, heights };
+        Task { grid, law, wanted, tolerance: settings.tolerance, max_iterations: settings.max_iterations }
+    }
+
+    fn origin(&self, start: Start<'_>, pressure_unit: f64) -> Result<Origin, HalfSpaceError> {
+        match start {
+            Start::Coarser => Ok(Origin::Coarser),
+            Start::Nothing => Ok(Origin::Nothing),
+            Start::Pressure(pressure) => self.given(pressure, pressure_unit),
+        }
+    }
+
+    /// Starting pressure in the solver's units; one without any contact is no knowledge.
+    fn given(&self, pressure: ArrayView2<'_, f64>, unit: f64) -> Result<Origin, HalfSpaceError> {
+        let (found_rows, found_columns) = pressure.dim();
+        let Size { rows, columns } = self.size;
+        if (found_rows, found_columns) != (rows, columns) {
+            return Err(HalfSpaceError::StartSize { found_rows, found_columns, rows, columns });
+        }
+        let refused = |value: f64| !value.is_finite() || value < 0.0;
+        if let Some(((row, column), &value)) = pressure.indexed_iter().find(|&(_, &value)| refused(value)) {
+            return Err(HalfSpaceError::StartValue { row, column, value });
+        }
+        let scaled: Vec<f64> = pressure.iter().map(|value| value / unit).collect();
+        Ok(if scaled.iter().any(|&value| value > 0.0) { Origin::Pressure(scaled) } else { Origin::Nothing })
+    }
+
+    fn restore(&self, answer: Answer, [low, scale]: [f64; 2], pressure_unit: f64) -> Raw {
+        let to_si = |mut values: Vec<f64>, unit: f64| {
+            values.iter_mut().for_each(|value| *value *= unit);
+            values
+        };
+        Raw {
+            pressure: to_si(answer.pressure, pressure_unit),
+            displacement: to_si(answer.displacement, scale),
+            approach: low + scale * answer.approach,
+            residual: answer.residual,
+            iterations: answer.effort.iterations,
+            products: answer.effort.products,
+            bytes: 0,
+        }
+    }
+
+    /// Bodies that do not press on each other: no force at first touch, or the indentation prescribed.
+    fn apart(&self, lowest: f64, bytes: u64) -> Raw {
+        let zeros = || vec![0.0; self.size.pixels()];
+        let approach = match self.control {
+            Control::Indentation(depth) => depth,
+            Control::Force(_) => lowest,
+        };
+        Raw { pressure: zeros(), displacement: zeros(), approach, bytes, ..Raw::default() }
+    }
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), HalfSpaceError> {
+    within(name, value, f64::MIN_POSITIVE..=f64::MAX, "finite and positive")
+}
+
+fn within(
+    name: &'static str,
+    value: f64,
+    range: std::ops::RangeInclusive<f64>,
+    wanted: &'static str,
+) -> Result<(), HalfSpaceError> {
+    if range.contains(&value) { Ok(()) } else { Err(HalfSpaceError::Parameter { name, value, wanted }) }
+}
+
+/// Vectors on pixels alive at once: heights of all grids, pressure, lift, residual, direction, work,
+/// stiffness against a uniform displacement, displacement, and copies of a window's heights and pressure.
+const VECTORS: f64 = 11.0;
+
+/// Upper bound of the bytes a solution takes.
+pub(super) fn bytes_needed(size: Size, periodic: bool) -> u64 {
+    let padded = |side: usize| {
+        if side == 1 || periodic { side } else { side.saturating_mul(2) }
+    };
+    let smooth = |side: usize| {
+        if side == 1 || periodic || side > 1 << 40 { side } else { good_length(side) }
+    };
+    let good = Size { rows: smooth(size.rows), columns: smooth(size.columns) };
+    let pixels = size.rows as f64 * size.columns as f64;
+    let half_spectrum = size.rows as f64 * (padded(good.columns) as f64 / 2.0 + 8.0);
+    let quarter = (padded(good.rows) as f64 / 2.0 + 1.0) * (padded(good.columns) as f64 / 2.0 + 1.0);
+    let stiffness = if periodic { quarter } else { quarter / 4.0 };
+    let bytes = 8.0 * VECTORS * pixels + 32.0 * half_spectrum + 8.0 * (2.0 * quarter + 2.0 * stiffness);
+    // Saturates where no memory could follow; the value is rounded up to whole bytes.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a positive float to an integer saturates"
+    )]
+    let bytes = bytes.ceil() as u64;
+    bytes
+}

@@ -1,0 +1,146 @@
+//! Frictionless normal contact of a height map on an elastic half-space: the referee of the spring bed.
+//!
+//! The rigid indenter's heights h above its lowest point, the surface displacement u into the half-space
+//! and the approach d leave the gap g = u + h − d. Sought is the pressure p with
+//!
+//! > g ≥ 0, p ≥ 0, p·g = 0 on every pixel, u = G p,
+//!
+//! where G is the exact influence of uniformly loaded pixels (free boundary: Love 1929; Johnson, Contact
+//! Mechanics, eq. 3.25) or 2/(E*|q|) on every wave (periodic boundary, Johnson eq. 13.7).
+//! The equality in contact is solved by conjugate gradients (Polonsky & Keer 1999), preconditioned
+//! by an approximate inverse of G in Fourier space; the contact is corrected as often as its own error is
+//! what is left. Each grid starts from the solution of a grid of half the resolution.
+//!
+//! **Residual.** The largest |g| where p > 0 and the largest −g elsewhere, over the whole grid, relative to the
+//! largest displacement in contact (or to what the largest pressure does to its own pixel, if that is more).
+//! It is computed from the pressure returned, not from the iteration's own recurrence.
+
+mod error;
+mod face;
+mod grid;
+mod input;
+mod kernel;
+mod line;
+mod run;
+mod solution;
+mod transform;
+mod vector;
+
+pub use error::HalfSpaceError;
+pub use line::{PlaneBoundary, PlaneProblem, PlaneSolution, solve_plane};
+pub use solution::Solution;
+
+use ndarray::{Array2, ArrayView2};
+
+use grid::Law;
+use input::Input;
+use transform::Size;
+
+/// What happens at the edge of the height map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Boundary {
+    /// The half-space goes on, load-free; displacement is zero far away.
+    Free,
+    /// Everything repeats; the mean displacement is zero, so approach counts from the mean surface.
+    Periodic,
+}
+
+/// What is prescribed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// Approach d of the height map's zero level and the undeformed surface \[m\].
+    Indentation(f64),
+    /// Normal force on the map \[N\], compression positive.
+    Force(f64),
+}
+
+/// A height map and how it is pressed.
+#[derive(Debug, Clone, Copy)]
+pub struct Problem<'a> {
+    /// Heights of the rigid indenter, upwards, i.e. away from the half-space \[m\]: f(x, y) of a ball is
+    /// r²/2R. +∞ where it has no material.
+    pub heights: ArrayView2<'a, f64>,
+    /// Pixel width (along a row) and height (from row to row) \[m\].
+    pub pixel: [f64; 2],
+    /// Effective modulus E* \[Pa\].
+    pub modulus: f64,
+    /// Edge of the map.
+    pub boundary: Boundary,
+    /// Prescribed quantity.
+    pub control: Control,
+}
+
+/// Numerical settings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Relative residual (see the module) to reach; default 1e-8, between 1e-14 and 0.1.
+    /// Larger leaves the pressure rough, below about 1e-13 rounding keeps it from being reached.
+    pub tolerance: f64,
+    /// Iterations allowed on the finest grid; default 2000. Too few end in an error.
+    pub max_iterations: usize,
+    /// Bytes the solution may take; default 8 GiB. A larger grid is refused before it is allocated.
+    pub memory_limit: u64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { tolerance: 1e-8, max_iterations: 2000, memory_limit: 8 << 30 }
+    }
+}
+
+/// Pressure the iteration starts from.
+#[derive(Debug, Clone, Copy, Default)]
+pub enum Start<'a> {
+    /// The solution on a grid of half the resolution, started likewise.
+    #[default]
+    Coarser,
+    /// No knowledge: every overlapping pixel, or a uniform pressure.
+    Nothing,
+    /// A pressure on the same pixels \[Pa\], for instance the spring bed's.
+    Pressure(ArrayView2<'a, f64>),
+}
+
+/// Pressure and displacement of a height map pressed on a half-space.
+///
+/// # Errors
+/// [`HalfSpaceError`] for an empty map, a height that is NaN or −∞, a number out of range, a grid larger than
+/// the memory allowed, an indentation beyond full contact, and an iteration that does not converge.
+pub fn solve(problem: &Problem<'_>, start: Start<'_>, settings: &Settings) -> Result<Solution, HalfSpaceError> {
+    let (rows, columns) = problem.heights.dim();
+    let law = match problem.boundary {
+        Boundary::Free => Law::FreeSpace,
+        Boundary::Periodic => Law::PeriodicSpace,
+    };
+    let input = Input {
+        size: Size { rows, columns },
+        pixel: problem.pixel,
+        modulus: problem.modulus,
+        law,
+        control: problem.control,
+    };
+    let raw = input.solve(|index| problem.heights[[index / columns, index % columns]], start, settings)?;
+    Ok(Solution::new(problem, raw))
+}
+
+/// Height map from its rows, as a file gives them.
+///
+/// # Errors
+/// [`HalfSpaceError::Empty`] without a pixel, [`HalfSpaceError::Ragged`] with the first row of another length.
+pub fn height_map(rows: &[Vec<f64>]) -> Result<Array2<f64>, HalfSpaceError> {
+    let columns = rows.first().map_or(0, Vec::len);
+    if columns == 0 {
+        return Err(HalfSpaceError::Empty { rows: rows.len(), columns });
+    }
+    match rows.iter().position(|row| row.len() != columns) {
+        Some(row) => Err(HalfSpaceError::Ragged { row, expected: columns, found: rows[row].len() }),
+        None => Ok(Array2::from_shape_fn((rows.len(), columns), |(row, column)| rows[row][column])),
+    }
+}
+
+/// Bytes that [`solve`] takes for a grid of this many rows and columns, an upper bound.
+pub fn bytes_needed(size: [usize; 2], boundary: Boundary) -> u64 {
+    input::bytes_needed(Size { rows: size[0], columns: size[1] }, boundary == Boundary::Periodic)
+}
+
+#[cfg(test)]
+mod tests;

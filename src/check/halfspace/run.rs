@@ -1,0 +1,188 @@
+//! From a problem in the solver's units to its solution, coarse grids first.
+
+use super::HalfSpaceError;
+use super::face::{Contact, Effort, Goal, Outcome};
+use super::grid::{Grid, Law, Operators, Window};
+use super::transform::Scratch;
+use super::vector::update;
+
+/// Relative residual to which a coarser grid is solved before the next finer one starts from it.
+const COARSE_TOLERANCE: f64 = 1e-3;
+
+/// Times the part worked on may be widened, or its rounding worked off; the second time is rare.
+const MOST_ROUNDS: usize = 50;
+
+/// Pixels kept around the contact known so far.
+const MARGIN: usize = 3;
+
+/// A problem in the solver's units.
+pub(super) struct Task {
+    pub(super) grid: Grid,
+    pub(super) law: Law,
+    pub(super) wanted: Wanted,
+    pub(super) tolerance: f64,
+    pub(super) max_iterations: usize,
+}
+
+/// What is prescribed, whatever the grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Wanted {
+    /// Approach.
+    Approach(f64),
+    /// Σ of pressure × (pixel side) on a half-space, × 1 on a half-plane.
+    Force(f64),
+}
+
+/// Where the pressure on the finest grid starts from.
+pub(super) enum Origin {
+    /// The solution of the next coarser grid.
+    Coarser,
+    /// No knowledge.
+    Nothing,
+    /// This pressure.
+    Pressure(Vec<f64>),
+}
+
+/// Solution in the solver's units.
+pub(super) struct Answer {
+    pub(super) pressure: Vec<f64>,
+    pub(super) displacement: Vec<f64>,
+    pub(super) approach: f64,
+    pub(super) residual: f64,
+    pub(super) effort: Effort,
+}
+
+impl Task {
+    pub(super) fn run(&self, origin: Origin) -> Result<Answer, HalfSpaceError> {
+        let mut scratch = Scratch::default();
+        let start = match origin {
+            Origin::Pressure(pressure) => pressure,
+            Origin::Nothing => self.blank(&self.grid),
+            Origin::Coarser => self.coarser_start(&self.grid, &mut scratch),
+        };
+        self.finish(start, &mut scratch)
+    }
+
+    fn goal(&self, grid: &Grid) -> Goal {
+        match (self.wanted, self.law) {
+            (Wanted::Approach(approach), _) => Goal::Approach(approach),
+            (Wanted::Force(force), Law::FreePlane(_) | Law::PeriodicPlane) => Goal::Sum(force),
+            (Wanted::Force(force), _) => Goal::Sum(force / grid.unit()),
+        }
+    }
+
+    /// Nothing for a prescribed approach, a uniform pressure for a prescribed force.
+    fn blank(&self, grid: &Grid) -> Vec<f64> {
+        let value = match self.goal(grid) {
+            Goal::Approach(_) => 0.0,
+            Goal::Sum(sum) => sum / grid.heights.iter().filter(|height| height.is_finite()).count().max(1) as f64,
+        };
+        grid.heights.iter().map(|height| if height.is_finite() { value } else { 0.0 }).collect()
+    }
+
+    /// Pressure of the next coarser grid, itself started likewise; nothing if there is none.
+    fn coarser_start(&self, grid: &Grid, scratch: &mut Scratch) -> Vec<f64> {
+        let Some(coarse) = grid.coarser(self.law) else {
+            return self.blank(grid);
+        };
+        let mut pressure = self.coarser_start(&coarse, scratch);
+        let mut effort = Effort { iterations: 0, products: 0, limit: self.max_iterations };
+        if let Some(window) = self.window(&coarse, &pressure) {
+            let operators = Operators::new(&coarse, window.size, self.law);
+            let part = Part { operators: &operators, grid: &coarse, window, goal: self.goal(&coarse) };
+            part.solve(&mut pressure, COARSE_TOLERANCE.max(self.tolerance), &mut effort, scratch);
+        }
+        grid.refine(&pressure, &coarse, self.law)
+    }
+
+    /// Part of the grid where contact can be expected.
+    fn window(&self, grid: &Grid, pressure: &[f64]) -> Option<Window> {
+        if self.law.is_periodic() {
+            return Some(grid.whole());
+        }
+        grid.window(MARGIN, |index| pressure[index] > 0.0).or_else(|| match self.wanted {
+            Wanted::Approach(approach) => grid.window(0, |index| grid.heights[index] < approach),
+            Wanted::Force(_) => Some(grid.whole()),
+        })
+    }
+
+    /// Solves the finest grid until the whole of it, not only the part worked on, obeys the tolerance.
+    fn finish(&self, mut pressure: Vec<f64>, scratch: &mut Scratch) -> Result<Answer, HalfSpaceError> {
+        let grid = &self.grid;
+        let mut effort = Effort { iterations: 0, products: 0, limit: self.max_iterations };
+        let mut rounds = 0;
+        let mut window = self.window(grid, &pressure).unwrap_or(grid.whole());
+        loop {
+            let operators = Operators::new(grid, window.size, self.law);
+            let part = Part { operators: &operators, grid, window, goal: self.goal(grid) };
+            let outcome = part.solve(&mut pressure, self.tolerance, &mut effort, scratch);
+            let whole = if window == grid.whole() { operators } else { Operators::new(grid, grid.size, self.law) };
+            let mut displacement = vec![0.0; pressure.len()];
+            whole.influence.apply(&pressure, &mut displacement, scratch);
+            effort.products += 1;
+            let residual = self.residual(&pressure, &displacement, outcome.approach, whole.compliance);
+            if residual <= self.tolerance {
+                return Ok(Answer { pressure, displacement, approach: outcome.approach, residual, effort });
+            }
+            rounds += 1;
+            if effort.iterations >= effort.limit || rounds >= MOST_ROUNDS {
+                return Err(HalfSpaceError::NotConverged {
+                    iterations: effort.iterations,
+                    residual,
+                    tolerance: self.tolerance,
+                });
+            }
+            let overlap =
+                |index: usize| pressure[index] > 0.0 || displacement[index] + grid.heights[index] < outcome.approach;
+            window = if self.law.is_periodic() { window } else { grid.window(MARGIN, overlap).unwrap_or(window) };
+        }
+    }
+
+    /// Largest gap in contact or overlap out of it, relative to the largest displacement in contact.
+    fn residual(&self, pressure: &[f64], displacement: &[f64], approach: f64, compliance: f64) -> f64 {
+        if !approach.is_finite() || pressure.iter().chain(displacement).any(|value| !value.is_finite()) {
+            return f64::INFINITY;
+        }
+        let (mut misfit, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
+        for ((&p, &u), &height) in pressure.iter().zip(displacement).zip(&self.grid.heights) {
+            let gap = u + height - approach;
+            if p > 0.0 {
+                misfit = misfit.max(gap.abs());
+                scale = scale.max(u.abs()).max(compliance * p);
+            } else {
+                misfit = misfit.max(-gap);
+            }
+        }
+        misfit / scale
+    }
+}
+
+/// The part of a grid that is worked on.
+struct Part<'a> {
+    operators: &'a Operators,
+    grid: &'a Grid,
+    window: Window,
+    goal: Goal,
+}
+
+impl Part<'_> {
+    fn solve(&self, pressure: &mut Vec<f64>, tolerance: f64, effort: &mut Effort, scratch: &mut Scratch) -> Outcome {
+        let heights = self.grid.cut(&self.grid.heights, self.window);
+        let mut part = self.grid.cut(pressure, self.window);
+        if let Goal::Sum(wanted) = self.goal {
+            let factor = wanted / super::vector::total(&part);
+            part.iter_mut().for_each(|p| *p *= factor);
+        }
+        let contact = Contact {
+            influence: &self.operators.influence,
+            stiffness: &self.operators.stiffness,
+            compliance: self.operators.compliance,
+            heights: &heights,
+            goal: self.goal,
+        };
+        let outcome = contact.solve(&mut part, tolerance, effort, scratch);
+        update(&mut part, &heights, |p, _| *p = p.max(0.0));
+        *pressure = self.grid.paste(&part, self.window);
+        outcome
+    }
+}

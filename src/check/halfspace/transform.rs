@@ -1,0 +1,268 @@
+//! Products with a real, even multiplier in Fourier space, on real grids.
+//!
+//! Rows that are zero are not transformed, the zero half of a padded grid is neither stored nor
+//! transformed along the rows, and the multiplier is kept as the quarter that is not its own mirror.
+//! Every number is written by one task from the same inputs, so the result does not depend on threads.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::{Fft, FftPlanner};
+
+/// Rows, or columns, that travel together through the transposition.
+const STRIP: usize = 8;
+
+/// Rows and columns of a grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Size {
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+}
+
+impl Size {
+    pub(super) fn pixels(self) -> usize {
+        self.rows * self.columns
+    }
+
+    /// Complex numbers that a transform of data of this size with this period keeps at a time.
+    pub(super) fn spectrum(self, period: Size) -> usize {
+        let strip = STRIP.min(self.rows);
+        let columns = (period.columns / 2 + 1).div_ceil(STRIP) * STRIP;
+        self.rows.div_ceil(strip) * strip * columns
+    }
+}
+
+/// Scratch space shared by the transforms of one solution.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    rows: Vec<Complex<f64>>,
+    columns: Vec<Complex<f64>>,
+}
+
+/// The map x → F⁻¹[symbol · F x] from a grid to itself, zero-padded up to the period.
+pub(super) struct Multiplier {
+    size: Size,
+    period: Size,
+    symbol: Vec<f64>,
+    forward_row: Arc<dyn RealToComplex<f64>>,
+    inverse_row: Arc<dyn ComplexToReal<f64>>,
+    forward_column: Arc<dyn Fft<f64>>,
+    inverse_column: Arc<dyn Fft<f64>>,
+}
+
+impl Multiplier {
+    /// Multiplier from its symbol, `half column × half row` frequencies of the period, column first.
+    pub(super) fn new(size: Size, period: Size, mut symbol: Vec<f64>) -> Self {
+        let scale = (period.pixels() as f64).recip();
+        symbol.par_iter_mut().for_each(|value| *value *= scale);
+        let mut real = RealFftPlanner::new();
+        let mut complex = FftPlanner::new();
+        Self {
+            size,
+            period,
+            symbol,
+            forward_row: real.plan_fft_forward(period.columns),
+            inverse_row: real.plan_fft_inverse(period.columns),
+            forward_column: complex.plan_fft_forward(period.rows),
+            inverse_column: complex.plan_fft_inverse(period.rows),
+        }
+    }
+
+    /// y = F⁻¹[symbol · F x].
+    pub(super) fn apply(&self, x: &[f64], y: &mut [f64], scratch: &mut Scratch) {
+        let needed = self.size.spectrum(self.period);
+        scratch.rows.resize(needed.max(scratch.rows.len()), Complex::default());
+        scratch.columns.resize(needed.max(scratch.columns.len()), Complex::default());
+        self.transform_rows(x, &mut scratch.rows);
+        self.multiply_columns(&scratch.rows, &mut scratch.columns);
+        self.restore_rows(&scratch.columns, y);
+    }
+
+    fn half(&self) -> usize {
+        self.period.columns / 2 + 1
+    }
+
+    fn strip(&self) -> usize {
+        STRIP.min(self.size.rows)
+    }
+
+    /// Rows to half spectra, stored as strips of rows: frequency by frequency, the rows of the strip side by side.
+    fn transform_rows(&self, x: &[f64], spectra: &mut [Complex<f64>]) {
+        let (columns, strip, half) = (self.size.columns, self.strip(), self.half());
+        let make = || {
+            (self.forward_row.make_input_vec(), self.forward_row.make_output_vec(), self.forward_row.make_scratch_vec())
+        };
+        spectra.par_chunks_mut(strip * half).zip(x.par_chunks(strip * columns)).for_each_init(
+            make,
+            |(input, output, scratch), (block, rows)| {
+                for (index, row) in rows.chunks(columns).enumerate() {
+                    if row.iter().all(|value| value.abs() <= 0.0) {
+                        output.fill(Complex::default());
+                    } else {
+                        input[..columns].copy_from_slice(row);
+                        input[columns..].fill(0.0);
+                        // The lengths are those of the plan, the only thing it can object to.
+                        let _ = self.forward_row.process_with_scratch(input, output, scratch);
+                    }
+                    for (place, value) in block[index..].iter_mut().step_by(strip).zip(output.iter()) {
+                        *place = *value;
+                    }
+                }
+            },
+        );
+    }
+
+    /// Down the columns, times the symbol, and up again, stored as strips of columns.
+    fn multiply_columns(&self, spectra: &[Complex<f64>], columns: &mut [Complex<f64>]) {
+        let (rows, period) = (self.size.rows, self.period.rows);
+        let length = self.forward_column.get_inplace_scratch_len().max(self.inverse_column.get_inplace_scratch_len());
+        let make = || (vec![Complex::default(); period], vec![Complex::default(); length]);
+        let quarter = period / 2 + 1;
+        columns.par_chunks_mut(STRIP * rows).take(self.half().div_ceil(STRIP)).enumerate().for_each_init(
+            make,
+            |(line, scratch), (index, block)| {
+                for lane in 0..STRIP.min(self.half() - index * STRIP) {
+                    let column = index * STRIP + lane;
+                    self.gather_column(spectra, column, &mut line[..rows]);
+                    line[rows..].fill(Complex::default());
+                    self.forward_column.process_with_scratch(line, scratch);
+                    multiply(line, &self.symbol[column * quarter..(column + 1) * quarter]);
+                    self.inverse_column.process_with_scratch(line, scratch);
+                    for (place, value) in block[lane..].iter_mut().step_by(STRIP).zip(line.iter()) {
+                        *place = *value;
+                    }
+                }
+            },
+        );
+    }
+
+    fn gather_column(&self, spectra: &[Complex<f64>], column: usize, line: &mut [Complex<f64>]) {
+        let (strip, half) = (self.strip(), self.half());
+        for (part, block) in line.chunks_mut(strip).zip(spectra.chunks(strip * half)) {
+            part.copy_from_slice(&block[column * strip..column * strip + part.len()]);
+        }
+    }
+
+    /// Half spectra back to rows.
+    fn restore_rows(&self, columns: &[Complex<f64>], y: &mut [f64]) {
+        let (size, half) = (self.size, self.half());
+        let make = || {
+            (self.inverse_row.make_input_vec(), self.inverse_row.make_output_vec(), self.inverse_row.make_scratch_vec())
+        };
+        y.par_chunks_mut(size.columns).enumerate().for_each_init(make, |(input, output, scratch), (row, target)| {
+            for (part, block) in input.chunks_mut(STRIP).zip(columns.chunks(STRIP * size.rows)) {
+                part.copy_from_slice(&block[row * STRIP..row * STRIP + part.len()]);
+            }
+            input[0].im = 0.0;
+            if self.period.columns.is_multiple_of(2) {
+                input[half - 1].im = 0.0;
+            }
+            // The lengths are those of the plan and the imaginary parts it would object to are zero.
+            let _ = self.inverse_row.process_with_scratch(input, output, scratch);
+            target.copy_from_slice(&output[..size.columns]);
+        });
+    }
+}
+
+/// Line times an even multiplier given by its first half.
+fn multiply(line: &mut [Complex<f64>], half: &[f64]) {
+    let (front, back) = line.split_at_mut(half.len());
+    front.iter_mut().zip(half).for_each(|(value, factor)| *value *= factor);
+    back.iter_mut().rev().zip(&half[1..]).for_each(|(value, factor)| *value *= factor);
+}
+
+/// Two-dimensional cosine transform of an even table given by its quarter `row × column`;
+/// the quarter of the (real, even) spectrum, `column × row`.
+pub(super) fn spectrum_of_even(table: Vec<f64>, period: Size) -> Vec<f64> {
+    let half = Size { rows: period.rows / 2 + 1, columns: period.columns / 2 + 1 };
+    let mut table = table;
+    transform_even_rows(&mut table, period.columns);
+    let mut turned = transpose(&table, half);
+    drop(table);
+    transform_even_rows(&mut turned, period.rows);
+    turned
+}
+
+/// Each row, half of an even sequence, to half of its even spectrum.
+fn transform_even_rows(table: &mut [f64], period: usize) {
+    let plan = RealFftPlanner::<f64>::new().plan_fft_forward(period);
+    let half = period / 2 + 1;
+    let make = || (plan.make_input_vec(), plan.make_output_vec(), plan.make_scratch_vec());
+    table.par_chunks_mut(half).for_each_init(make, |(input, output, scratch), row| {
+        input[..half].copy_from_slice(row);
+        for (place, value) in input[half..].iter_mut().rev().zip(&row[1..]) {
+            *place = *value;
+        }
+        // The lengths are those of the plan, the only thing it can object to.
+        let _ = plan.process_with_scratch(input, output, scratch);
+        row.iter_mut().zip(output.iter()).for_each(|(place, value)| *place = value.re);
+    });
+}
+
+fn transpose(table: &[f64], size: Size) -> Vec<f64> {
+    let mut turned = vec![0.0; table.len()];
+    turned.par_chunks_mut(size.rows * STRIP).enumerate().for_each(|(index, block)| {
+        let first = index * STRIP;
+        for (row, values) in table.chunks(size.columns).enumerate() {
+            for (lane, place) in block[row..].iter_mut().step_by(size.rows).enumerate() {
+                *place = values[first + lane];
+            }
+        }
+    });
+    turned
+}
+
+/// Smallest even length of small prime factors that is at least this long.
+pub(super) fn good_length(least: usize) -> usize {
+    (least.max(2)..).find(|&length| length % 2 == 0 && is_smooth(length)).unwrap_or(least)
+}
+
+fn is_smooth(length: usize) -> bool {
+    [2, 3, 5].into_iter().fold(length, |rest, prime| {
+        std::iter::successors(Some(rest), |&rest| (rest % prime == 0).then_some(rest / prime)).last().unwrap_or(rest)
+    }) == 1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Zero-padded product against the sum it stands for, sizes odd, even, one row, one column.
+    #[test]
+    fn convolution_is_the_sum() {
+        for (rows, columns) in [(1, 1), (1, 7), (6, 1), (5, 9), (12, 17), (20, 3)] {
+            let size = Size { rows, columns };
+            let period =
+                Size { rows: if rows == 1 { 1 } else { 2 * good_length(rows) }, columns: 2 * good_length(columns) };
+            let kernel = |row: usize, column: usize| 1.0 / (1.0 + (row * row + 2 * column * column) as f64).sqrt();
+            let half = period.columns / 2 + 1;
+            let table = (0..(period.rows / 2 + 1) * half).map(|k| kernel(k / half, k % half)).collect();
+            let x: Vec<f64> = (0..size.pixels()).map(|k| ((k * 7919) % 23) as f64 - 5.0).collect();
+            let mut y = vec![0.0; size.pixels()];
+            Multiplier::new(size, period, spectrum_of_even(table, period)).apply(&x, &mut y, &mut Scratch::default());
+            for (index, value) in y.iter().enumerate() {
+                let (row, column) = (index / columns, index % columns);
+                let term =
+                    |(k, x): (usize, &f64)| x * kernel((k / columns).abs_diff(row), (k % columns).abs_diff(column));
+                let exact: f64 = x.iter().enumerate().map(term).sum();
+                // Rounding of a transform: some units of the last place of the largest sum, here below 3000.
+                assert!((value - exact).abs() < 3e-12, "{rows}×{columns} at {row} {column}: {value} {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn good_lengths_are_even_smooth_and_close() {
+        for least in 1..5000 {
+            let length = good_length(least);
+            assert!(
+                length >= least
+                    && length.is_multiple_of(2)
+                    && is_smooth(length)
+                    && length <= 2 * least.next_power_of_two()
+            );
+        }
+    }
+}

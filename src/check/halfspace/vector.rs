@@ -1,0 +1,43 @@
+//! Sums and updates over pixels in fixed pieces: the same bits on any number of threads.
+
+use rayon::prelude::*;
+
+/// Pixels per piece; part of the result's definition, since it fixes the order of the sums.
+const PIECE: usize = 1 << 13;
+
+/// Σ of a quantity over the pieces `range` of 0..length, added in order.
+pub(super) fn sum(length: usize, piece: impl Fn(std::ops::Range<usize>) -> f64 + Sync) -> f64 {
+    fold(length, piece, 0.0, |total, part| total + part)
+}
+
+/// Pieces of 0..length mapped in parallel and folded in order.
+pub(super) fn fold<T: Send>(
+    length: usize,
+    piece: impl Fn(std::ops::Range<usize>) -> T + Sync,
+    start: T,
+    join: impl Fn(T, T) -> T,
+) -> T {
+    let pieces: Vec<T> = (0..length.div_ceil(PIECE))
+        .into_par_iter()
+        .map(|index| piece(index * PIECE..((index + 1) * PIECE).min(length)))
+        .collect();
+    pieces.into_iter().fold(start, join)
+}
+
+/// Σ x·y.
+pub(super) fn dot(x: &[f64], y: &[f64]) -> f64 {
+    sum(x.len(), |range| x[range.clone()].iter().zip(&y[range]).map(|(a, b)| a * b).sum())
+}
+
+/// Σ x.
+pub(super) fn total(x: &[f64]) -> f64 {
+    sum(x.len(), |range| x[range].iter().sum())
+}
+
+/// `change(target, source)` for each pair.
+pub(super) fn update(target: &mut [f64], source: &[f64], change: impl Fn(&mut f64, f64) + Sync) {
+    target
+        .par_chunks_mut(PIECE)
+        .zip(source.par_chunks(PIECE))
+        .for_each(|(target, source)| target.iter_mut().zip(source).for_each(|(place, &value)| change(place, value)));
+}
