@@ -96,6 +96,8 @@ const MARKS: [Mark; 8] =
 /// A style with nothing left open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Look {
+    /// Place in the legend; also the order of drawing.
+    pub(super) number: usize,
     pub(super) colour: RGBColor,
     pub(super) line: Line,
     pub(super) width: f64,
@@ -114,6 +116,7 @@ pub(super) fn look(panel: &Panel, index: usize) -> Look {
     let colour = style.colour.or(pick(&COLOURS, number));
     let line = style.line.or(pick(&LINES, number));
     Look {
+        number,
         colour: rgb(colour.unwrap_or(Colour::Black)),
         line: line.unwrap_or(Line::Solid),
         width: if number == 0 { 2.2 } else { 1.8 },

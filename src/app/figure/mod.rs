@@ -70,7 +70,7 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Curves, the later ones drawn over the earlier ones.
+    /// Curves; those later in the legend are drawn over the earlier ones.
     pub series: Vec<Series>,
     /// Reference lines under the curves.
     pub guides: Vec<Guide>,

@@ -116,7 +116,10 @@ fn count(lines: &[String]) -> f64 {
 
 fn curves(panel: &Panel, map: &Map) -> Vec<Shown> {
     let shown = |(i, series)| Shown { curve: curve(series, map), look: look(panel, i), arrow: series.style.arrow };
-    panel.series.iter().enumerate().map(shown).collect()
+    let mut all: Vec<Shown> = panel.series.iter().enumerate().map(shown).collect();
+    // the first look is the widest and unbroken: drawn late it would hide a broken one
+    all.sort_by_key(|shown| shown.look.number);
+    all
 }
 
 fn guides(panel: &Panel, map: &Map, curves: &[Shown]) -> Vec<Ruled> {

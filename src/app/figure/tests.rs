@@ -150,6 +150,21 @@ fn a_gap_interrupts_the_line() {
 }
 
 #[test]
+fn a_label_that_returns_does_not_hide_the_one_between() {
+    let axis = Axis::linear("", "1");
+    let line = || vec![(0.0, 0.0), (1.0, 1.0)];
+    let labels = ["retract", "approach", "retract"];
+    let panel = Panel::new(axis.clone(), axis);
+    let panel = labels.iter().fold(panel, |panel, label| panel.with(Series::new(*label, line())));
+    let svg = Figure::new("").with(panel).svg();
+    let (curves, _legend) = svg.split_once("retract").unwrap_or_default();
+    // one sample of the first look stands in the legend, after all curves
+    let blue: Vec<usize> = curves.match_indices("#0072B2").map(|m| m.0).collect();
+    assert_eq!(blue.len(), 3);
+    assert!(curves.find("#E69F00") > blue.get(1).copied());
+}
+
+#[test]
 fn a_figure_without_panels_is_a_title() {
     assert!(Figure::new("nothing yet").svg().contains("nothing yet\n</text>"));
 }
