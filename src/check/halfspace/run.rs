@@ -4,7 +4,7 @@ use super::HalfSpaceError;
 use super::face::{Contact, Effort, Goal, Outcome};
 use super::grid::{Grid, Law, Operators, Window};
 use super::transform::Scratch;
-use super::vector::update;
+use super::vector::{total, update};
 
 /// Relative residual to which a coarser grid is solved before the next finer one starts from it.
 const COARSE_TOLERANCE: f64 = 1e-3;
@@ -166,13 +166,23 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    fn solve(&self, pressure: &mut Vec<f64>, tolerance: f64, effort: &mut Effort, scratch: &mut Scratch) -> Outcome {
-        let heights = self.grid.cut(&self.grid.heights, self.window);
-        let mut part = self.grid.cut(pressure, self.window);
+    /// Pressure where there is material, scaled to the force; a uniform one if that leaves nothing of it.
+    fn start(&self, pressure: &[f64], heights: &[f64]) -> Vec<f64> {
+        let material = |p: f64, height: f64| if height.is_finite() { p } else { 0.0 };
+        let mut part: Vec<f64> = pressure.iter().zip(heights).map(|(&p, &height)| material(p, height)).collect();
         if let Goal::Sum(wanted) = self.goal {
-            let factor = wanted / super::vector::total(&part);
+            if total(&part) <= 0.0 {
+                update(&mut part, heights, |p, height| *p = material(1.0, height));
+            }
+            let factor = wanted / total(&part);
             part.iter_mut().for_each(|p| *p *= factor);
         }
+        part
+    }
+
+    fn solve(&self, pressure: &mut Vec<f64>, tolerance: f64, effort: &mut Effort, scratch: &mut Scratch) -> Outcome {
+        let heights = self.grid.cut(&self.grid.heights, self.window);
+        let mut part = self.start(&self.grid.cut(pressure, self.window), &heights);
         let contact = Contact {
             influence: &self.operators.influence,
             stiffness: &self.operators.stiffness,
