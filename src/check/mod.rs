@@ -4,6 +4,8 @@ pub mod elliptic;
 #[cfg(feature = "half-space")]
 pub mod halfspace;
 pub mod theory;
+#[cfg(feature = "half-space")]
+pub mod agreement;
 pub mod case;
 pub mod cases;
 pub mod validity;
