@@ -5,6 +5,7 @@
 
 mod ellipsoid;
 mod kernel;
+mod measured;
 mod paraboloid;
 mod power;
 mod punch;
@@ -14,6 +15,7 @@ mod truncated;
 mod wavy;
 
 pub use ellipsoid::Ellipsoid;
+pub use measured::Measured;
 pub use paraboloid::Paraboloid;
 pub use power::{Cone, Power};
 pub use punch::FlatPunch;
@@ -211,7 +213,7 @@ impl Shape {
     ///
     /// # Errors
     /// A table cannot be read or is not a profile; the error names its row.
-    pub fn profile(&self, _tables: &dyn Tables) -> Result<Arc<dyn Profile>, ShapeError> {
+    pub fn profile(&self, tables: &dyn Tables) -> Result<Arc<dyn Profile>, ShapeError> {
         Ok(match self {
             Self::Paraboloid(shape) => Arc::new(shape.clone()),
             Self::Sphere(shape) => Arc::new(shape.clone()),
@@ -224,7 +226,7 @@ impl Shape {
             Self::RoundedPunch(shape) => Arc::new(shape.clone()),
             Self::WavyParaboloid(shape) => Arc::new(shape.clone()),
             Self::Ellipsoid(shape) => Arc::new(shape.effective()?),
-            Self::Table(path) => return Err(TableError::whole(path, "measured profiles are not read yet").into()),
+            Self::Table(path) => Arc::new(Measured::read(path, tables)?),
         })
     }
 }
