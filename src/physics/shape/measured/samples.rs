@@ -81,7 +81,7 @@ impl Samples {
         let radii = self.interpolant.radii();
         let stride = self.interpolant.len().div_ceil(MOST_PANELS);
         let mut ends: Vec<f64> = radii.iter().step_by(stride).copied().collect();
-        if (radii.len() - 1) % stride != 0 {
+        if !self.interpolant.len().is_multiple_of(stride) {
             ends.push(self.end());
         }
         ends
