@@ -17,6 +17,7 @@ pub mod quasistatic;
 pub mod bed;
 pub mod friction;
 pub mod history;
+pub mod reach;
 pub mod scene;
 pub mod setup;
 pub mod record;

@@ -4,6 +4,7 @@ use super::adhesion::Adhesion;
 use super::friction::Friction;
 use super::history::Entry;
 use super::material::Body;
+use super::problem::Problem;
 use super::quantity::Accuracy;
 use super::shape::Shape;
 use serde::{Deserialize, Serialize};
@@ -63,4 +64,49 @@ pub enum Plot {
     Friction,
     /// Restitution against speed.
     Restitution,
+}
+
+/// Most springs: their state alone has a gigabyte.
+const MOST_SPRINGS: usize = 1 << 26;
+
+impl Scene {
+    /// What is wrong with the figures and the springs asked for.
+    #[must_use]
+    pub fn problems(&self) -> Vec<Problem> {
+        let wanted = self.plots.iter().flatten().enumerate();
+        let plots = wanted.filter_map(|(index, &plot)| {
+            self.lacks(plot)
+                .map(|what| Problem::new(format!("plots[{index}]"), format!("{plot:?} cannot be drawn: {what}")))
+        });
+        plots.chain(self.wrong_springs()).collect()
+    }
+
+    /// What the scene lacks for a figure.
+    fn lacks(&self, plot: Plot) -> Option<&'static str> {
+        let relaxes = |body: &Body| matches!(body, Body::Viscoelastic(_));
+        let impact =
+            self.history.iter().find_map(|entry| if let Entry::Impact(impact) = entry { Some(impact) } else { None });
+        match plot {
+            Plot::Moduli if !(relaxes(&self.bodies.0) || relaxes(&self.bodies.1)) => {
+                Some("expected a Viscoelastic body")
+            }
+            Plot::Friction if self.friction.is_none() => Some("expected a friction"),
+            Plot::Restitution if impact.is_none_or(|impact| impact.speed.len() < 2) => {
+                Some("expected an Impact with a list of at least two speeds")
+            }
+            _ => None,
+        }
+    }
+
+    fn wrong_springs(&self) -> Option<Problem> {
+        let springs = self.springs?.get();
+        let what = if springs > MOST_SPRINGS {
+            format!("{springs} do not fit into memory: expected at most {MOST_SPRINGS}")
+        } else if matches!(self.adhesion, Some(Adhesion::Maugis(_))) {
+            "with Maugis adhesion cannot be computed: expected Jkr(…), or no springs".to_owned()
+        } else {
+            return None;
+        };
+        Some(Problem::new("springs", what))
+    }
 }

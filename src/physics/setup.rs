@@ -1,11 +1,16 @@
 //! A scene made ready: what the simulation works with.
 
+use super::adhesion::Adhesion;
+use super::friction::Friction;
+use super::history::rules::{self, Allowed};
 use super::history::{Entry, Motion};
 use super::material::{self, Pair, Relaxation};
 use super::problem::Problem;
+use super::reach::{self, Bound};
 use super::scene::Scene;
 use super::shape::Profile;
 use super::table::Tables;
+use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 /// A scene whose parts fit together, with its tables read and its effective moduli known.
@@ -45,17 +50,40 @@ impl Scene {
     /// Parts that do not fit together, tables that cannot be read: all problems at once, in no
     /// particular order.
     pub fn resolve(self, tables: &dyn Tables) -> Result<Setup, Vec<Problem>> {
-        let mut problems = Vec::new();
+        let mut problems = self.problems();
         let motions = motions(&self.history, tables, &mut problems);
         let pair = material::pair(&self.bodies, tables).map_err(|found| problems.extend(found)).ok();
         let profile =
             self.shape.profile(tables).map_err(|error| problems.push(Problem::new("shape", error.to_string()))).ok();
+        problems.extend(rules::problems(&self.history, &motions, self.allowed()));
+        if let Some((pair, relaxation)) = &pair {
+            problems.extend(self.adhesion.iter().flat_map(|adhesion| adhesion.problems(relaxation.as_ref())));
+            if let Some(profile) = &profile {
+                let direct = (self.adhesion.is_none() && relaxation.is_none()).then_some(pair.normal);
+                let bounds = self.bounds(profile.as_ref());
+                problems.extend(reach::problems(&bounds, direct, (&self.history, &motions)));
+            }
+        }
         match pair.zip(profile) {
             Some(((pair, relaxation), profile)) if problems.is_empty() => {
                 Ok(Setup { scene: self, profile, pair, relaxation, motions })
             }
             _ => Err(problems),
         }
+    }
+
+    fn allowed(&self) -> Allowed {
+        Allowed {
+            friction: self.friction.as_ref().map(Friction::name),
+            adhesion: self.adhesion.as_ref().map(Adhesion::name),
+            steps: self.steps.map(NonZeroUsize::get),
+        }
+    }
+
+    /// How deep the profile can be pressed. With adhesion the contact is held together.
+    fn bounds(&self, profile: &dyn Profile) -> Vec<Bound> {
+        let second = if self.adhesion.is_none() { reach::second_contact(profile) } else { None };
+        second.into_iter().chain(reach::end(profile)).collect()
     }
 }
 

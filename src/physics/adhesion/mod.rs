@@ -1,5 +1,6 @@
 //! Adhesion: the models as a scene names them, their equilibria and the branches of these.
 
+mod rules;
 pub mod equilibrium;
 pub mod line;
 pub mod range;

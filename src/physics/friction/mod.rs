@@ -24,6 +24,18 @@ pub enum Friction {
     Pressure(PressureLaw),
 }
 
+impl Friction {
+    /// The name a scene gives it.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Coulomb(_) => "Coulomb",
+            Self::CoulombOrowan(_) => "CoulombOrowan",
+            Self::Pressure(_) => "Pressure",
+        }
+    }
+}
+
 /// Coulomb friction.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]

@@ -1,6 +1,7 @@
 //! Load histories, as a scene names them.
 
 mod motion;
+pub mod rules;
 
 pub use motion::{Driven, Motion};
 

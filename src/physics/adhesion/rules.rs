@@ -1,0 +1,68 @@
+//! Which adhesion goes with which bodies.
+
+use super::{Adhesion, Edge, Jkr, Maugis};
+use crate::physics::material::Relaxation;
+use crate::physics::problem::Problem;
+
+impl Adhesion {
+    /// The name a scene gives it.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Jkr(_) => "Jkr",
+            Self::Maugis(_) => "Maugis",
+        }
+    }
+
+    /// What is wrong with the adhesion of bodies that relax so, or do not relax.
+    #[must_use]
+    pub fn problems(&self, relaxation: Option<&Relaxation>) -> Vec<Problem> {
+        let found = match (self, relaxation) {
+            (Self::Jkr(jkr), None) => jkr.of_elastic_bodies(),
+            (Self::Jkr(jkr), Some(relaxation)) => jkr.of_relaxing_bodies(relaxation),
+            (Self::Maugis(maugis), None) => maugis.of_elastic_bodies(),
+            (Self::Maugis(_), Some(_)) => Some(Problem::new(
+                "adhesion",
+                "Maugis with a Viscoelastic body cannot be computed: expected Jkr(work: …, edge: …)",
+            )),
+        };
+        found.into_iter().collect()
+    }
+}
+
+impl Jkr {
+    fn of_elastic_bodies(&self) -> Option<Problem> {
+        self.edge.as_ref().map(|_| {
+            Problem::new("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
+        })
+    }
+
+    fn of_relaxing_bodies(&self, relaxation: &Relaxation) -> Option<Problem> {
+        match self.edge {
+            None => Some(Problem::new(
+                "adhesion",
+                "Jkr with a Viscoelastic body lacks what holds its edge: expected edge: Relaxed, Instantaneous or Rate(speed: …, exponent: …)",
+            )),
+            Some(Edge::Relaxed | Edge::Rate(_)) if relaxation.equilibrium <= 0.0 => Some(Problem::new(
+                "adhesion.edge",
+                "an edge held by the relaxed modulus, which is zero here, holds nothing: expected edge: Instantaneous, or an equilibrium modulus above zero",
+            )),
+            Some(Edge::Instantaneous) if relaxation.viscosity > 0.0 => Some(Problem::new(
+                "adhesion.edge",
+                "Instantaneous with a viscosity has no finite instantaneous modulus: expected edge: Relaxed or Rate(…)",
+            )),
+            Some(_) => None,
+        }
+    }
+}
+
+impl Maugis {
+    fn of_elastic_bodies(&self) -> Option<Problem> {
+        (self.work.si() <= 0.0).then(|| {
+            Problem::new(
+                "adhesion.work",
+                "a work of zero gives the attraction no range: expected one above zero, or no adhesion",
+            )
+        })
+    }
+}
