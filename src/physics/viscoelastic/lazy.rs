@@ -154,7 +154,7 @@ impl Lazy {
 
     fn event(&self, spring: usize, before: Spring, seen: &Motion) -> Event {
         let mut ledger = Ledger::default();
-        let watch = &mut |piece: &Piece<'_>| self.spectrum.account(piece, &mut ledger);
+        let watch = &mut |piece: &Piece<'_>| self.spectrum.account_work(piece, &mut ledger);
         let after = before.clone().follow(&self.spectrum, seen, watch);
         Event { spring, before, after, work: ledger.work }
     }

@@ -28,6 +28,13 @@ impl Spectrum {
         self.modes().iter().zip(&free.modes).map(|(mode, z)| 0.5 * z * (z / mode.compliance)).sum()
     }
 
+    /// Adds the work alone of one piece of a spring's life.
+    pub fn account_work(&self, piece: &Piece<'_>, ledger: &mut Ledger) {
+        if let Piece::Pressed { u, s, speed, duration } = *piece {
+            ledger.work += self.work((u, s), speed, duration);
+        }
+    }
+
     /// Adds the work and the heat of one piece of a spring's life.
     pub fn account(&self, piece: &Piece<'_>, ledger: &mut Ledger) {
         match *piece {

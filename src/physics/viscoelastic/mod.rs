@@ -12,9 +12,11 @@ mod laws;
 pub mod layout;
 pub mod lazy;
 pub mod ledger;
+pub mod memory;
 mod secular;
 mod spectrum;
 pub mod spring;
+mod strip;
 mod totals;
 
 pub use spectrum::{Mode, Spectrum, Term};

@@ -62,6 +62,13 @@ pub struct Free {
     pub modes: Vec<f64>,
 }
 
+impl Free {
+    /// Whether there is nothing left to recover.
+    fn is_at_rest(&self) -> bool {
+        self.modes.iter().all(|z| z.abs() <= 0.0)
+    }
+}
+
 /// A spring that has been touched.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Spring {
@@ -165,18 +172,52 @@ impl Spectrum {
         }
     }
 
+    /// q̇ [N/(m s)] of a pressed spring after the time `t` of a motion at the speed `v`.
+    fn load_rate(&self, s: &[f64], v: f64, t: f64) -> f64 {
+        let fading = |(term, s): (&super::Term, &f64)| (term.modulus * v - s / term.time) * decay(t / term.time).0;
+        self.equilibrium() * v + self.terms().iter().zip(s).map(fading).sum::<f64>()
+    }
+
     /// When a pressed spring at the displacement `u` lets go within `duration`; `None` if it does not.
     pub fn release(&self, (u, s): (f64, &[f64]), v: f64, duration: f64) -> Option<f64> {
         let load = |t: f64| self.load_after((u, s), v, t);
-        if v >= 0.0 || load(duration) >= 0.0 {
+        let end = if v < 0.0 { load(duration) } else { 0.0 };
+        if end >= 0.0 {
             return None;
         }
+        let crossing = |low: f64| Some(self.crossing((u, s), v, (low, duration)));
         if self.load(u, s, v) > 0.0 {
-            return root::brent(load, 0.0, duration).ok();
+            return crossing(0.0);
         }
         // Pressed since this very instant: its load rises from zero before it falls.
-        let pressed = (1..60).map(|k| duration * 0.5f64.powi(k)).find(|&t| load(t) > 0.0);
-        Some(pressed.and_then(|t| root::brent(load, t, duration).ok()).unwrap_or(0.0))
+        match (1..60).map(|k| duration * 0.5f64.powi(k)).find(|&t| load(t) > 0.0) {
+            Some(pressed) => crossing(pressed),
+            None => Some(0.0),
+        }
+    }
+
+    /// The only root of q between a time when it is positive and one when it is negative: Newton's
+    /// method, halving the bracket whenever it would leave it or is slow.
+    fn crossing(&self, (u, s): (f64, &[f64]), v: f64, (mut low, mut high): (f64, f64)) -> f64 {
+        let mut t = low;
+        let mut narrow = high - low;
+        for trial in 0..200 {
+            let q = self.load_after((u, s), v, t);
+            *(if q > 0.0 { &mut low } else { &mut high }) = t;
+            let mut next = t - q / self.load_rate(s, v, t);
+            let slow = trial % 4 == 3 && high - low > 0.5 * narrow;
+            if slow || !(low < next && next < high) {
+                next = 0.5 * (low + high);
+            }
+            if trial % 4 == 3 {
+                narrow = high - low;
+            }
+            if (next - t).abs() <= 2.0 * f64::EPSILON * t.abs() || q.abs() <= 0.0 {
+                return t;
+            }
+            t = next;
+        }
+        t
     }
 
     /// The modes of a spring let go at the displacement `u` with the line load `q` (zero unless torn off).
@@ -220,9 +261,12 @@ impl Spectrum {
     /// When the indenter, at the displacement `motion.start` above this spring, catches up with it.
     pub fn touch(&self, free: &Free, motion: &Motion) -> Option<f64> {
         let gap = |t: f64| self.recovered(free, t) - motion.depth(t);
-        let closing = |t: f64| self.recovery_speed(free, t) - motion.speed;
         if gap(0.0) <= 0.0 {
-            return (closing(0.0) < 0.0).then_some(0.0);
+            return (self.recovery_speed(free, 0.0) < motion.speed).then_some(0.0);
+        }
+        if free.is_at_rest() {
+            let time = (free.rest - motion.start) / motion.speed;
+            return (motion.speed > 0.0 && time <= motion.duration).then_some(time);
         }
         if gap(motion.duration) <= 0.0 {
             return root::brent(gap, 0.0, motion.duration).ok();

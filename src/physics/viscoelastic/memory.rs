@@ -1,0 +1,345 @@
+//! The continuous bed: no springs to count, no error of discretization.
+//!
+//! At any time the contact is a disc 0 ≤ x < a and the state of a spring depends on the height
+//! c = g(x) of the indenter above it only. The bed falls into a few strips that share their past;
+//! within one motion the edge moves outwards first, then inwards, each at most once (see
+//! [`spring`](super::spring)), so that two roots per motion place it. The force is
+//! F = 2E∞ ∫₀^a (d − g) dx + Σ ∫ 2 sᵢ dx, the second part an integral over each strip, made once when
+//! the strip comes to be and evolved like a spring from then on.
+
+use super::ledger::Ledger;
+use super::spectrum::Spectrum;
+use super::spring::{Motion, Spring};
+use super::strip::{Detail, Ground, Past, Strip};
+use crate::physics::root;
+use crate::physics::shape::Profile;
+use std::sync::Arc;
+
+/// Why a bed could not follow.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum BedError {
+    /// The contact would become larger than the profile.
+    #[error("the contact outgrows the profile at the indentation {indentation:e} m")]
+    BeyondProfile {
+        /// Indentation [m].
+        indentation: f64,
+    },
+}
+
+/// Bed without discretization in space or time.
+#[derive(Debug, Clone)]
+pub struct Memory {
+    ground: Ground,
+    strips: Vec<Strip>,
+    /// Number of strips pressed; they come first.
+    pressed: usize,
+    depth: f64,
+    speed: f64,
+    time: f64,
+    work: f64,
+}
+
+impl Memory {
+    /// A bed never touched, the indenter just above it.
+    #[must_use]
+    pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>) -> Self {
+        let ground = Ground { spectrum, profile };
+        Self { ground, strips: Vec::new(), pressed: 0, depth: 0.0, speed: 0.0, time: 0.0, work: 0.0 }
+    }
+
+    /// Moves at constant `speed` [m/s] for `duration` [s].
+    ///
+    /// # Errors
+    /// The contact would outgrow the profile.
+    pub fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
+        self.follow(&Motion { start: self.depth, speed, duration }, Detail::Energy)
+    }
+
+    /// The bed after a motion, this one left as it is.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn after(&self, speed: f64, duration: f64) -> Result<Self, BedError> {
+        let mut bed = self.clone();
+        bed.advance(speed, duration)?;
+        Ok(bed)
+    }
+
+    /// The force [N] and contact radius [m] after a motion, without the energies.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn force_after(&self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
+        let mut bed = self.clone();
+        bed.follow(&Motion { start: self.depth, speed, duration }, Detail::Force)?;
+        Ok((bed.force(), bed.radius()))
+    }
+
+    fn follow(&mut self, motion: &Motion, detail: Detail) -> Result<(), BedError> {
+        let before = self.radius();
+        let reached = self.reached(motion)?;
+        let left = if motion.speed < 0.0 { self.left(motion, reached) } else { reached };
+        self.work += self.steady_work(motion, before.min(left));
+        for x in [before, reached, left] {
+            self.cut(x);
+        }
+        for k in 0..self.strips.len() {
+            self.step(k, (before, reached, left), (motion, detail));
+        }
+        self.reach_out(reached, (motion, detail));
+        self.pressed = self.strips.iter().take_while(|strip| strip.past.pressed).count();
+        (self.depth, self.speed, self.time) = (motion.end(), motion.speed, self.time + motion.duration);
+        Ok(())
+    }
+
+    /// The largest radius touched in the motion, at least the present one.
+    fn reached(&self, motion: &Motion) -> Result<f64, BedError> {
+        for strip in &self.strips[self.pressed..] {
+            if self.gap(strip, strip.outer, motion) > 0.0 {
+                let gap = |x: f64| self.gap(strip, x, motion);
+                return Ok(root::brent(gap, strip.inner, strip.outer).unwrap_or(strip.inner));
+            }
+        }
+        let touched = self.strips.last().map_or(0.0, |strip| strip.outer);
+        if motion.end() <= 0.0 || motion.speed <= 0.0 {
+            return Ok(touched);
+        }
+        let edge = self.ground.profile.edge(motion.end());
+        edge.map(|x| x.max(touched)).ok_or(BedError::BeyondProfile { indentation: motion.end() })
+    }
+
+    /// Least distance of the indenter from the free spring at `x` during the motion; negative if touched.
+    fn gap(&self, strip: &Strip, x: f64, motion: &Motion) -> f64 {
+        let c = self.ground.profile.reduced(x);
+        let Spring::Free(free) = strip.past.spring(&self.ground, c) else { return 0.0 };
+        let t = self.ground.spectrum.narrowest(&free, &Motion { start: motion.start - c, ..*motion });
+        self.ground.spectrum.recovered(&free, t) - (motion.depth(t) - c)
+    }
+
+    /// The radius still pressed at the end of a motion outwards that `reached` so far.
+    fn left(&self, motion: &Motion, reached: f64) -> f64 {
+        let mut outer = reached;
+        for strip in self.strips.iter().rev().filter(|strip| strip.inner < reached) {
+            let load = |x: f64| self.load_at_end(strip, x, motion);
+            outer = outer.min(strip.outer);
+            if load(outer) >= 0.0 {
+                return outer;
+            }
+            if load(strip.inner) > 0.0 {
+                return root::brent(load, strip.inner, outer).unwrap_or(outer);
+            }
+        }
+        0.0
+    }
+
+    /// Line load at the end of the motion of the spring at `x`, if it is not let go.
+    fn load_at_end(&self, strip: &Strip, x: f64, motion: &Motion) -> f64 {
+        let (spectrum, c) = (&self.ground.spectrum, self.ground.profile.reduced(x));
+        let seen = Motion { start: motion.start - c, ..*motion };
+        match strip.past.spring(&self.ground, c) {
+            Spring::Pressed(s) => spectrum.load_after((seen.start, &s), seen.speed, seen.duration),
+            Spring::Free(mut free) => {
+                let touch = spectrum.touch(&free, &seen).unwrap_or_else(|| spectrum.narrowest(&free, &seen));
+                spectrum.recover(&mut free, touch);
+                let mut s = vec![0.0; spectrum.terms().len()];
+                spectrum.loads_of_free(&free, &mut s);
+                spectrum.load_after((seen.depth(touch), &s), seen.speed, seen.duration - touch)
+            }
+        }
+    }
+
+    /// Adds a strip for the springs touched for the first time.
+    fn reach_out(&mut self, reached: f64, (motion, detail): (&Motion, Detail)) {
+        let inner = self.strips.last().map_or(0.0, |strip| strip.outer);
+        if reached > inner {
+            let past = Past::new(&self.ground.spectrum, None, *motion, true);
+            let mut strip = Strip::new((inner, reached), past);
+            self.work += settled(&self.ground, &mut strip, detail);
+            self.strips.push(strip);
+        }
+    }
+
+    /// Cuts the strip that holds `x` in two.
+    fn cut(&mut self, x: f64) {
+        let Some(k) = self.strips.iter().position(|strip| strip.inner < x && x < strip.outer) else { return };
+        let outer = Strip::new((x, self.strips[k].outer), self.strips[k].past.clone());
+        let inner = Strip::new((self.strips[k].inner, x), outer.past.clone());
+        self.strips[k] = inner;
+        self.strips.insert(k + 1, outer);
+    }
+
+    /// Takes a strip, all of one kind, through the motion.
+    fn step(&mut self, k: usize, (before, reached, left): (f64, f64, f64), (motion, detail): (&Motion, Detail)) {
+        let (ground, strip) = (&self.ground, &mut self.strips[k]);
+        let middle = 0.5 * (strip.inner + strip.outer);
+        let (was, is, met) = (middle < before, middle < left, middle < reached);
+        if was == is && (was || !met) {
+            strip.fill(ground, detail);
+            self.work += strip.pass(&ground.spectrum, motion);
+            return;
+        }
+        let past = Past::new(&ground.spectrum, Some(Arc::new(strip.past.clone())), *motion, is);
+        *strip = Strip::new((strip.inner, strip.outer), past);
+        self.work += settled(ground, strip, detail);
+    }
+
+    /// Work against E∞ and η of the springs pressed throughout a motion, up to the radius `a`.
+    fn steady_work(&self, motion: &Motion, a: f64) -> f64 {
+        let spectrum = &self.ground.spectrum;
+        let mean = Motion { start: motion.depth(0.5 * motion.duration), ..*motion };
+        let steady = self.displaced(mean.start, a) * spectrum.equilibrium();
+        motion.speed * motion.duration * (steady + 2.0 * a * spectrum.viscosity() * motion.speed)
+    }
+
+    /// 2 ∫₀^a (d − g) dx [m²].
+    fn displaced(&self, d: f64, a: f64) -> f64 {
+        let profile = &self.ground.profile;
+        if a > 0.0 { 2.0 * (profile.load_integral(a) + a * (d - profile.reduced(a))) } else { 0.0 }
+    }
+
+    /// Normal force [N].
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        let (spectrum, a) = (&self.ground.spectrum, self.radius());
+        let elements: f64 = self.strips[..self.pressed].iter().map(Strip::load).sum();
+        let dashpot = 2.0 * a * spectrum.viscosity() * self.speed;
+        spectrum.equilibrium() * self.displaced(self.depth, a) + elements + dashpot
+    }
+
+    /// Contact radius [m].
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.pressed.checked_sub(1).map_or(0.0, |last| self.strips[last].outer)
+    }
+
+    /// Indentation [m].
+    #[must_use]
+    pub fn indentation(&self) -> f64 {
+        self.depth
+    }
+
+    /// Time [s].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Stiffness 2E(0)a [N/m] against a sudden step of the depth.
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        2.0 * self.ground.spectrum.instantaneous() * self.radius()
+    }
+
+    /// Work done so far, energy in the springs, and their difference, the heat [J].
+    #[must_use]
+    pub fn ledger(&self) -> Ledger {
+        let (spectrum, profile, a) = (&self.ground.spectrum, &self.ground.profile, self.radius());
+        let elements: f64 = self.strips.iter().map(|strip| strip.stored(spectrum)).sum();
+        let over = self.depth - if a > 0.0 { profile.reduced(a) } else { self.depth };
+        let squares = if a > 0.0 { profile.energy_integral(a) } else { 0.0 };
+        let squares = squares + over * (self.displaced(self.depth, a) - over * a);
+        let stored = spectrum.equilibrium() * squares + elements;
+        Ledger { work: self.work, stored, dissipated: self.work - stored }
+    }
+
+    /// Bytes of state.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let numbers = 12 + 3 * self.ground.spectrum.terms().len() + self.ground.spectrum.modes().len();
+        size_of::<f64>() * numbers * self.strips.len()
+    }
+}
+
+/// Makes the sums of a strip just touched or let go; its work [J] where energies are followed.
+fn settled(ground: &Ground, strip: &mut Strip, detail: Detail) -> f64 {
+    if detail == Detail::Energy {
+        return strip.settle(ground);
+    }
+    strip.fill(ground, detail);
+    0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::laws::{TRIANGLES, history, recipe, unit_ball};
+    use super::super::{layout::Layout, lazy::Lazy};
+    use super::*;
+    use crate::physics::material::Relaxation;
+    use proptest::prelude::*;
+
+    fn bed(spectrum: Arc<Spectrum>) -> Memory {
+        Memory::new(spectrum, Arc::new(unit_ball()))
+    }
+
+    fn solid(equilibrium: f64, terms: &[(f64, f64)]) -> Arc<Spectrum> {
+        Arc::new(Spectrum::new(&Relaxation { equilibrium, terms: terms.to_vec(), viscosity: 0.0 }))
+    }
+
+    /// Bound: seven digits given.
+    #[test]
+    fn triangles_to_all_digits() {
+        for triangle in TRIANGLES {
+            let mut bed = bed(triangle.spectrum());
+            bed.advance(0.01, 1.0).unwrap();
+            for &(t, force) in triangle.forces {
+                let seen = bed.after(-0.01, t - 1.0).unwrap().force();
+                assert!((seen / force - 1.0).abs() < 5e-7, "{t}: {seen:e} {force:e}");
+            }
+            assert!(bed.after(-0.01, triangle.parting - 1.0 - 1e-5).unwrap().radius() > 0.0);
+            assert!(bed.after(-0.01, triangle.parting - 1.0 + 1e-5).unwrap().radius() <= 0.0);
+        }
+    }
+
+    /// Two terms, with the touch time t₁ of the spring that is just let go; bound: the digits given.
+    #[test]
+    fn two_terms_to_all_digits() {
+        let mut bed = bed(solid(1.0, &[(3.0, 0.3), (2.0, 5.0)]));
+        assert!((bed.after(0.01, 0.5).unwrap().force() - 0.002_171_497_338).abs() < 1e-12);
+        bed.advance(0.01, 1.0).unwrap();
+        assert!((bed.force() - 0.005_262_688_380).abs() < 1e-12);
+        for (t, force, touched) in [(1.2, 0.002_530_129_213, 0.735_572_69), (1.4, 0.000_916_887_196, 0.406_330_48)] {
+            let seen = bed.after(-0.01, t - 1.0).unwrap();
+            assert!((seen.force() - force).abs() < 1e-12, "{:e}", seen.force());
+            assert!((seen.radius().powi(2) / 0.01 - touched).abs() < 1e-8, "{}", seen.radius());
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+
+        /// Bound: −1/4 ≤ error·(a/Δx)² ≤ 1/8 of the cells, relative to the force of the instantaneous
+        /// modulus at the greatest depth.
+        #[test]
+        fn is_the_limit_of_many_springs(recipe in recipe(5), history in history(6)) {
+            let recipe = super::super::laws::Recipe { viscosity: None, ..recipe };
+            let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
+            let glassy = 4.0 / 3.0 * spectrum.instantaneous();
+            let mut lazy = Lazy::new(spectrum.clone(), Layout::uniform(&unit_ball(), 1.0, 500));
+            let mut bed = bed(spectrum);
+            for motion in history {
+                lazy.advance(motion.speed, motion.duration);
+                bed.advance(motion.speed, motion.duration).unwrap();
+                prop_assert!((lazy.force() - bed.force()).abs() < 0.25 / 250_000.0 * glassy, "{:e} {:e}", lazy.force(), bed.force());
+                let (a, b) = (lazy.ledger(), bed.ledger());
+                prop_assert!((a.work - b.work).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
+                prop_assert!((a.stored - b.stored).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
+            }
+        }
+
+        /// Bound: rounding, relative to the greatest force.
+        #[test]
+        fn answer_does_not_depend_on_the_steps(recipe in recipe(4), history in history(5), pieces in 2u32..6) {
+            let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
+            let (mut once, mut often) = (bed(spectrum.clone()), bed(spectrum));
+            let mut greatest = 0f64;
+            for motion in history {
+                once.advance(motion.speed, motion.duration).unwrap();
+                for _ in 0..pieces {
+                    often.advance(motion.speed, motion.duration / f64::from(pieces)).unwrap();
+                }
+                greatest = greatest.max(once.force());
+                prop_assert!((once.force() - often.force()).abs() <= 1e-11 * greatest, "{:e} {:e}", once.force(), often.force());
+            }
+        }
+    }
+}
