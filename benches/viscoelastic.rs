@@ -1,5 +1,7 @@
 //! Viscoelastic beds: the continuous one, the lazy one by number of springs, the direct one against a copy.
 
+#![expect(clippy::expect_used, reason = "a benchmark may stop")]
+
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use springbed::physics::material::Relaxation;
 use springbed::physics::quantity::Length;

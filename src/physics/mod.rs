@@ -12,6 +12,7 @@ pub mod rough;
 pub mod shape;
 pub mod material;
 pub mod viscoelastic;
+pub mod impact;
 pub mod adhesion;
 pub mod quasistatic;
 pub mod bed;

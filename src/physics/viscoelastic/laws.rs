@@ -121,6 +121,20 @@ impl Triangle {
     }
 }
 
+/// The usual explicit step, sᵢ ← sᵢ + h(Eᵢv − sᵢ/τᵢ), grows without bound once h > 2τᵢ; the exact one
+/// gives Eᵢvτᵢ(1 − e^(−t/τᵢ)) for any h.
+#[test]
+fn explicit_steps_explode() {
+    let spectrum = Spectrum::new(&Relaxation { equilibrium: 0.0, terms: vec![(1.0, 1e-3)], viscosity: 0.0 });
+    let (mut euler, mut exact) = (0.0, [0.0]);
+    for _ in 0..1000 {
+        euler += 0.0025 * (1.0 - euler / 1e-3);
+        spectrum.press(&mut exact, 1.0, 0.0025);
+    }
+    assert!(f64::abs(euler) > 1e100 || euler.is_nan());
+    assert!((exact[0] - 1e-3).abs() < 1e-18);
+}
+
 /// Bound: −1/4 ≤ error·(a/Δx)² ≤ 1/8 for a bed of cells, relative to the force of the instantaneous
 /// modulus, which the load at the edge follows; Δx/a = 1/1000.
 #[test]

@@ -39,6 +39,20 @@ impl Layout {
         Self { place, height, weight: cells.map(|(low, high)| 2.0 * (high - low)).collect() }
     }
 
+    /// More springs, each cell as much wider than the one before as the last one was, up to `radius` [m].
+    pub fn extend(&mut self, profile: &dyn Profile, radius: f64) {
+        let [.., before, last] = self.weight[..] else { return };
+        let (growth, mut width) = (last / before, 0.5 * last);
+        let mut inner = self.place.last().map_or(0.0, |x| x + 0.5 * width);
+        while inner < radius && width > 0.0 {
+            width *= growth;
+            self.place.push(inner + 0.5 * width);
+            self.height.push(profile.reduced(inner + 0.5 * width));
+            self.weight.push(2.0 * width);
+            inner += width;
+        }
+    }
+
     /// Number of springs.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -11,6 +11,7 @@ use super::ledger::{Ledger, impulse};
 use super::spectrum::Spectrum;
 use super::spring::{Free, Motion, Piece, Spring, decay};
 use super::totals::Totals;
+use crate::physics::shape::Profile;
 use std::sync::Arc;
 
 /// Bed whose cost per motion does not grow with the number of springs.
@@ -40,7 +41,9 @@ struct Now {
     instant: Instant,
     depth: f64,
     speed: f64,
-    ledger: Ledger,
+    /// ∫ F dt of the last motion [N s].
+    impulse: f64,
+    work: f64,
 }
 
 /// A time as the sum of two numbers: short steps late in a long history are not lost.
@@ -83,7 +86,8 @@ struct Event {
     spring: usize,
     before: Spring,
     after: Spring,
-    work: f64,
+    /// ∫ q dt [N s/m].
+    impulse: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -108,7 +112,8 @@ impl Lazy {
             instant: Instant::default(),
             depth: 0.0,
             speed: 0.0,
-            ledger: Ledger::default(),
+            impulse: 0.0,
+            work: 0.0,
         };
         let rows = spectrum.terms().len().max(spectrum.modes().len());
         Self {
@@ -121,6 +126,38 @@ impl Lazy {
             layout,
             now,
         }
+    }
+
+    /// A bed of springs in given states, the indenter at the depth `depth` [m].
+    ///
+    /// `at` gives the spring at a distance from the axis; the pressed ones come first.
+    #[must_use]
+    pub fn continued(spectrum: Arc<Spectrum>, layout: Layout, depth: f64, at: impl Fn(f64) -> Spring) -> Self {
+        let mut bed = Self::new(spectrum, layout);
+        bed.now.depth = depth;
+        for j in 0..bed.layout.len() {
+            let spring = at(bed.layout.place[j]);
+            bed.now.totals.add(&spring, bed.layout.weight[j]);
+            bed.store(j, spring);
+        }
+        bed
+    }
+
+    /// Adds springs never touched until the bed reaches `radius` [m].
+    pub fn extend(&mut self, profile: &dyn Profile, radius: f64) {
+        let rows = self.row(0).len();
+        self.layout.extend(profile, radius);
+        let count = self.layout.len();
+        self.constants.resize(rows * count, 0.0);
+        self.rest.resize(count, 0.0);
+        self.since.resize(count, Instant::default());
+        self.prefix = Prefix::new(&self.layout);
+    }
+
+    /// Where the springs stand.
+    #[must_use]
+    pub fn layout(&self) -> &Layout {
+        &self.layout
     }
 
     /// Moves at constant `speed` [m/s] for `duration` [s].
@@ -137,6 +174,7 @@ impl Lazy {
         }
         self.evolve(&motion);
         touched.into_iter().chain(released).for_each(|event| self.replace(event, duration));
+        self.now.work += speed * self.now.impulse;
         self.refresh();
     }
 
@@ -153,10 +191,10 @@ impl Lazy {
     }
 
     fn event(&self, spring: usize, before: Spring, seen: &Motion) -> Event {
-        let mut ledger = Ledger::default();
-        let watch = &mut |piece: &Piece<'_>| self.spectrum.account_work(piece, &mut ledger);
+        let mut impulse = 0.0;
+        let watch = &mut |piece: &Piece<'_>| impulse += self.spectrum.impulse(piece);
         let after = before.clone().follow(&self.spectrum, seen, watch);
-        Event { spring, before, after, work: ledger.work }
+        Event { spring, before, after, impulse }
     }
 
     /// The motion as the spring `j` sees it.
@@ -185,14 +223,15 @@ impl Lazy {
     fn evolve(&mut self, motion: &Motion) {
         let Self { spectrum, now, prefix, .. } = self;
         let [weight, first, _] = prefix.0[now.pressed];
+        let mut sum = 0.0;
         for ((term, h), s) in spectrum.terms().iter().zip(&mut now.memory).zip(&now.totals.loads) {
             let (keep, lost) = decay(motion.duration / term.time);
             *h = keep * *h + term.modulus * motion.speed * term.time * lost;
-            now.ledger.work += motion.speed * impulse(term, *s, motion.speed * weight, motion.duration);
+            sum += impulse(term, *s, motion.speed * weight, motion.duration);
         }
         let mean = weight * (motion.start + 0.5 * motion.speed * motion.duration) - first;
         let steady = spectrum.equilibrium() * mean + spectrum.viscosity() * motion.speed * weight;
-        now.ledger.work += motion.speed * motion.duration * steady;
+        now.impulse = sum + motion.duration * steady;
         now.totals.evolve(spectrum, (weight, motion.speed), motion.duration);
         now.instant = now.instant.after(motion.duration);
         (now.depth, now.speed) = (motion.end(), motion.speed);
@@ -205,7 +244,7 @@ impl Lazy {
             self.spectrum.recover(&mut free, duration);
             self.now.totals.add(&Spring::Free(free), -weight);
         }
-        self.now.ledger.work += weight * event.work;
+        self.now.impulse += weight * event.impulse;
         self.now.totals.add(&event.after, weight);
         self.store(j, event.after);
     }
@@ -304,7 +343,13 @@ impl Lazy {
         let depth = self.now.depth;
         let squares = depth * (depth * weight - 2.0 * first) + second;
         let stored = 0.5 * self.spectrum.equilibrium() * squares + self.now.totals.stored(&self.spectrum);
-        Ledger { stored, dissipated: self.now.ledger.work - stored, work: self.now.ledger.work }
+        Ledger { stored, dissipated: self.now.work - stored, work: self.now.work }
+    }
+
+    /// ∫ F dt [N s] over the last motion.
+    #[must_use]
+    pub fn impulse(&self) -> f64 {
+        self.now.impulse
     }
 
     /// Bytes of state.

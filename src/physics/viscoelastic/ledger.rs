@@ -28,29 +28,24 @@ impl Spectrum {
         self.modes().iter().zip(&free.modes).map(|(mode, z)| 0.5 * z * (z / mode.compliance)).sum()
     }
 
-    /// Adds the work alone of one piece of a spring's life.
-    pub fn account_work(&self, piece: &Piece<'_>, ledger: &mut Ledger) {
-        if let Piece::Pressed { u, s, speed, duration } = *piece {
-            ledger.work += self.work((u, s), speed, duration);
-        }
+    /// ∫ q dt [N s/m] over one piece of a spring's life.
+    pub fn impulse(&self, piece: &Piece<'_>) -> f64 {
+        let Piece::Pressed { u, s, speed, duration } = *piece else { return 0.0 };
+        let element = |(term, s): (&Term, &f64)| impulse(term, *s, speed, duration);
+        let elements: f64 = self.terms().iter().zip(s).map(element).sum();
+        let steady = self.equilibrium() * (u + 0.5 * speed * duration) + self.viscosity() * speed;
+        steady * duration + elements
     }
 
     /// Adds the work and the heat of one piece of a spring's life.
     pub fn account(&self, piece: &Piece<'_>, ledger: &mut Ledger) {
         match *piece {
-            Piece::Pressed { u, s, speed, duration } => {
-                ledger.work += self.work((u, s), speed, duration);
+            Piece::Pressed { s, speed, duration, .. } => {
+                ledger.work += speed * self.impulse(piece);
                 ledger.dissipated += self.heat_pressed(s, speed, duration);
             }
             Piece::Free { free, duration } => ledger.dissipated += self.heat_free(free, duration),
         }
-    }
-
-    /// v ∫ q dt over a motion of a pressed spring.
-    fn work(&self, (u, s): (f64, &[f64]), v: f64, t: f64) -> f64 {
-        let element = |(term, s): (&Term, &f64)| impulse(term, *s, v, t);
-        let elements: f64 = self.terms().iter().zip(s).map(element).sum();
-        v * (self.equilibrium() * t * (u + 0.5 * v * t) + elements + self.viscosity() * v * t)
     }
 
     /// Heat ηv²t + Σ ∫ sᵢ² dt/(Eᵢτᵢ) of a pressed spring.
@@ -77,7 +72,7 @@ pub(super) fn impulse(term: &Term, s: f64, v: f64, t: f64) -> f64 {
 }
 
 /// y − a with a = 1 − e^(−y): Σ aᵏ/k from k = 2.
-fn square_remainder(y: f64, a: f64) -> f64 {
+pub(super) fn square_remainder(y: f64, a: f64) -> f64 {
     if a > 0.3 { y - a } else { tail(a, 2) }
 }
 

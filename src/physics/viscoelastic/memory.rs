@@ -8,6 +8,7 @@
 //! the strip comes to be and evolved like a spring from then on.
 
 use super::ledger::Ledger;
+use super::pressure;
 use super::spectrum::Spectrum;
 use super::spring::{Motion, Spring};
 use super::strip::{Detail, Ground, Past, Strip};
@@ -242,6 +243,42 @@ impl Memory {
         Ledger { work: self.work, stored, dissipated: self.work - stored }
     }
 
+    /// Pressure p(r) [Pa] at the radius `r` ≥ 0 [m]; zero outside the contact.
+    #[must_use]
+    pub fn pressure(&self, r: f64) -> f64 {
+        let held = &self.strips[..self.pressed];
+        let mut ends: Vec<f64> = held.iter().flat_map(|strip| strip.panel_ends(&self.ground)).collect();
+        ends.dedup();
+        pressure::inverse(&|x| self.line_load(x), &ends, r)
+    }
+
+    /// Line load q(x) [N/m] at the distance `x` from the axis.
+    #[must_use]
+    pub fn line_load(&self, x: f64) -> f64 {
+        let strip = self.strips[..self.pressed].iter().find(|strip| x <= strip.outer);
+        strip.map_or(0.0, |strip| strip.line_load(&self.ground, x, (self.depth, self.speed)))
+    }
+
+    /// The springs and the shape the bed is made of.
+    #[must_use]
+    pub fn ground(&self) -> (Arc<Spectrum>, Arc<dyn Profile>) {
+        (self.ground.spectrum.clone(), self.ground.profile.clone())
+    }
+
+    /// Number of strips.
+    #[must_use]
+    pub fn strips(&self) -> usize {
+        self.strips.len()
+    }
+
+    /// The spring at the distance `x` from the axis.
+    #[must_use]
+    pub fn spring(&self, x: f64) -> Spring {
+        let strip = self.strips.iter().find(|strip| x <= strip.outer);
+        let untouched = || Spring::untouched(&self.ground.spectrum);
+        strip.map_or_else(untouched, |strip| strip.past.spring(&self.ground, self.ground.profile.reduced(x)))
+    }
+
     /// Bytes of state.
     #[must_use]
     pub fn bytes(&self) -> usize {
@@ -265,7 +302,10 @@ mod tests {
     use super::super::{layout::Layout, lazy::Lazy};
     use super::*;
     use crate::physics::material::Relaxation;
+    use crate::physics::quantity::Positive;
+    use crate::physics::shape::Cone;
     use proptest::prelude::*;
+    use std::f64::consts::PI;
 
     fn bed(spectrum: Arc<Spectrum>) -> Memory {
         Memory::new(spectrum, Arc::new(unit_ball()))
@@ -304,6 +344,43 @@ mod tests {
         }
     }
 
+    /// A cone is known in closed form: F = (4/(πt))[½E∞d² + Σ Eᵢv²τᵢ²(y − 1 + e^(−y))], y = T/τᵢ.
+    ///
+    /// Terms from 1e-15 to 1e15 s at once, twice the same and one equal to the ramp; bound: rounding.
+    #[test]
+    fn cone_over_thirty_decades() {
+        let terms: Vec<(f64, f64)> =
+            (-15..=15).flat_map(|k| [(1.0 + 0.1 * f64::from(k * k), 10f64.powi(k)); 2]).collect();
+        let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 0.5, terms, viscosity: 0.0 }));
+        for k in -12..=9 {
+            let (time, speed) = (10f64.powi(k), 10f64.powi(-k));
+            let cone = Cone { slope: Positive::new(1.0).unwrap() };
+            let mut bed = Memory::new(spectrum.clone(), Arc::new(cone));
+            bed.advance(speed, time).unwrap();
+            let part = |term: &super::super::Term| {
+                let y = time / term.time;
+                let lag = if y < 1e-3 { y * y * (0.5 - y / 6.0 + y * y / 24.0) } else { y + (-y).exp_m1() };
+                term.modulus * (speed * term.time).powi(2) * lag
+            };
+            let exact = 4.0 / PI * (0.25 + spectrum.terms().iter().map(part).sum::<f64>());
+            assert!((bed.force() / exact - 1.0).abs() < 1e-11, "{k}: {:e}", bed.force() / exact - 1.0);
+        }
+    }
+
+    /// p(r) = (2/πR) ∫ E(t−s) d√(a²(s)−r²) while the contact grows; bound: the quadrature here.
+    #[test]
+    fn pressure_while_growing() {
+        let spectrum = solid(1.0, &[(3.0, 0.3), (2.0, 5.0)]);
+        let mut bed = bed(spectrum.clone());
+        bed.advance(0.01, 1.0).unwrap();
+        for r in [0.0, 0.02, 0.07, 0.099] {
+            let first = r * r / 0.01;
+            let at = |sigma: f64| spectrum.relaxation(1.0 - first - sigma * sigma);
+            let exact = 2.0 / PI * 0.1 * crate::physics::quadrature::panel(at, 0.0, (1.0 - first).sqrt());
+            assert!((bed.pressure(r) / exact - 1.0).abs() < 1e-9, "{r}: {:e} {exact:e}", bed.pressure(r));
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(32))]
 
@@ -324,6 +401,46 @@ mod tests {
                 prop_assert!((a.work - b.work).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
                 prop_assert!((a.stored - b.stored).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
             }
+        }
+
+        /// 2π ∫ p r dr = F, whatever the history; bound: the quadrature over r here.
+        #[test]
+        fn pressure_adds_up_to_the_force(recipe in recipe(3), history in history(5)) {
+            let recipe = super::super::laws::Recipe { viscosity: None, ..recipe };
+            let mut bed = bed(Arc::new(Spectrum::new(&recipe.relaxation())));
+            let glassy = 4.0 / 3.0 * bed.ground.spectrum.instantaneous();
+            for motion in history {
+                bed.advance(motion.speed, motion.duration).unwrap();
+            }
+            let a = bed.radius();
+            let ring = |r: f64, _| 2.0 * PI * r * bed.pressure(r);
+            let sum = crate::physics::quadrature::panel_with_root_ends(ring, a);
+            prop_assert!((sum - bed.force()).abs() < 1e-3 * glassy, "{sum:e} {:e}", bed.force());
+        }
+
+        /// While the contact grows the force lies between those of E∞ and E(0) and is linear in E(t).
+        #[test]
+        fn bounds_and_superposition(one in recipe(4), other in recipe(4), steps in prop::collection::vec((0i32..20, -40i32..40), 1..5)) {
+            let (one, other) = (one.relaxation(), other.relaxation());
+            let terms = one.terms.iter().chain(&other.terms).copied().collect();
+            let equilibrium = one.equilibrium + other.equilibrium;
+            let both = Relaxation { equilibrium, terms, viscosity: 0.0 };
+            let of = |relaxation: &Relaxation| {
+                let relaxation = Relaxation { viscosity: 0.0, ..relaxation.clone() };
+                let mut bed = bed(Arc::new(Spectrum::new(&relaxation)));
+                for (rise, k) in &steps {
+                    let duration = 10f64.powf(0.1 * f64::from(*k));
+                    bed.advance(0.01 * f64::from(*rise) / duration, duration).unwrap();
+                }
+                (bed.force(), bed.indentation())
+            };
+            let (force, depth) = of(&both);
+            let elastic = |modulus: f64| 4.0 / 3.0 * modulus * depth.powf(1.5);
+            let instantaneous = Spectrum::new(&both).instantaneous();
+            prop_assert!(force >= elastic(equilibrium) * (1.0 - 1e-12) && force <= elastic(instantaneous) * (1.0 + 1e-12));
+            let sum = of(&one).0 + of(&other).0;
+            prop_assert!((force - sum).abs() <= 1e-11 * force, "{force:e} {sum:e}");
+            prop_assert!(force >= of(&one).0 * (1.0 - 1e-12), "a greater modulus, a greater force");
         }
 
         /// Bound: rounding, relative to the greatest force.

@@ -6,13 +6,16 @@
 //! [`direct`] one updates every spring in every step; the [`lazy`] one does work only for the springs
 //! touched or released.
 
+pub mod creep;
 pub mod direct;
+pub mod drive;
 #[cfg(test)]
 mod laws;
 pub mod layout;
 pub mod lazy;
 pub mod ledger;
 pub mod memory;
+pub mod pressure;
 mod secular;
 mod spectrum;
 pub mod spring;

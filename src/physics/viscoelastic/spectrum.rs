@@ -226,6 +226,26 @@ mod tests {
         assert_eq!(Spectrum::new(&twice), Spectrum::new(&once));
     }
 
+    /// Polyisobutylene, 30 terms over 18 decades (`configs/polyisobutylene_prony.csv`).
+    fn polyisobutylene() -> Spectrum {
+        let table = include_str!("../../../configs/polyisobutylene_prony.csv");
+        let number = |text: &str| text.trim().parse::<f64>().unwrap();
+        let rows = table.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+        let terms = rows.map(|row| row.split_once(',').unwrap()).map(|(tau, g)| (number(g), number(tau))).collect();
+        Spectrum::new(&Relaxation { equilibrium: 0.0, terms, viscosity: 0.0 })
+    }
+
+    #[test]
+    fn a_real_liquid_over_forty_decades() {
+        let spectrum = polyisobutylene();
+        assert_eq!((spectrum.terms().len(), spectrum.modes().len()), (30, 29));
+        for k in -200..200 {
+            let p = 10f64.powf(0.1 * f64::from(k));
+            let product = operational(&spectrum, p) * compliance(&spectrum, p);
+            assert!((product - 1.0).abs() < 1e-12, "{p:e}: {product:e}");
+        }
+    }
+
     proptest! {
         /// E(p)·p J(p) = 1 over all decades: both sides are sums of positive terms, so the bound is
         /// the rounding of 2 × 40 terms and of the zeros.

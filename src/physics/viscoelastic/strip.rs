@@ -4,7 +4,7 @@
 //! ones, each at an instant of its own. So one short list of motions gives the state of every spring
 //! of the strip in closed form, and a sum over them is an integral of a smooth function.
 
-use super::ledger::{Ledger, impulse};
+use super::ledger::impulse;
 use super::spectrum::{Spectrum, Term};
 use super::spring::{Free, Motion, Piece, Spring, decay};
 use super::totals::Totals;
@@ -152,10 +152,10 @@ impl Strip {
         let mut totals = Totals::new(&ground.spectrum);
         let mut work = 0.0;
         self.visit(ground, |c, w| {
-            let mut ledger = Ledger::default();
-            let spring = self.past.lived(ground, c, &mut |piece| ground.spectrum.account_work(piece, &mut ledger));
+            let mut impulse = 0.0;
+            let spring = self.past.lived(ground, c, &mut |piece| impulse += ground.spectrum.impulse(piece));
             totals.add(&spring, w);
-            work += w * ledger.work;
+            work += w * self.past.motion.speed * impulse;
         });
         self.totals = Some(totals);
         work
@@ -196,18 +196,32 @@ impl Strip {
     /// panels shrink towards it sixteenfold until they are shorter than that, or than anything that
     /// counts. The other border is alike if the springs had a life before.
     pub(super) fn visit(&self, ground: &Ground, mut at: impl FnMut(f64, f64)) {
+        for pair in self.panel_ends(ground).windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            for &(node, w) in quadrature::nodes() {
+                at(ground.profile.reduced(pair[0] + half * (1.0 + node)), 2.0 * half * w);
+            }
+        }
+    }
+
+    /// Ends of the panels, from the inner border to the outer one.
+    pub(super) fn panel_ends(&self, ground: &Ground) -> Vec<f64> {
         let fine = graded(self.past.longest() / ground.fastest());
-        let (inner, outer) = if self.past.before.is_some() { (fine.max(4), fine.max(4)) } else { (1, fine) };
+        let levels = if self.past.before.is_some() { (fine.max(4), fine.max(4)) } else { (1, fine) };
         let mut breaks = vec![self.inner];
         breaks.extend(ground.profile.breaks(self.outer).into_iter().filter(|&x| x > self.inner && x < self.outer));
         breaks.push(self.outer);
-        for pair in breaks.windows(2) {
-            for (low, high) in panels((pair[0], pair[1]), (inner, outer)) {
-                let half = 0.5 * (high - low);
-                for &(node, w) in quadrature::nodes() {
-                    at(ground.profile.reduced(low + half * (1.0 + node)), 2.0 * half * w);
-                }
-            }
+        let mut ends: Vec<f64> = breaks.windows(2).flat_map(|pair| panels((pair[0], pair[1]), levels)).collect();
+        ends.push(self.outer);
+        ends
+    }
+
+    /// Line load [N/m] at the distance `x` from the axis, the indenter at the depth `d` and the speed `v`.
+    pub(super) fn line_load(&self, ground: &Ground, x: f64, (d, v): (f64, f64)) -> f64 {
+        let c = ground.profile.reduced(x);
+        match self.past.spring(ground, c) {
+            Spring::Pressed(s) => ground.spectrum.load(d - c, &s, v),
+            Spring::Free(_) => 0.0,
         }
     }
 }
@@ -226,11 +240,10 @@ fn graded(ratio: f64) -> i32 {
     (ratio.log2() / 4.0).ceil().clamp(1.0, 12.0) as i32
 }
 
-/// Panels of an interval that shrink towards both ends, so many times at each.
-fn panels((low, high): (f64, f64), (inner, outer): (i32, i32)) -> impl Iterator<Item = (f64, f64)> {
-    let length = high - low;
-    let rising = (1..=inner).rev().map(move |k| low + 0.5 * length * 16f64.powi(-k));
-    let falling = (1..=outer).map(move |k| high - 0.5 * length * 16f64.powi(-k));
-    let ends: Vec<f64> = std::iter::once(low).chain(rising).chain(falling).chain(std::iter::once(high)).collect();
-    (1..ends.len()).map(move |k| (ends[k - 1], ends[k]))
+/// Lower ends of panels of an interval that shrink towards both ends, so many times at each.
+fn panels((low, high): (f64, f64), (inner, outer): (i32, i32)) -> Vec<f64> {
+    let half = 0.5 * (high - low);
+    let rising = (1..=inner).rev().map(|k| low + half * 16f64.powi(-k));
+    let falling = (1..=outer).map(|k| high - half * 16f64.powi(-k));
+    std::iter::once(low).chain(rising).chain(falling).collect()
 }
