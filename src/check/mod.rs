@@ -3,6 +3,7 @@
 pub mod elliptic;
 #[cfg(feature = "half-space")]
 pub mod halfspace;
+pub mod tangential;
 pub mod theory;
 #[cfg(feature = "half-space")]
 pub mod agreement;

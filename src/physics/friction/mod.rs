@@ -1,7 +1,11 @@
 //! Tangential contact: stick, slip, dissipation, adhesion under shear, sliding, oblique impact.
 
 pub mod bed;
+mod driven;
 pub mod fretting;
+pub mod peeling;
+pub mod sliding;
+pub mod oblique;
 mod load;
 mod slipped;
 pub mod turning;
@@ -78,5 +82,37 @@ pub enum FrictionError {
     BeyondRadius {
         /// Radius [m].
         radius: f64,
+    },
+    /// No slide carries the tangential force asked for.
+    #[error("a tangential force of {force:e} N is not below the limit of {limit:e} N: the contact slips as a whole")]
+    GrossSlip {
+        /// Tangential force asked for [N].
+        force: f64,
+        /// μF [N].
+        limit: f64,
+    },
+    /// The profile ends before the normal force is reached.
+    #[error("the profile ends before the normal force {force:e} N is reached")]
+    ForceBeyondProfile {
+        /// Normal force [N].
+        force: f64,
+    },
+    /// An adhesive contact parts under the normal force alone.
+    #[error("the bodies part under the normal force {force:e} N")]
+    Parted {
+        /// Normal force [N].
+        force: f64,
+    },
+    /// A ball does not move towards the surface.
+    #[error("the normal speed before the impact is {speed:e} m/s: it must be above zero")]
+    NoApproach {
+        /// Normal speed [m/s].
+        speed: f64,
+    },
+    /// The tangential load has peeled the adhesive contact.
+    #[error("under the normal force {force:e} N the tangential load peels the adhesive contact")]
+    Peeled {
+        /// Normal force [N].
+        force: f64,
     },
 }

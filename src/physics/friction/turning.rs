@@ -234,6 +234,12 @@ impl<'a> TangentialMemory<'a> {
         self.at
     }
 
+    /// Moduli and friction.
+    #[must_use]
+    pub fn grip(&self) -> Grip {
+        self.grip
+    }
+
     /// Number of turning points in memory.
     #[must_use]
     pub fn turning_points(&self) -> usize {
