@@ -169,3 +169,48 @@ impl Spring {
         self.lost += way * mean;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::friction::TangentialMemory;
+    use crate::physics::quantity::Length;
+    use crate::physics::shape::Paraboloid;
+
+    /// Both maps sum to the energy lost, over a cycle at constant depth and while the depth changes.
+    #[test]
+    fn both_maps_sum_to_the_loss() {
+        let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
+        let grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.3 };
+        let n = 800;
+        let cell = 1.0 / f64::from(n);
+        let radii: Vec<f64> = (0..n).map(|k| (f64::from(k) + 0.5) * cell).collect();
+        let mut memory = TangentialMemory::new(&shape, grip);
+        let (mut springs, mut wear) = (FrettingMap::new(&shape, grip, &radii), WearMap::new(&shape, grip, &radii));
+        let reach = grip.reach();
+        for (depth, part) in [(1.0, 0.0), (1.0, 0.6), (1.0, -0.6), (1.0, 0.6), (0.9, 0.5), (0.95, 0.9), (0.95, 3.0)] {
+            for to in (1..=4)
+                .map(|k| {
+                    let from = memory.position();
+                    let part = reach * part;
+                    let t = 1.0 / f64::from(5 - k);
+                    Position {
+                        indentation: from.indentation + t * (depth - from.indentation),
+                        slide: from.slide + t * (part - from.slide),
+                    }
+                })
+                .collect::<Vec<_>>()
+            {
+                memory.advance(to).unwrap();
+                springs.advance(to);
+                wear.advance(to);
+            }
+            let lost = memory.state().dissipated;
+            let by_spring: f64 = springs.energy().iter().map(|energy| energy * cell).sum();
+            let by_radius: f64 = radii.iter().zip(wear.energy()).map(|(r, energy)| 2.0 * PI * r * energy * cell).sum();
+            // Sums over cells: second order inside, the root of the pressure at the edge Δx^{3/2}.
+            assert!((by_spring - lost).abs() <= 1e-4 * lost, "{by_spring} {lost}");
+            assert!((by_radius - lost).abs() <= 5e-3 * lost, "{by_radius} {lost}");
+        }
+    }
+}

@@ -4,6 +4,7 @@ pub mod bed;
 mod driven;
 pub mod fretting;
 pub mod peeling;
+pub mod relaxing;
 pub mod sliding;
 pub mod oblique;
 mod load;
@@ -12,6 +13,7 @@ pub mod turning;
 
 pub use bed::CoulombBed;
 pub use fretting::{FrettingMap, WearMap};
+pub use relaxing::RelaxingBed;
 pub use turning::{Grip, Position, TangentialMemory, TangentialState};
 
 use super::quantity::{Modulus, Ratio, Stress};

@@ -359,7 +359,7 @@ mod tests {
     use super::super::fretting::FrettingMap;
     use super::*;
     use crate::physics::quantity::{Length, Positive};
-    use crate::physics::shape::{Cone, Paraboloid, Power};
+    use crate::physics::shape::{Cone, FlatPunch, Paraboloid, Power, RoundedCone, RoundedPunch, TruncatedParaboloid};
     use proptest::prelude::*;
 
     fn shapes() -> [Box<dyn Profile>; 3] {
@@ -401,6 +401,84 @@ mod tests {
                 assert!((profile.reduced(state.stick_radius) - profile.reduced(c)).abs() < 4e-16);
             }
             assert!(memory.turning_points() <= 3);
+        }
+    }
+
+    #[test]
+    fn without_friction_there_is_no_force_and_with_infinite_friction_no_slip() {
+        for profile in shapes() {
+            let mut smooth = TangentialMemory::new(profile.as_ref(), grip(0.0));
+            let mut rough = TangentialMemory::new(profile.as_ref(), grip(1e12));
+            for memory in [&mut smooth, &mut rough] {
+                memory.advance(at(1.0, 0.0)).unwrap();
+                memory.advance(at(1.0, 3.0)).unwrap();
+            }
+            let (none, all) = (smooth.state(), rough.state());
+            assert!(none.tangential_force.abs() <= 0.0 && none.dissipated.abs() <= 0.0);
+            // 2G*a u_x, short of it by the annulus of depth u/m = 2.4e-12 only.
+            let stuck = 2.0 * 0.8 * all.contact_radius * 3.0;
+            assert!((all.tangential_force / stuck - 1.0).abs() < 3e-12);
+        }
+    }
+
+    /// A flat punch sticks as a whole, F_x = 2G*b u, and slips as a whole at μF; its shear stress is
+    /// F_x/(2πb√(b²−r²)).
+    #[test]
+    fn a_flat_punch_holds_or_slips_as_a_whole() {
+        let punch = FlatPunch { radius: Length::new(0.5).unwrap() };
+        let mut memory = TangentialMemory::new(&punch, grip(0.3));
+        memory.advance(at(0.2, 0.0)).unwrap();
+        memory.advance(at(0.2, 0.07)).unwrap();
+        let state = memory.state();
+        assert!((state.tangential_force / (2.0 * 0.8 * 0.5 * 0.07) - 1.0).abs() < 1e-14);
+        assert!((state.stick_radius - 0.5).abs() <= 0.0 && state.dissipated.abs() <= 0.0);
+        let stress = memory.shear_stress(&[0.3])[0];
+        assert!((stress / (state.tangential_force / (2.0 * std::f64::consts::PI * 0.5 * 0.4)) - 1.0).abs() < 1e-14);
+        assert!((memory.stored() / (0.5 * state.tangential_force * 0.07) - 1.0).abs() < 1e-14);
+        memory.advance(at(0.2, 0.1)).unwrap();
+        // Limit μE*d/G* = 0.075: it has slipped 0.025 under μF = 0.06.
+        let state = memory.state();
+        assert!((state.tangential_force / 0.06 - 1.0).abs() < 1e-14);
+        assert!(state.stick_radius.abs() <= 0.0);
+        assert!((state.dissipated / (0.025 * 0.06) - 1.0).abs() < 1e-13);
+    }
+
+    /// Shapes with a flat, a wall, an edge or ripples: F_x, the energy and the stress are those of the
+    /// springs, by the same laws as above.
+    #[test]
+    fn shapes_with_corners_keep_the_laws() {
+        let length = |x: f64| Length::new(x).unwrap();
+        let shapes: [Box<dyn Profile>; 3] = [
+            Box::new(TruncatedParaboloid { flat_radius: length(0.4), radius: length(1.0) }),
+            Box::new(RoundedPunch { flat_radius: length(0.4), edge_radius: length(0.5) }),
+            Box::new(RoundedCone { radius: length(1.0), slope: Positive::new(0.5).unwrap() }),
+        ];
+        for profile in &shapes {
+            let mut memory = TangentialMemory::new(profile.as_ref(), grip(0.3));
+            memory.advance(at(0.3, 0.0)).unwrap();
+            for part in [0.2, 0.9, 0.4, -0.3, 0.1, -0.95, 1.5, 1.0 - 1e-9] {
+                memory.advance(at(0.3, part * 0.3 * memory.reach)).unwrap();
+                let a = memory.state().contact_radius;
+                let springs = 200_000;
+                let width = a / f64::from(springs);
+                let sum: f64 = (0..springs).map(|k| memory.displacement((f64::from(k) + 0.5) * width)).sum();
+                let force = 2.0 * 0.8 * width * sum;
+                // Midpoint rule: half a cell of the variation at worst, μE*dΔx.
+                let bound = 0.3 * 0.3 * width;
+                assert!((memory.state().tangential_force - force).abs() < bound);
+                // F_x = ∫ τ 2πr dr: Gauss in r² with the root at the edge taken out by r = a sin θ.
+                let turn = std::f64::consts::FRAC_PI_2 / 4000.0;
+                let radii: Vec<f64> = (0..4000).map(|k| a * ((f64::from(k) + 0.5) * turn).sin()).collect();
+                let stress = memory.shear_stress(&radii);
+                let ring =
+                    |(r, stress): (&f64, &f64)| 2.0 * std::f64::consts::PI * r * stress * (a * a - r * r).sqrt() * turn;
+                let whole: f64 = radii.iter().zip(&stress).map(ring).sum();
+                // Midpoint rule across the roots at stick borders: Δθ^{3/2} of the load.
+                assert!(
+                    (whole - memory.state().tangential_force).abs() < 1e-4 * 0.3 * load(profile.as_ref(), 0.3),
+                    "{whole}"
+                );
+            }
         }
     }
 
