@@ -1,6 +1,4 @@
 //! Error, time and memory of the half-space solver on the Hertz contact: `cargo run --release --example halfspace_hertz 512 1024`.
-use std::time::Instant;
-
 use ndarray::Array2;
 use springbed::check::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
 
@@ -8,7 +6,7 @@ fn main() {
     let (radius, depth) = (1.0, 0.01_f64);
     let contact = (radius * depth).sqrt();
     let force = 4.0 / 3.0 * contact * depth;
-    println!("grid force_error radius_error peak_error iterations products residual time_s");
+    println!("grid force_error radius_error peak_error iterations products residual cpu_s peak_mb");
     for n in std::env::args().skip(1).filter_map(|word| word.parse::<usize>().ok()) {
         let pixel = 3.0 * contact / n as f64;
         let heights = Array2::from_shape_fn((n, n), |(row, column)| {
@@ -22,19 +20,37 @@ fn main() {
             boundary: Boundary::Free,
             control: Control::Indentation(depth),
         };
-        let clock = Instant::now();
+        let clock = cpu_seconds();
         match solve(&problem, Start::Coarser, &Settings::default()) {
             Ok(solution) => println!(
-                "{n} {:.3e} {:.3e} {:.3e} {} {} {:.2e} {:.4}",
+                "{n} {:.3e} {:.3e} {:.3e} {} {} {:.2e} {:.3} {:.0}",
                 solution.force() / force - 1.0,
                 solution.contact_radius() / contact - 1.0,
                 solution.peak_pressure() * std::f64::consts::PI * radius / (2.0 * contact) - 1.0,
                 solution.iterations,
                 solution.products,
                 solution.residual,
-                clock.elapsed().as_secs_f64()
+                cpu_seconds() - clock,
+                peak_memory_mb()
             ),
             Err(error) => println!("{n} {error}"),
         }
     }
+}
+
+/// Largest resident memory of this process so far [MB].
+fn peak_memory_mb() -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    line.and_then(|line| line.trim().trim_end_matches("kB").trim().parse::<f64>().ok()).unwrap_or(f64::NAN) / 1024.0
+}
+
+/// Processor time of all threads of this process \[s\]; a shared machine does not change it much.
+fn cpu_seconds() -> f64 {
+    let threads = std::fs::read_dir("/proc/self/task").into_iter().flatten().flatten();
+    let nanoseconds = threads.filter_map(|thread| {
+        let text = std::fs::read_to_string(thread.path().join("schedstat")).ok()?;
+        text.split(' ').next()?.parse::<f64>().ok()
+    });
+    nanoseconds.sum::<f64>() * 1e-9
 }
