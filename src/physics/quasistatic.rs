@@ -140,12 +140,9 @@ impl<'p> QuasiStatic<'p> {
         if at_end && attraction.value(control, s) < to {
             return self.beyond_end(control, s, to);
         }
-        let mut balance = attraction.at(s);
-        match control {
-            Control::Indentation => balance.indentation = to,
-            Control::Force => balance.force = to,
-        }
-        let joined = s > attraction.start();
+        let start = attraction.start();
+        let joined = s > start || start > 0.0 && attraction.value(control, start) < to;
+        let mut balance = if joined { self.prescribed(control, s, to) } else { attraction.at(s) };
         if !joined {
             let indentation = match control {
                 Control::Indentation => to,
@@ -155,6 +152,21 @@ impl<'p> QuasiStatic<'p> {
             balance = Balance { contact_radius: 0.0, reach: 0.0, indentation, force: 0.0 };
         }
         Ok(Present { joined, balance })
+    }
+
+    /// The state with the parameter `s` and the prescribed value `to`.
+    ///
+    /// At the edge of a flat g rises without bound, so the radius alone says d and F to 1e-8 only; both
+    /// follow from each other at a given radius to rounding.
+    fn prescribed(&self, control: Control, s: f64, to: f64) -> Balance {
+        match (&self.attraction, self.profile.kink(), control) {
+            (Attraction::Line(line), Some(_), Control::Indentation) => line.under_wall(s, to),
+            (Attraction::Line(line), Some(_), Control::Force) => {
+                Balance { force: to, ..line.under_wall(s, line.indentation_under_wall(s, to)) }
+            }
+            (smooth, _, Control::Indentation) => Balance { indentation: to, ..smooth.at(s) },
+            (smooth, _, Control::Force) => Balance { force: to, ..smooth.at(s) },
+        }
     }
 
     /// A contact held by a wall; an error at the end of a profile that is not defined further.
@@ -354,7 +366,8 @@ impl Equilibrium for Attraction<'_> {
 mod tests {
     use super::*;
     use crate::physics::quantity::{Length, Positive};
-    use crate::physics::shape::{Cone, Paraboloid};
+    use crate::physics::root;
+    use crate::physics::shape::{Cone, Paraboloid, TruncatedCone};
 
     fn paraboloid(radius: f64) -> Paraboloid {
         Paraboloid { radius: Length::new(radius).unwrap() }
@@ -412,6 +425,67 @@ mod tests {
         let out = contact.indent(-1e3).unwrap();
         near(out[0].before.indentation, -w / (e * t), 1e-14);
         near(out[0].before.force, -6.0 * w * w / (PI * e * t.powi(3)), 1e-13);
+    }
+
+    fn truncated(flat_radius: f64, slope: f64) -> TruncatedCone {
+        TruncatedCone { flat_radius: Length::new(flat_radius).unwrap(), slope: Positive::new(slope).unwrap() }
+    }
+
+    /// A cone whose flat is far smaller than its contact parts like a cone, but once at the rim of the
+    /// flat it is held like a punch.
+    #[test]
+    fn jkr_truncated_cone_turns_like_the_cone_and_like_the_punch() {
+        let (t, w, e) = (0.3, 2.0, 5.0);
+        let small = truncated(1e-9, t);
+        let mut contact = jkr(&small, e, w);
+        contact.indent(0.0).unwrap();
+        let out = contact.indent(-1e3).unwrap();
+        // The flat changes g by tb.
+        near(out[0].before.indentation, -w / (e * t), 1e-8);
+        near(out[0].before.force, -6.0 * w * w / (PI * e * t.powi(3)), 1e-8);
+        let large = truncated(1e6, t);
+        let mut contact = jkr(&large, e, w);
+        contact.indent(0.0).unwrap();
+        let out = contact.indent(-1e4).unwrap();
+        assert_eq!(out.len(), 1);
+        near(out[0].before.contact_radius, 1e6, 1e-14);
+        near(out[0].before.force, -(8.0 * PI * e * w * 1e18).sqrt(), 1e-12);
+    }
+
+    /// Between the two a contact leaves the flank first and the flat later: two jumps.
+    #[test]
+    fn jkr_truncated_cone_parts_in_two_jumps() {
+        let (t, w, e) = (0.3, 2.0, 5.0);
+        // The cone jumps at d = −w/Et; the flat holds to −√(2πbw/E), deeper if b > w/(2πEt²).
+        let shape = truncated(2.0 * w / (2.0 * PI * e * t * t), t);
+        let mut contact = jkr(&shape, e, w);
+        contact.indent(1.0).unwrap();
+        let b = shape.flat_radius();
+        let out = contact.indent(-1e3).unwrap();
+        let last = out[out.len() - 1].before;
+        near(last.contact_radius, b, 1e-12);
+        near(last.indentation, -(2.0 * PI * b * w / e).sqrt(), 1e-7);
+        near(last.force, -(8.0 * PI * e * w * b.powi(3)).sqrt(), 1e-7);
+        assert_eq!(out.len(), 2);
+    }
+
+    /// A flat hardly pressed is a punch, F = 2E*bd, however little the flank adds to the radius.
+    #[test]
+    fn flat_tip_under_a_small_depth() {
+        let shape = truncated(1e-3, 0.2);
+        for k in 0..60 {
+            let d = 1e-4 * 10f64.powf(-0.2 * f64::from(k));
+            let mut contact = jkr(&shape, 5.0, 0.0);
+            contact.indent(d).unwrap();
+            let state = contact.present().balance;
+            // d/(tb) = φ sec φ, F = E*tb²(φ sec²φ + tan φ).
+            let rise = d / (0.2 * 1e-3);
+            let phi = root::brent(|phi| phi / phi.cos() - rise, 0.0, 1.0).unwrap();
+            near(state.force, 5.0 * 0.2 * 1e-6 * (phi / phi.cos().powi(2) + phi.tan()), 1e-14);
+            let mut pressed = jkr(&shape, 5.0, 0.0);
+            pressed.press(state.force).unwrap();
+            near(pressed.present().balance.indentation, d, 1e-14);
+        }
     }
 
     /// Work to detach from d = 0: 7.092196 (w⁵R⁴/E*²)^{1/3}.

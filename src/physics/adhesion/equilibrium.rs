@@ -59,6 +59,8 @@ pub enum Search {
     Once,
     /// A few times, over this many decades about the scale: attraction of finite range.
     Decades(f64, f64),
+    /// About this parameter at any scale, where the law of the profile changes: a flat or rounded tip.
+    About(f64),
     /// Many times, spaced by about this length [m]: a wavy profile.
     Spaced(f64),
 }
@@ -138,6 +140,7 @@ impl Branches {
             Search::Nowhere => {}
             Search::Once => branches.find_single(curve, curve.end())?,
             Search::Decades(below, above) => branches.find_in_decades(curve, (below, above))?,
+            Search::About(kink) => branches.find_about(curve, kink)?,
             Search::Spaced(length) => {
                 let first = length / POINTS_PER_WAVE;
                 branches.scanned = first.min(curve.end());
@@ -343,6 +346,29 @@ impl Branches {
         }
         let s = root::brent(slope, low, high)?;
         self.push(curve, s, Kind::Minimum);
+        Ok(())
+    }
+
+    /// Turning points below a kink, at it and closely above it, and the last one far above.
+    ///
+    /// The edge of a flat holds the contact over a range of Q in a sliver as thin as 1e-13 of it.
+    fn find_about(&mut self, curve: &impl Equilibrium, kink: f64) -> Result<(), BranchError> {
+        let mut at = kink * (1.0 - f64::EPSILON);
+        if curve.slope(self.control, at) > 0.0 {
+            self.find_single(curve, at)?;
+        }
+        let closing_in = (0..=14).rev().map(|k| kink * (1.0 + 8f64.powi(-k)));
+        let beyond = std::iter::successors(Some(2.0 * kink), |s| Some(1.1 * s));
+        for next in closing_in.chain(beyond) {
+            // Beyond a few times the kink Q grows for good once it grows.
+            if at > 8.0 * kink && curve.slope(self.control, at) > 0.0 || at > 1e300 {
+                return Ok(());
+            }
+            if next > at {
+                self.find_between(curve, (at, next))?;
+                at = next;
+            }
+        }
         Ok(())
     }
 

@@ -108,10 +108,11 @@ impl Equilibrium for EdgeLine<'_> {
     }
 
     fn search(&self) -> Search {
-        match self.profile.feature() {
+        match (self.profile.feature(), self.profile.kink()) {
             _ if self.work <= 0.0 => Search::Nowhere,
-            None => Search::Once,
-            Some(length) => Search::Spaced(length),
+            (Some(length), _) => Search::Spaced(length),
+            (None, Some(kink)) => Search::About(kink),
+            (None, None) => Search::Once,
         }
     }
 }
