@@ -21,16 +21,17 @@ impl TableFiles {
         Self { folder: scene.parent().unwrap_or_else(|| Path::new("")).to_owned() }
     }
 
+    /// Opens a table; errors name it as the scene does.
     fn open(&self, path: &Path) -> Result<Table, TableError> {
-        let path = self.folder.join(path);
-        let text = read_text(&path, LARGEST).map_err(|fault| TableError {
-            path: path.clone(),
+        let file = self.folder.join(path);
+        let text = read_text(&file, LARGEST).map_err(|fault| TableError {
+            path: path.to_owned(),
             row: fault.position.map(|position| position.line),
-            message: fault.message,
+            message: if file.exists() { fault.message } else { format!("{} ({})", fault.message, file.display()) },
         })?;
         let header =
-            header(&text).map_err(|error| TableError::whole(&path, format!("cannot be read as CSV: {error}")))?;
-        Ok(Table { path, text, header })
+            header(&text).map_err(|error| TableError::whole(path, format!("cannot be read as CSV: {error}")))?;
+        Ok(Table { path: path.to_owned(), text, header })
     }
 }
 
@@ -150,7 +151,7 @@ mod tests {
         std::fs::write(folder.path().join("t.csv"), bytes).unwrap();
         let tables = TableFiles::beside(&folder.path().join("scene.ron"));
         let columns = tables.columns(Path::new("t.csv"), &["radius_m", "height_m"]);
-        columns.map_err(|error| error.to_string().rsplit('/').next().unwrap().to_owned())
+        columns.map_err(|error| error.to_string())
     }
 
     #[test]
@@ -183,6 +184,6 @@ mod tests {
     fn a_missing_table_is_named_as_it_was_looked_for() {
         let tables = TableFiles::beside(Path::new("some/folder/scene.ron"));
         let error = tables.names(Path::new("tip.csv")).unwrap_err();
-        assert_eq!(error.to_string(), "some/folder/tip.csv: there is no such file");
+        assert_eq!(error.to_string(), "tip.csv: there is no such file (some/folder/tip.csv)");
     }
 }
