@@ -362,11 +362,12 @@ mod tests {
     use crate::physics::shape::{Cone, FlatPunch, Paraboloid, Power, RoundedCone, RoundedPunch, TruncatedParaboloid};
     use proptest::prelude::*;
 
-    fn shapes() -> [Box<dyn Profile>; 3] {
+    fn shapes() -> [Box<dyn Profile>; 4] {
         [
             Box::new(Paraboloid { radius: Length::new(1.0).unwrap() }),
             Box::new(Cone { slope: Positive::new(0.7).unwrap() }),
             Box::new(Power { coefficient: Positive::new(0.4).unwrap(), exponent: Positive::new(3.3).unwrap() }),
+            Box::new(RoundedPunch { flat_radius: Length::new(0.4).unwrap(), edge_radius: Length::new(0.5).unwrap() }),
         ]
     }
 
