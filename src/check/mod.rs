@@ -1,5 +1,6 @@
 //! What is right, and how well the program hits it.
 
+pub mod closed_forms;
 pub mod elliptic;
 #[cfg(feature = "half-space")]
 pub mod halfspace;

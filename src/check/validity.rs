@@ -1,10 +1,11 @@
 //! Where a computed contact leaves the assumptions of the half-space, with numbers.
 
+use super::elliptic;
 use crate::physics::adhesion::Adhesion;
 use crate::physics::material::Body;
 use crate::physics::record::{Normal, Outcome};
 use crate::physics::setup::Setup;
-use crate::physics::shape::{Profile, Shape};
+use crate::physics::shape::{Profile, Shape, Sphere};
 use crate::physics::stress::Loading;
 use std::f64::consts::PI;
 
@@ -25,6 +26,8 @@ pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
     let found = [
         steep(profile, largest.contact_radius),
         not_a_ball(setup, largest.contact_radius),
+        two_radii(setup),
+        connected(setup, largest.contact_radius),
         tabor(setup),
         coupled(setup),
     ];
@@ -50,8 +53,7 @@ fn not_a_ball(setup: &Setup, a: f64) -> Option<String> {
             "the contact radius is {part:.2} times the radius of curvature: no ball has such a contact"
         ));
     }
-    let exact = 0.5 * (1.0 + part * part) * ((1.0 + part) / (1.0 - part)).ln() - part;
-    let difference = exact / (4.0 / 3.0 * part.powi(3)) - 1.0;
+    let difference = Sphere { radius: paraboloid.radius }.load_integral(a) / paraboloid.load_integral(a) - 1.0;
     (difference > BALL).then(|| {
         format!(
             "a/R = {part:.2}: if the paraboloid stands for a ball, use Sphere(radius: …), whose force at this contact radius is {:.1} % larger",
@@ -60,13 +62,31 @@ fn not_a_ball(setup: &Setup, a: f64) -> Option<String> {
     })
 }
 
+/// The contact of an ellipsoid is an ellipse: what its effective radius costs.
+fn two_radii(setup: &Setup) -> Option<String> {
+    let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
+    let error = elliptic::mean_radius_error([ellipsoid.radius_x.si(), ellipsoid.radius_y.si()]).ok()?;
+    (error.abs() > 1e-6).then(|| {
+        format!(
+            "the ellipsoid stands as a paraboloid of the effective radius {:.4e} m: its force at a given indentation is {:.2} % too small (elliptic Hertz contact)",
+            ellipsoid.effective_radius(),
+            -100.0 * error
+        )
+    })
+}
+
+/// With adhesion the contact is taken to be connected even where the waves would part.
+fn connected(setup: &Setup, a: f64) -> Option<String> {
+    let limit = setup.profile.simply_connected_up_to().filter(|&limit| a > limit)?;
+    Some(format!(
+        "beyond the radius {limit:.3e} m the one-dimensional profile falls: the contact is assumed to stay connected, which only adhesion can bring about (Guduru 2007)"
+    ))
+}
+
 /// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} with an atomic range z₀; JKR needs more than 5.
 fn tabor(setup: &Setup) -> Option<String> {
     let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
-    let radius = match &setup.scene.shape {
-        Shape::Paraboloid(shape) => shape.radius.si(),
-        _ => return None,
-    };
+    let radius = setup.scene.shape.tip_radius()?;
     let parameter = (radius * (jkr.work.si() / setup.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
     (parameter < 5.0).then(|| {
         format!(

@@ -2,13 +2,14 @@
 
 mod adhesive;
 mod elastic;
+mod shapes;
 
 use super::case::{Case, Verdict};
 
 /// Every case.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    [elastic::CASES, adhesive::CASES].concat()
+    [elastic::CASES, shapes::CASES, adhesive::CASES].concat()
 }
 
 /// The cases whose name contains `filter`, run in order.

@@ -209,6 +209,19 @@ pub enum ShapeError {
 }
 
 impl Shape {
+    /// Radius of curvature [m] at the apex, for criteria made for balls; `None` for tips without one.
+    #[must_use]
+    pub fn tip_radius(&self) -> Option<f64> {
+        match self {
+            Self::Paraboloid(shape) => Some(shape.radius.si()),
+            Self::Sphere(shape) => Some(shape.radius.si()),
+            Self::RoundedCone(shape) => Some(shape.radius.si()),
+            Self::WavyParaboloid(shape) => Some(shape.radius.si()),
+            Self::Ellipsoid(shape) => Some(shape.effective_radius()),
+            _ => None,
+        }
+    }
+
     /// The profile, ready for evaluation; tables are read now.
     ///
     /// # Errors
