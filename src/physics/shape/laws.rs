@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::physics::quantity::{Amplitude, Length, Positive};
+use proptest::prelude::*;
 
 pub(super) fn metres(value: f64) -> Length {
     Length::new(value).unwrap()
@@ -303,4 +304,63 @@ fn same(one: &dyn Profile, other: &dyn Profile, a: f64) {
     near(one.displacement_integral(1.3 * a, a), other.displacement_integral(1.3 * a, a), 2e-14);
     near(one.pressure_integral(0.4 * a, a), other.pressure_integral(0.4 * a, a), 2e-14);
     near(one.energy_integral(a), other.energy_integral(a), 2e-14);
+}
+
+fn decades(low: i32, high: i32) -> impl Strategy<Value = f64> {
+    (50 * low..=50 * high).prop_map(|k| 10f64.powf(0.02 * f64::from(k)))
+}
+
+/// The shapes with a kink at b: all lengths in proportion to b.
+fn kinked(b: f64, slope: f64) -> [Box<dyn Profile>; 4] {
+    let radius = b / slope;
+    [
+        Box::new(truncated_cone(b, slope)),
+        Box::new(truncated_paraboloid(b, radius)),
+        Box::new(rounded_punch(b, radius)),
+        Box::new(rounded_cone(radius, slope)),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Scaling of lengths over 12 decades: g as L, N and force as L², E as L³, pressure as 1. Rounding of
+    /// a/b at the distance a − b from the kink counts (b/(a − b))-fold.
+    #[test]
+    fn similar_shapes_have_similar_contacts(b in decades(-9, 3), slope in decades(-6, 0), size in decades(-3, 6)) {
+        for (one, unit) in kinked(b, slope).iter().zip(kinked(1.0, slope)) {
+            let a = 1.0 + size;
+            let bound = 1e-13 + 4.0 * f64::EPSILON / size;
+            let (r, outside) = (0.7 * a, 1.3 * a);
+            near(one.reduced(b * a), b * unit.reduced(a), bound);
+            near(one.load_integral(b * a), b * b * unit.load_integral(a), bound);
+            near(one.energy_integral(b * a), b * b * b * unit.energy_integral(a), bound);
+            near(one.displacement_integral(b * outside, b * a), b * unit.displacement_integral(outside, a), bound);
+            let kinks = (r - 1.0).abs();
+            near(one.pressure_integral(b * r, b * a), unit.pressure_integral(r, a), bound + 1e-15 / kinks.max(1e-12));
+        }
+    }
+
+    /// The surface is continuous at the edge, and the edge is where g reaches d.
+    #[test]
+    fn edge_and_surface_meet_over_decades(b in decades(-9, 3), slope in decades(-6, 0), size in decades(-10, 8)) {
+        for profile in kinked(b, slope) {
+            let a = b * (1.0 + size);
+            let (g, f) = (profile.reduced(a), profile.height(a));
+            near(profile.displacement_integral(a, a), g - f, 1e-12 + 4.0 * f64::EPSILON / size);
+            let found = profile.edge(g).unwrap();
+            let condition = g / (a * profile.reduced_slope(a));
+            near(found, a, 8.0 * f64::EPSILON * (1.0 + condition));
+        }
+    }
+
+    /// Sphere over 15 decades of a/R against its power series, F = E*R² Σ 4k/(4k²−1) s^{2k+1}.
+    #[test]
+    fn spheres_follow_their_series(radius in decades(-9, 3), s in decades(-15, -1)) {
+        let a = s * radius;
+        let series = |k: i32| 4.0 * f64::from(k) / (4.0 * f64::from(k * k) - 1.0) * s.powi(2 * (k - 1));
+        let sum: f64 = (1..12).rev().map(series).sum();
+        near(2.0 * sphere(radius).load_integral(a) / (radius * radius * s), sum * s * s, 1e-14);
+        near(sphere(radius).edge(sphere(radius).reduced(a)).unwrap(), a, 4e-15);
+    }
 }

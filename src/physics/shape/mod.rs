@@ -245,4 +245,6 @@ impl Shape {
 }
 
 #[cfg(test)]
+mod digits;
+#[cfg(test)]
 mod laws;
