@@ -2,7 +2,7 @@
 
 use super::scene_file::read_text;
 use crate::physics::table::{Columns, TableError, Tables};
-use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord, Trim};
+use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
 use std::path::{Path, PathBuf};
 
 /// Largest table: a few million rows.
@@ -54,11 +54,11 @@ struct Table {
 }
 
 fn reader(text: &str) -> Reader<&[u8]> {
-    ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(text.as_bytes())
+    ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes())
 }
 
 fn header(text: &str) -> Result<Vec<String>, csv::Error> {
-    Ok(reader(text).headers()?.iter().map(str::to_owned).collect())
+    Ok(reader(text).headers()?.iter().map(|name| name.trim().to_owned()).collect())
 }
 
 impl Table {
@@ -101,7 +101,8 @@ impl Table {
         while reader.read_record(&mut record).map_err(|error| self.refused(&reader, &error))? {
             let row = self.row(&reader);
             for ((column, &at), name) in columns.values.iter_mut().zip(order).zip(names) {
-                let number = number(record.get(at).unwrap_or("")).map_err(|message| format!("{name}: {message}"));
+                let number =
+                    number(record.get(at).unwrap_or("").trim()).map_err(|message| format!("{name}: {message}"));
                 column.push(number.map_err(|message| TableError::at(&self.path, row, message))?);
             }
             columns.rows.push(row);

@@ -17,9 +17,12 @@ macro_rules! starters {
 
 starters!(
     "hertz",
+    "sphere",
     "cone",
+    "punch",
     "jkr",
     "maugis",
+    "wavy",
     "viscoelastic",
     "creep",
     "oscillation",
