@@ -3,6 +3,7 @@
 #![expect(clippy::expect_used, reason = "a benchmark may stop")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use springbed::physics::impact::{Driven, Impact};
 use springbed::physics::material::Relaxation;
 use springbed::physics::quantity::Length;
 use springbed::physics::shape::Paraboloid;
@@ -79,5 +80,16 @@ fn direct_steps(c: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, triangles, lazy_steps, direct_steps);
+/// A ball of Kelvin–Voigt material and one of ten terms: one point of a restitution curve.
+fn impacts(c: &mut Criterion) {
+    let mut group = c.benchmark_group("impact_500_springs");
+    let kelvin_voigt = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![], viscosity: 0.1 }));
+    for (name, spectrum) in [("kelvin_voigt", kelvin_voigt), ("ten_terms", spectrum(10))] {
+        let driven = Driven { spectrum, profile: Arc::new(ball()), springs: 500, steps: 200.0 };
+        let impact = Impact { mass: 1.0, speed: 1.0 };
+        group.bench_function(name, |b| b.iter(|| driven.rebound(black_box(&impact))));
+    }
+}
+
+criterion_group!(benches, triangles, lazy_steps, direct_steps, impacts);
 criterion_main!(benches);

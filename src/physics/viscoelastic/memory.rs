@@ -8,6 +8,7 @@
 //! the strip comes to be and evolved like a spring from then on.
 
 use super::ledger::Ledger;
+use super::opening::{Attraction, Tear, opening};
 use super::pressure;
 use super::spectrum::Spectrum;
 use super::spring::{Motion, Spring};
@@ -44,8 +45,26 @@ impl Memory {
     /// A bed never touched, the indenter just above it.
     #[must_use]
     pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>) -> Self {
-        let ground = Ground { spectrum, profile };
+        let ground = Ground { spectrum, profile, attraction: None };
         Self { ground, strips: Vec::new(), pressed: 0, depth: 0.0, speed: 0.0, time: 0.0, work: 0.0 }
+    }
+
+    /// The bed with an attraction that holds the edge; to be given before the first touch.
+    #[must_use]
+    pub fn with(mut self, attraction: Attraction) -> Self {
+        self.ground.attraction = Some(attraction);
+        self
+    }
+
+    /// When in a motion the bodies part [s] by the attraction giving way; `None` if they do not.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn parting(&self, speed: f64, duration: f64) -> Result<Option<f64>, BedError> {
+        let motion = Motion { start: self.depth, speed, duration };
+        let reached = self.reached(&motion)?;
+        let law = self.ground.attraction.filter(|_| speed <= 0.0 && reached > 0.0);
+        Ok(law.and_then(|law| opening(self, &law, &motion, reached).parting()))
     }
 
     /// Moves at constant `speed` [m/s] for `duration` [s].
@@ -79,13 +98,18 @@ impl Memory {
     fn follow(&mut self, motion: &Motion, detail: Detail) -> Result<(), BedError> {
         let before = self.radius();
         let reached = self.reached(motion)?;
-        let left = if motion.speed < 0.0 { self.left(motion, reached) } else { reached };
+        let (left, tear) = self.kept(motion, reached);
         self.work += self.steady_work(motion, before.min(left));
         for x in [before, reached, left] {
             self.cut(x);
         }
         for k in 0..self.strips.len() {
             self.step(k, (before, reached, left), (motion, detail));
+            let strip = &mut self.strips[k];
+            if !strip.past.pressed && strip.past.age <= 0.0 && strip.past.motion == *motion {
+                strip.past.torn.clone_from(&tear);
+                self.work += settled(&self.ground, strip, detail);
+            }
         }
         self.reach_out(reached, (motion, detail));
         self.pressed = self.strips.iter().take_while(|strip| strip.past.pressed).count();
@@ -115,6 +139,30 @@ impl Memory {
         let Spring::Free(free) = strip.past.spring(&self.ground, c) else { return 0.0 };
         let t = self.ground.spectrum.narrowest(&free, &Motion { start: motion.start - c, ..*motion });
         self.ground.spectrum.recovered(&free, t) - (motion.depth(t) - c)
+    }
+
+    /// The radius still pressed at the end of a motion that `reached` so far, and how the rest was torn off.
+    fn kept(&self, motion: &Motion, reached: f64) -> (f64, Option<Arc<Tear>>) {
+        if motion.speed > 0.0 || reached <= 0.0 {
+            return (reached, None);
+        }
+        let Some(attraction) = &self.ground.attraction else {
+            return (if motion.speed < 0.0 { self.left(motion, reached) } else { reached }, None);
+        };
+        let opened = opening(self, attraction, motion, reached);
+        let tear = opened.tear(|x| self.ground.profile.reduced(x));
+        (opened.left, Some(Arc::new(tear)))
+    }
+
+    /// Line load at the end of a motion of the spring at `x`, if nothing lets it go; zero before its touch.
+    pub(super) fn continued_load(&self, x: f64, motion: &Motion) -> f64 {
+        let Some(strip) = self.strips.iter().find(|strip| x <= strip.outer) else { return 0.0 };
+        let c = self.ground.profile.reduced(x);
+        let seen = Motion { start: motion.start - c, ..*motion };
+        match strip.past.spring(&self.ground, c) {
+            Spring::Free(free) if self.ground.spectrum.touch(&free, &seen).is_none() => 0.0,
+            _ => self.load_at_end(strip, x, motion),
+        }
     }
 
     /// The radius still pressed at the end of a motion outwards that `reached` so far.
@@ -181,7 +229,9 @@ impl Memory {
         }
         let past = Past::new(&ground.spectrum, Some(Arc::new(strip.past.clone())), *motion, is);
         *strip = Strip::new((strip.inner, strip.outer), past);
-        self.work += settled(ground, strip, detail);
+        if is {
+            self.work += settled(ground, strip, detail);
+        }
     }
 
     /// Work against E∞ and η of the springs pressed throughout a motion, up to the radius `a`.
@@ -205,6 +255,18 @@ impl Memory {
         let elements: f64 = self.strips[..self.pressed].iter().map(Strip::load).sum();
         let dashpot = 2.0 * a * spectrum.viscosity() * self.speed;
         spectrum.equilibrium() * self.displaced(self.depth, a) + elements + dashpot
+    }
+
+    /// Relative error of the force, estimated: every sum against one made anew with panels of half the
+    /// width, and the rounding of as many operations as made it.
+    #[must_use]
+    pub fn error_estimate(&self) -> f64 {
+        let held = &self.strips[..self.pressed];
+        let off: f64 = held.iter().map(|strip| (strip.checked_load(&self.ground) - strip.load()).abs()).sum();
+        let elements: f64 = held.iter().map(|strip| strip.load().abs()).sum();
+        let steady = self.ground.spectrum.equilibrium() * self.displaced(self.depth, self.radius());
+        let rounding = 512.0 * f64::EPSILON * (steady.abs() + elements);
+        if self.pressed > 0 { (off + rounding) / self.force().abs() } else { 0.0 }
     }
 
     /// Contact radius [m].
@@ -302,8 +364,8 @@ mod tests {
     use super::super::{layout::Layout, lazy::Lazy};
     use super::*;
     use crate::physics::material::Relaxation;
-    use crate::physics::quantity::Positive;
-    use crate::physics::shape::Cone;
+    use crate::physics::quantity::{Length, Positive};
+    use crate::physics::shape::{Cone, FlatPunch};
     use proptest::prelude::*;
     use std::f64::consts::PI;
 
@@ -359,11 +421,15 @@ mod tests {
             bed.advance(speed, time).unwrap();
             let part = |term: &super::super::Term| {
                 let y = time / term.time;
-                let lag = if y < 1e-3 { y * y * (0.5 - y / 6.0 + y * y / 24.0) } else { y + (-y).exp_m1() };
+                // y − 1 + e^(−y), by its series where the difference would lose digits.
+                let series = || (2..24).rev().fold(0.0, |sum, k| 1.0 - y / f64::from(k + 1) * sum) * 0.5 * y * y;
+                let lag = if y < 1.0 { series() } else { y + (-y).exp_m1() };
                 term.modulus * (speed * term.time).powi(2) * lag
             };
             let exact = 4.0 / PI * (0.25 + spectrum.terms().iter().map(part).sum::<f64>());
-            assert!((bed.force() / exact - 1.0).abs() < 1e-11, "{k}: {:e}", bed.force() / exact - 1.0);
+            let error = (bed.force() / exact - 1.0).abs();
+            assert!(error < 1e-12, "{k}: {error:e}");
+            assert!(error <= bed.error_estimate(), "{k}: {error:e} {:e}", bed.error_estimate());
         }
     }
 
@@ -381,6 +447,71 @@ mod tests {
         }
     }
 
+    /// Slow against the relaxation, JKR of E∞: pull-off under displacement control at −(5/6)πwR,
+    /// d = −1.608772. Bound: one part in 10⁴ of the relaxation left at that speed, of which the force
+    /// near its vertical tangent shows the root.
+    #[test]
+    fn slow_retraction_is_jkr() {
+        let spectrum = solid(1.0, &[(5.0, 1.0), (0.5, 30.0)]);
+        let mut bed = bed(spectrum.clone()).with(Attraction::relaxed(1.0, &spectrum));
+        bed.advance(5e-6, 1e6).unwrap();
+        bed.advance(0.0, 1e6).unwrap();
+        let time = bed.parting(-1e-7, 1e8).unwrap().unwrap();
+        let last = bed.after(-1e-7, time * (1.0 - 1e-12)).unwrap();
+        assert!((last.force() / (-5.0 / 6.0 * PI) - 1.0).abs() < 1e-3, "{}", last.force());
+        assert!((last.indentation() + 1.608_772).abs() < 1e-4, "{}", last.indentation());
+        assert!(bed.after(-1e-7, time * (1.0 + 1e-9)).unwrap().radius() <= 0.0);
+    }
+
+    /// Elastic: pull-off of a ball and of a flat punch, F = −√(8πE*wb³), to rounding.
+    #[test]
+    fn elastic_pull_off() {
+        let elastic = solid(1.0, &[]);
+        let mut ball = bed(elastic.clone()).with(Attraction::instantaneous(1.0, &elastic));
+        ball.advance(5.0, 1.0).unwrap();
+        let time = ball.parting(-1.0, 10.0).unwrap().unwrap();
+        assert!((5.0 - time + 1.608_772_047_833_27).abs() < 1e-13, "{}", 5.0 - time);
+        let punch = Arc::new(FlatPunch { radius: Length::new(0.5).unwrap() });
+        let mut punch = Memory::new(elastic.clone(), punch).with(Attraction::relaxed(1.0, &elastic));
+        punch.advance(1.0, 1.0).unwrap();
+        let time = punch.parting(-1.0, 10.0).unwrap().unwrap();
+        let last = punch.after(-1.0, time * (1.0 - 1e-14)).unwrap();
+        assert!((last.force() + PI.sqrt()).abs() < 1e-11, "{}", last.force());
+    }
+
+    /// The faster the edge, the stronger: three speeds with the law of Gent & Schultz.
+    #[test]
+    fn pull_off_grows_with_the_speed() {
+        let spectrum = solid(1.0, &[(2.0, 1.0)]);
+        let law = Attraction::with_rate(1.0, &spectrum, (1e-3, 0.5));
+        let least = |speed: f64| {
+            let mut bed = bed(spectrum.clone()).with(law);
+            bed.advance(2e-3, 1e3).unwrap();
+            bed.advance(0.0, 1e3).unwrap();
+            let time = bed.parting(-speed, 8.0 / speed).unwrap().unwrap();
+            let at = |k: i32| bed.force_after(-speed, time * f64::from(k) / 40.0).unwrap().0;
+            (1..=40).map(at).fold(0.0, f64::min)
+        };
+        let forces = [1e-5, 1e-4, 1e-3].map(least);
+        assert!(
+            forces[0] < -5.0 / 6.0 * PI && forces[1] < 1.05 * forces[0] && forces[2] < 1.05 * forces[1],
+            "{forces:?}"
+        );
+    }
+
+    /// Without attraction the edge lets go at q = 0: an attraction of no work is none.
+    #[test]
+    fn no_work_is_no_attraction() {
+        let spectrum = solid(1.0, &[(3.0, 0.3), (2.0, 5.0)]);
+        let mut plain = bed(spectrum.clone());
+        let mut held = bed(spectrum.clone()).with(Attraction::relaxed(0.0, &spectrum));
+        for (speed, duration) in [(0.01, 1.0), (-0.01, 0.3), (0.0, 0.2), (-0.01, 0.3)] {
+            plain.advance(speed, duration).unwrap();
+            held.advance(speed, duration).unwrap();
+            assert!((plain.force() / held.force() - 1.0).abs() < 1e-4, "{:e} {:e}", plain.force(), held.force());
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(32))]
 
@@ -393,11 +524,14 @@ mod tests {
             let glassy = 4.0 / 3.0 * spectrum.instantaneous();
             let mut lazy = Lazy::new(spectrum.clone(), Layout::uniform(&unit_ball(), 1.0, 500));
             let mut bed = bed(spectrum);
+            let mut heat = 0.0;
             for motion in history {
                 lazy.advance(motion.speed, motion.duration);
                 bed.advance(motion.speed, motion.duration).unwrap();
                 prop_assert!((lazy.force() - bed.force()).abs() < 0.25 / 250_000.0 * glassy, "{:e} {:e}", lazy.force(), bed.force());
                 let (a, b) = (lazy.ledger(), bed.ledger());
+                prop_assert!(b.dissipated >= heat - 1e-11 * glassy, "{heat:e} {b:?}");
+                heat = b.dissipated;
                 prop_assert!((a.work - b.work).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
                 prop_assert!((a.stored - b.stored).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
             }

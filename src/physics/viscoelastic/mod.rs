@@ -15,6 +15,7 @@ pub mod layout;
 pub mod lazy;
 pub mod ledger;
 pub mod memory;
+pub mod opening;
 pub mod pressure;
 mod secular;
 mod spectrum;

@@ -108,6 +108,29 @@ impl Spring {
         Self::Free(Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] })
     }
 
+    /// The spring after a motion in which nothing lets it go, whatever its load.
+    #[must_use]
+    pub fn hold(self, spectrum: &Spectrum, motion: &Motion, watch: &mut impl FnMut(&Piece<'_>)) -> Self {
+        let (mut s, rest) = match self {
+            Self::Pressed(s) => (s, *motion),
+            Self::Free(mut free) => {
+                let touch = spectrum.touch(&free, motion);
+                let duration = touch.unwrap_or(motion.duration);
+                watch(&Piece::Free { free: &free, duration });
+                spectrum.recover(&mut free, duration);
+                if touch.is_none() {
+                    return Self::Free(free);
+                }
+                let mut s = vec![0.0; spectrum.terms().len()];
+                spectrum.loads_of_free(&free, &mut s);
+                (s, motion.after(duration))
+            }
+        };
+        watch(&Piece::Pressed { u: rest.start, s: &s, speed: rest.speed, duration: rest.duration });
+        spectrum.press(&mut s, rest.speed, rest.duration);
+        Self::Pressed(s)
+    }
+
     /// The spring after a motion (displacements as this spring sees them), every event at its instant.
     ///
     /// At constant speed there are at most two: touched, then released. `watch` sees every piece.

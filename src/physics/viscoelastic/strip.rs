@@ -5,6 +5,7 @@
 //! of the strip in closed form, and a sum over them is an integral of a smooth function.
 
 use super::ledger::impulse;
+use super::opening::{Attraction, Tear};
 use super::spectrum::{Spectrum, Term};
 use super::spring::{Free, Motion, Piece, Spring, decay};
 use super::totals::Totals;
@@ -21,6 +22,8 @@ pub(super) struct Past {
     pub motion: Motion,
     /// Whether it left the springs pressed.
     pub pressed: bool,
+    /// When it tore the springs off, if they held on to the indenter.
+    pub torn: Option<Arc<Tear>>,
     /// Time since its end [s].
     pub age: f64,
     /// Element loads [N/m] from the motion since its end, alike for all springs pressed.
@@ -53,13 +56,14 @@ pub(super) enum Detail {
 pub(super) struct Ground {
     pub spectrum: Arc<Spectrum>,
     pub profile: Arc<dyn Profile>,
+    pub attraction: Option<Attraction>,
 }
 
 impl Past {
     /// Past of springs that `motion` has just touched or let go.
     pub(super) fn new(spectrum: &Spectrum, before: Option<Arc<Self>>, motion: Motion, pressed: bool) -> Self {
         let states = if pressed { spectrum.terms().len() } else { spectrum.modes().len() };
-        Self { before, motion, pressed, age: 0.0, memory: vec![0.0; states], kept: vec![1.0; states] }
+        Self { before, motion, pressed, torn: None, age: 0.0, memory: vec![0.0; states], kept: vec![1.0; states] }
     }
 
     /// The spring under the height `c` of the indenter, now.
@@ -84,7 +88,12 @@ impl Past {
         let spectrum = &ground.spectrum;
         let before = self.before.as_ref().map_or_else(|| Spring::untouched(spectrum), |past| past.spring(ground, c));
         let seen = Motion { start: self.motion.start - c, ..self.motion };
-        let mut spring = self.settled(spectrum, before.follow(spectrum, &seen, watch), seen.end());
+        let after = match (&self.torn, &ground.attraction) {
+            (Some(tear), _) => torn(spectrum, before, (&seen, tear.time(c)), watch),
+            (None, Some(_)) => before.hold(spectrum, &seen, watch),
+            (None, None) => before.follow(spectrum, &seen, watch),
+        };
+        let mut spring = self.settled(spectrum, after, seen.end());
         match &mut spring {
             Spring::Pressed(loads) => {
                 let since = self.kept.iter().zip(&self.memory);
@@ -129,6 +138,24 @@ impl Past {
         let before = self.before.as_ref().map_or(0.0, |past| past.longest());
         before.max(self.motion.duration)
     }
+}
+
+/// A spring torn off at the time `at` of a motion, and free from then on.
+fn torn(
+    spectrum: &Spectrum,
+    spring: Spring,
+    (motion, at): (&Motion, f64),
+    watch: &mut impl FnMut(&Piece<'_>),
+) -> Spring {
+    let held = spring.hold(spectrum, &Motion { duration: at, ..*motion }, watch);
+    let Spring::Pressed(s) = held else { return held.hold(spectrum, &motion.after(at), watch) };
+    let mut free = Free::default();
+    let u = motion.depth(at);
+    let load = if spectrum.viscosity() > 0.0 { 0.0 } else { spectrum.load(u, &s, motion.speed) };
+    spectrum.let_go((u, &s), load, &mut free);
+    watch(&Piece::Free { free: &free, duration: motion.duration - at });
+    spectrum.recover(&mut free, motion.duration - at);
+    Spring::Free(free)
 }
 
 impl Strip {
@@ -202,6 +229,19 @@ impl Strip {
                 at(ground.profile.reduced(pair[0] + half * (1.0 + node)), 2.0 * half * w);
             }
         }
+    }
+
+    /// ∫ Σ sᵢ 2 dx [N] anew, with panels of half the width: what the sums should be.
+    pub(super) fn checked_load(&self, ground: &Ground) -> f64 {
+        let load = |x: f64| match self.past.spring(ground, ground.profile.reduced(x)) {
+            Spring::Pressed(s) => 2.0 * s.iter().sum::<f64>(),
+            Spring::Free(_) => 0.0,
+        };
+        let halves = |pair: &[f64]| {
+            let middle = 0.5 * (pair[0] + pair[1]);
+            quadrature::panel(load, pair[0], middle) + quadrature::panel(load, middle, pair[1])
+        };
+        self.panel_ends(ground).windows(2).map(halves).sum()
     }
 
     /// Ends of the panels, from the inner border to the outer one.
