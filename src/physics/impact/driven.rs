@@ -58,7 +58,7 @@ impl Driven {
             if flight.step(step)? || flight.speed.abs() < 1e-9 * impact.speed && flight.bed.state().force <= 0.0 {
                 break;
             }
-            step = longest.min(0.02 * flight.time + 1e-6 * longest);
+            step = longest.min(0.1 * flight.time + 1e-6 * longest);
         }
         Ok(flight.most)
     }
@@ -92,12 +92,11 @@ impl Flight<'_> {
         let parted = mean < 0.0 && !self.bed.impulse_after(mean, duration)?.1;
         let duration = if parted { self.parting(mean, duration)? } else { duration };
         self.bed.advance(mean, duration)?;
-        let after = self.bed.state();
         self.speed -= self.bed.bed().impulse() / self.impact.mass;
         self.time += duration;
         let most = &mut self.most;
-        most.greatest_depth = most.greatest_depth.max(after.indentation);
-        most.greatest_force = most.greatest_force.max(after.force);
+        most.greatest_depth = most.greatest_depth.max(self.bed.bed().indentation());
+        most.greatest_force = most.greatest_force.max(self.bed.bed().force());
         most.restitution = if parted { -self.speed / self.impact.speed } else { 0.0 };
         let kinetic = |v: f64| 0.5 * self.impact.mass * v * v;
         most.lost = kinetic(self.impact.speed) - if parted { kinetic(self.speed) } else { 0.0 };
@@ -116,7 +115,7 @@ impl Flight<'_> {
             let slope = last.map_or(-1.0, |(w, m)| (miss - m) / (mean - w));
             last = Some((mean, miss));
             let better = mean - miss / if slope.is_finite() && slope < -0.5 { slope } else { -1.0 };
-            if (better - mean).abs() <= 1e-13 * self.impact.speed {
+            if (better - mean).abs() <= 1e-12 * self.impact.speed {
                 break;
             }
             mean = better;

@@ -100,14 +100,15 @@ impl Memory {
         let reached = self.reached(motion)?;
         let (left, tear) = self.kept(motion, reached);
         self.work += self.steady_work(motion, before.min(left));
-        for x in [before, reached, left] {
+        for x in [self.dropped(motion, before), before, reached, left] {
             self.cut(x);
         }
         for k in 0..self.strips.len() {
             self.step(k, (before, reached, left), (motion, detail));
+            // Springs touched or let go in this motion are without sums still.
             let strip = &mut self.strips[k];
-            if !strip.past.pressed && strip.past.age <= 0.0 && strip.past.motion == *motion {
-                strip.past.torn.clone_from(&tear);
+            if strip.totals.is_none() && strip.past.age <= 0.0 && strip.past.motion == *motion {
+                strip.past.torn = tear.clone().filter(|_| !strip.past.pressed);
                 self.work += settled(&self.ground, strip, detail);
             }
         }
@@ -152,6 +153,12 @@ impl Memory {
         let opened = opening(self, attraction, motion, reached);
         let tear = opened.tear(|x| self.ground.profile.reduced(x));
         (opened.left, Some(Arc::new(tear)))
+    }
+
+    /// The radius beyond which a dashpot lets go at once as the motion begins: a border of its own.
+    fn dropped(&self, motion: &Motion, before: f64) -> f64 {
+        let drops = self.ground.spectrum.viscosity() > 0.0 && motion.speed < 0.0 && self.ground.attraction.is_none();
+        if drops { self.left(&Motion { duration: 0.0, ..*motion }, before) } else { before }
     }
 
     /// Line load at the end of a motion of the spring at `x`, if nothing lets it go; zero before its touch.
@@ -229,9 +236,6 @@ impl Memory {
         }
         let past = Past::new(&ground.spectrum, Some(Arc::new(strip.past.clone())), *motion, is);
         *strip = Strip::new((strip.inner, strip.outer), past);
-        if is {
-            self.work += settled(ground, strip, detail);
-        }
     }
 
     /// Work against E∞ and η of the springs pressed throughout a motion, up to the radius `a`.
@@ -433,6 +437,21 @@ mod tests {
         }
     }
 
+    /// Up and down, without springs met again: two motions or five hundred, to rounding.
+    #[test]
+    fn two_motions_or_five_hundred() {
+        let spectrum = solid(1.0, &[(3.0, 0.3), (2.0, 5.0), (40.0, 1e-6)]);
+        let (mut once, mut often) = (bed(spectrum.clone()), bed(spectrum));
+        once.advance(0.01, 1.0).unwrap();
+        once.advance(-0.01, 0.4).unwrap();
+        for speed in [0.01, -0.01] {
+            let (count, duration) = if speed > 0.0 { (400, 1.0) } else { (100, 0.4) };
+            (0..count).for_each(|_| often.advance(speed, duration / f64::from(count)).unwrap());
+        }
+        assert!((once.force() / often.force() - 1.0).abs() < 1e-12, "{:e} {:e}", once.force(), often.force());
+        assert!((once.ledger().work / often.ledger().work - 1.0).abs() < 1e-10);
+    }
+
     /// p(r) = (2/πR) ∫ E(t−s) d√(a²(s)−r²) while the contact grows; bound: the quadrature here.
     #[test]
     fn pressure_while_growing() {
@@ -513,7 +532,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(32))]
+        #![proptest_config(ProptestConfig::with_cases(48))]
 
         /// Bound: −1/4 ≤ error·(a/Δx)² ≤ 1/8 of the cells, relative to the force of the instantaneous
         /// modulus at the greatest depth.
@@ -539,17 +558,22 @@ mod tests {
 
         /// 2π ∫ p r dr = F, whatever the history; bound: the quadrature over r here.
         #[test]
-        fn pressure_adds_up_to_the_force(recipe in recipe(3), history in history(5)) {
+        fn pressure_adds_up_to_the_force(recipe in recipe(3), history in history(4)) {
             let recipe = super::super::laws::Recipe { viscosity: None, ..recipe };
             let mut bed = bed(Arc::new(Spectrum::new(&recipe.relaxation())));
             let glassy = 4.0 / 3.0 * bed.ground.spectrum.instantaneous();
             for motion in history {
                 bed.advance(motion.speed, motion.duration).unwrap();
             }
-            let a = bed.radius();
-            let ring = |r: f64, _| 2.0 * PI * r * bed.pressure(r);
-            let sum = crate::physics::quadrature::panel_with_root_ends(ring, a);
-            prop_assert!((sum - bed.force()).abs() < 1e-3 * glassy, "{sum:e} {:e}", bed.force());
+            let held = &bed.strips[..bed.pressed];
+            let mut ends: Vec<f64> = held.iter().flat_map(|strip| strip.panel_ends(&bed.ground)).collect();
+            ends.dedup();
+            let panel = |pair: &[f64]| {
+                let ring = |r: f64, _: f64| 2.0 * PI * (pair[0] + r) * bed.pressure(pair[0] + r);
+                crate::physics::quadrature::panel_with_root_ends(ring, pair[1] - pair[0])
+            };
+            let sum: f64 = ends.windows(2).map(panel).sum();
+            prop_assert!((sum - bed.force()).abs() < 1e-7 * glassy, "{sum:e} {:e}", bed.force());
         }
 
         /// While the contact grows the force lies between those of E∞ and E(0) and is linear in E(t).
@@ -577,10 +601,13 @@ mod tests {
             prop_assert!(force >= of(&one).0 * (1.0 - 1e-12), "a greater modulus, a greater force");
         }
 
-        /// Bound: rounding, relative to the greatest force.
+        /// Springs let go and met again included. Bound: 1e-9 of the greatest force (the panels of strips
+        /// with more than one contact, worst of some thousand histories 1e-10), and 1e-11 of the force of
+        /// the instantaneous modulus, of whose depths a force may be a small difference.
         #[test]
         fn answer_does_not_depend_on_the_steps(recipe in recipe(4), history in history(5), pieces in 2u32..6) {
             let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
+            let glassy = 4.0 / 3.0 * spectrum.instantaneous();
             let (mut once, mut often) = (bed(spectrum.clone()), bed(spectrum));
             let mut greatest = 0f64;
             for motion in history {
@@ -589,7 +616,8 @@ mod tests {
                     often.advance(motion.speed, motion.duration / f64::from(pieces)).unwrap();
                 }
                 greatest = greatest.max(once.force());
-                prop_assert!((once.force() - often.force()).abs() <= 1e-11 * greatest, "{:e} {:e}", once.force(), often.force());
+                let bound = 1e-9 * greatest + 1e-11 * glassy;
+                prop_assert!((once.force() - often.force()).abs() <= bound, "{:e} {:e}", once.force(), often.force());
             }
         }
     }

@@ -77,7 +77,8 @@ impl Past {
     /// Element loads of a spring touched for the first time in the last motion.
     fn first_loads(&self, spectrum: &Spectrum, c: f64) -> Vec<f64> {
         let speed = self.motion.speed;
-        let pressed = self.motion.duration - ((c - self.motion.start) / speed).max(0.0);
+        // Clamped at both ends: a rounding beyond the border is many times the shortest relaxation time.
+        let pressed = (self.motion.duration - ((c - self.motion.start) / speed).max(0.0)).max(0.0);
         let loaded = |term: &Term| term.modulus * speed * term.time * decay(pressed / term.time).1;
         let since = self.kept.iter().zip(&self.memory);
         spectrum.terms().iter().zip(since).map(|(term, (kept, m))| loaded(term) * kept + m).collect()
@@ -280,10 +281,12 @@ fn graded(ratio: f64) -> i32 {
     (ratio.log2() / 4.0).ceil().clamp(1.0, 12.0) as i32
 }
 
-/// Lower ends of panels of an interval that shrink towards both ends, so many times at each.
+/// Lower ends of panels of an interval that shrink towards both ends, so many times at each, with
+/// the middle in four.
 fn panels((low, high): (f64, f64), (inner, outer): (i32, i32)) -> Vec<f64> {
     let half = 0.5 * (high - low);
     let rising = (1..=inner).rev().map(|k| low + half * 16f64.powi(-k));
+    let middle = [0.5, 1.0, 1.5].map(|part| low + part * half);
     let falling = (1..=outer).map(|k| high - half * 16f64.powi(-k));
-    std::iter::once(low).chain(rising).chain(falling).collect()
+    std::iter::once(low).chain(rising).chain(middle).chain(falling).collect()
 }
