@@ -59,10 +59,12 @@ pub fn end(profile: &dyn Profile) -> Option<Bound> {
 const MOST_PLACES: usize = 1 << 17;
 /// Places per feature of the profile in that search.
 const PER_FEATURE: f64 = 16.0;
-/// Places at which the gap outside the contact is looked at.
-const GAPS: usize = 256;
+/// Places at which the gap is looked at, near the contact and again farther out.
+const GAPS: usize = 128;
+/// Features of the profile that count as near.
+const NEAR: f64 = 4.0;
 /// Most pieces of a profile for which the gap is integrated.
-const MOST_PIECES: usize = 2000;
+const MOST_PIECES: usize = 200;
 
 /// The indentation from which on a contact without adhesion is not simply connected.
 ///
@@ -75,14 +77,12 @@ const MOST_PIECES: usize = 2000;
 #[must_use]
 pub fn second_contact(profile: &dyn Profile) -> Option<Bound> {
     let turn = first_fall(profile)?;
-    let outer = profile.edge(profile.reduced(turn)).unwrap_or(turn);
-    let place = |k: usize| turn + 1.25 * (outer - turn) * k as f64 / GAPS as f64;
-    let places: Vec<f64> = (1..=GAPS).map(place).filter(|&r| inside(profile, r)).collect();
+    let places = outside(profile, turn);
     let least = places.iter().map(|&x| profile.reduced(x)).fold(profile.reduced(turn), f64::min);
     let safe = root::brent(|x| profile.reduced(x) - least, 0.0, turn).unwrap_or(0.0);
     let open = |a: f64| places.iter().all(|&r| gap(profile, r, a) > 0.0);
     let (mut low, mut high) = (safe, turn);
-    while profile.breaks(outer).len() < MOST_PIECES && high - low > 1e-6 * high {
+    while profile.breaks(turn).len() < MOST_PIECES && high - low > 1e-6 * high {
         let middle = 0.5 * (low + high);
         if open(middle) { low = middle } else { high = middle }
     }
@@ -91,6 +91,14 @@ pub fn second_contact(profile: &dyn Profile) -> Option<Bound> {
         load_integral: profile.load_integral(low),
         beyond: Beyond::SecondContact,
     })
+}
+
+/// Places outside a contact of radius `turn` at which the profile may touch next, finer near it.
+fn outside(profile: &dyn Profile, turn: f64) -> Vec<f64> {
+    let near = NEAR * profile.feature().unwrap_or(0.0);
+    let far = 1.25 * profile.edge(profile.reduced(turn)).map_or(0.0, |outer| outer - turn);
+    let spread = |reach: f64| (1..=GAPS).map(move |k| turn + reach * k as f64 / GAPS as f64);
+    spread(near).chain(spread(far)).filter(|&r| inside(profile, r)).collect()
 }
 
 /// The smallest place at which g begins to fall.
@@ -107,7 +115,7 @@ fn inside(profile: &dyn Profile, r: f64) -> bool {
 
 /// Gap at the radius `r` outside a contact of radius `a`.
 fn gap(profile: &dyn Profile, r: f64, a: f64) -> f64 {
-    profile.height(r) - profile.reduced(a) + profile.displacement_integral(r, a)
+    profile.height(r) - profile.reduced(a) + profile.displacement_integral(r.max(a), a)
 }
 
 /// What is wrong with the depths and forces a history prescribes; `modulus` is E* [Pa] if the force
