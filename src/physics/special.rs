@@ -1,7 +1,8 @@
 //! Struve functions, which the waviness of a paraboloid leads to.
 
 use super::quadrature;
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_4};
+use std::sync::LazyLock;
 
 /// Struve functions H₀(z) and H₋₁(z) = 2/π − H₁(z) = H₀′(z) for z ≥ 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,9 +39,18 @@ pub fn struve(z: f64) -> Struve {
 /// H₁(z) at `z` ≥ 0, without cancellation at small arguments.
 #[must_use]
 pub fn struve_one(z: f64) -> f64 {
-    if z > SERIES_END {
-        return FRAC_2_PI - struve(z).minus_one;
-    }
+    if z > SERIES_END { FRAC_2_PI - struve(z).minus_one } else { series_one(z) }
+}
+
+/// zH₀(z) − H₁(z) at `z` ≥ 0: the moment ∫₀^z t (tH₀)′ dt of the waves, divided by z.
+#[must_use]
+pub fn struve_load(z: f64) -> f64 {
+    let value = struve(z);
+    let one = if z > SERIES_END { FRAC_2_PI - value.minus_one } else { series_one(z) };
+    z * value.zero - one
+}
+
+fn series_one(z: f64) -> f64 {
     // (2/π) Σ (−1)^k z^{2k+2} / ((2k+1)!! (2k+3)!!)
     let mut term = FRAC_2_PI * z * z / 3.0;
     let mut sum: f64 = 0.0;
@@ -66,10 +76,25 @@ fn series(z: f64) -> Struve {
     Struve { zero, minus_one }
 }
 
+/// cos θ and weights of one panel over [0, π/2], and of two.
+static ONE_PANEL: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| nodes(1));
+static TWO_PANELS: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| nodes(2));
+
+fn nodes(panels: u32) -> Vec<(f64, f64)> {
+    let half = FRAC_PI_4 / f64::from(panels);
+    let rule: Vec<(f64, f64)> = (0..32).map(|k| quadrature::node_and_weight(32, k)).collect();
+    let at = |panel: u32, node: f64| (half * (f64::from(2 * panel + 1) + node)).cos();
+    (0..panels).flat_map(|panel| rule.iter().map(move |&(node, w)| (at(panel, node), half * w))).collect()
+}
+
 fn integral(z: f64) -> Struve {
-    let breaks: &[f64] = if z > 20.0 { &[FRAC_PI_4] } else { &[] };
-    let zero = quadrature::panels(|theta| (z * theta.cos()).sin(), (0.0, FRAC_PI_2), breaks);
-    let minus_one = quadrature::panels(|theta| theta.cos() * (z * theta.cos()).cos(), (0.0, FRAC_PI_2), breaks);
+    let nodes = if z > 20.0 { &TWO_PANELS } else { &ONE_PANEL };
+    let (mut zero, mut minus_one) = (0.0, 0.0);
+    for &(cosine, weight) in nodes.iter() {
+        let (sine_of, cosine_of) = (z * cosine).sin_cos();
+        zero += weight * sine_of;
+        minus_one += weight * cosine * cosine_of;
+    }
     Struve { zero: FRAC_2_PI * zero, minus_one: FRAC_2_PI * minus_one }
 }
 

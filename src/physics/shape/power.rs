@@ -77,8 +77,11 @@ impl Profile for Power {
             return if n > 1.0 { FRAC_1_PI * at_apex } else { f64::INFINITY };
         }
         // x = r cosh u: ∫ g′(x) dx/√(x²−r²) = ∫ g′ du.
-        let slope = |u: f64| self.reduced_slope(r * u.cosh());
-        FRAC_1_PI * quadrature::equal_panels(slope, (0.0, arcosh_of_ratio(a, r)), self.longest_panel())
+        let slope = |u: f64| (r * u.cosh()).powf(n - 1.0);
+        FRAC_1_PI
+            * self.factor()
+            * n
+            * quadrature::equal_panels(slope, (0.0, arcosh_of_ratio(a, r)), self.longest_panel())
     }
 
     fn edge(&self, d: f64) -> Option<f64> {

@@ -4,7 +4,7 @@ use super::{Paraboloid, Profile};
 use crate::physics::quadrature;
 use crate::physics::quantity::{Amplitude, Length};
 use crate::physics::root;
-use crate::physics::special::{struve, struve_one};
+use crate::physics::special::{struve, struve_load};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -98,7 +98,7 @@ impl Profile for Waves<'_> {
     fn load_integral(&self, a: f64) -> f64 {
         // ∫ zH₀ dz = zH₁
         let k = self.0.wave_number();
-        self.0.steepness() * a * (a * struve(k * a).zero - struve_one(k * a) / k)
+        self.0.steepness() * a * (struve_load(k * a) / k)
     }
 
     fn scale(&self) -> f64 {
