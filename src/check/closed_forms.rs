@@ -94,7 +94,7 @@ pub fn flat_punch_pressure(radius: f64, indentation: f64, r: f64) -> f64 {
     FRAC_1_PI * indentation / radius / (1.0 - (r / radius).powi(2)).sqrt()
 }
 
-/// Truncated cone: d = taφ, F = E*ta²(φ + sin φ cos φ), a = b/cos φ (Popov, Heß & Willert 2019, § 2.5.7).
+/// Truncated cone: d = taφ, F = E*ta²(φ + sin φ cos φ), a = b/cos φ (Popov, Heß & Willert 2019, ch. 2).
 #[must_use]
 pub fn truncated_cone(flat_radius: f64, slope: f64, angle: f64) -> Contact {
     let (sine, cosine) = angle.sin_cos();
@@ -102,7 +102,7 @@ pub fn truncated_cone(flat_radius: f64, slope: f64, angle: f64) -> Contact {
     Contact { radius, indentation: slope * radius * angle, force: slope * radius * radius * (angle + sine * cosine) }
 }
 
-/// Truncated paraboloid: d = a² sin φ/R, F = (2E*a³/3R)(2 + cos² φ) sin φ (Popov, Heß & Willert 2019, § 2.5.8).
+/// Truncated paraboloid: d = a² sin φ/R, F = (2E*a³/3R)(2 + cos² φ) sin φ (Popov, Heß & Willert 2019, ch. 2).
 #[must_use]
 pub fn truncated_paraboloid(flat_radius: f64, curvature: f64, angle: f64) -> Contact {
     let (sine, cosine) = angle.sin_cos();
@@ -112,7 +112,7 @@ pub fn truncated_paraboloid(flat_radius: f64, curvature: f64, angle: f64) -> Con
 }
 
 /// Rounded punch: d = (a²/R)(sin φ − φ cos φ), F = (E*a³/3R)[(4 − cos² φ) sin φ − 3φ cos φ]
-/// (Popov, Heß & Willert 2019, § 2.5.6).
+/// (Popov, Heß & Willert 2019, ch. 2).
 #[must_use]
 pub fn rounded_punch(flat_radius: f64, edge_radius: f64, angle: f64) -> Contact {
     let (sine, cosine) = angle.sin_cos();
@@ -123,7 +123,7 @@ pub fn rounded_punch(flat_radius: f64, edge_radius: f64, angle: f64) -> Contact 
 }
 
 /// Rounded cone beyond its blend b = Rt: d = ta[φ + (1 − sin φ)/cos φ],
-/// F = E*ta²[φ + (4/3)(1 − sin³ φ)/cos φ − sin φ cos φ] (Popov, Heß & Willert 2019, § 2.5.5).
+/// F = E*ta²[φ + (4/3)(1 − sin³ φ)/cos φ − sin φ cos φ] (Popov, Heß & Willert 2019, ch. 2).
 #[must_use]
 pub fn rounded_cone(tip_radius: f64, slope: f64, angle: f64) -> Contact {
     let (sine, cosine) = angle.sin_cos();

@@ -22,9 +22,8 @@ const ASYMPTOTIC_START: f64 = 45.0;
 
 /// H₀ and H₋₁ at `z` ≥ 0, to a few units of 1e-16 of their amplitude.
 ///
-/// The power series (Abramowitz & Stegun 12.1.5), the integral H₀ = (2/π)∫₀^{π/2} sin(z cos θ) dθ
-/// (12.1.7) and its derivative, and Y₀ and −Y₁ with the asymptotic series of the difference
-/// (12.1.30). Check: H₀(1) = 0.568656627048288.
+/// The power series (Abramowitz & Stegun, § 12.1), the integral H₀ = (2/π)∫₀^{π/2} sin(z cos θ) dθ
+/// and its derivative, and Y₀ and −Y₁ with the asymptotic series of the difference. Check: H₀(1) = 0.568656627048288.
 #[must_use]
 pub fn struve(z: f64) -> Struve {
     if z <= SERIES_END {

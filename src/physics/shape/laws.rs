@@ -220,6 +220,7 @@ fn exact_numbers() {
     near(truncated_paraboloid(0.3, 1.0).reduced(0.6), 0.311_769_145_362_397_9, 1e-15);
     near(2.0 * truncated_paraboloid(0.3, 1.0).load_integral(0.6), 0.280_592_230_826_158_1, 1e-15);
     near(wavy(1.0, 0.01, 0.25).reduced(0.6), 0.418_075_937_086_176_2, 1e-15);
+    near(rounded_cone(1.0, 0.3).reduced(0.6), 0.236_726_413_852_989_5, 2e-15);
     for (n, stretch) in [(0.5, 1.311_028_777_146), (2.5, 2.185_047_961_910)] {
         near(power::stretch(n), stretch, 1e-12);
     }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Flat punch f(r) = 0 for r ≤ b, infinite beyond; g(x) likewise.
 ///
 /// b is the radius [m]; the contact radius is b at any indentation, F = 2E*bd (Boussinesq 1885;
-/// Popov & Heß 2015, eq. 3.33) and with adhesion the punch parts at F = −√(8πE*wb³) (Kendall 1971).
+/// Popov & Heß 2015, ch. 3) and with adhesion the punch parts at F = −√(8πE*wb³) (Kendall 1971).
 /// The pressure is infinite at the sharp edge. Check: E* = 1, b = 1, d = 1 gives F = 2.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]

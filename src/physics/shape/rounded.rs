@@ -11,9 +11,9 @@ use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 /// Cone with a rounded tip: f(r) = r²/2R up to b = Rt, then t(r − b/2).
 ///
 /// g(x) = x²/R up to b, then (x/R)[b²/(x+√(x²−b²)) + b arccos(b/x)]. R is the radius of the tip [m], t
-/// the slope of the flank (Ciavarella 1999; Popov & Heß 2015, problem 3.4). With b → 0 it is the
+/// the slope of the flank (Ciavarella 1999; Popov, Heß & Willert 2019, ch. 2). With b → 0 it is the
 /// cone, with b → ∞ the paraboloid. Check: R = 1, t = 0.3, x = 0.6 gives
-/// g = 0.2369759... = 0.36 − 0.6·√0.27 + 0.18·π/3.
+/// g = 0.36 − 0.6·√0.27 + 0.06π = 0.236726413853.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct RoundedCone {
@@ -26,8 +26,8 @@ pub struct RoundedCone {
 /// Flat punch with a rounded edge: f(r) = (r−b)₊²/2R.
 ///
 /// g(x) = (x/R)[√(x²−b²) − b arccos(b/x)] for x > b, else 0. b is the radius of the flat [m], R the
-/// radius of curvature of the edge [m] (Schubert 1942; Ciavarella 1999; Popov & Heß 2015,
-/// problem 3.5). The edge is a parabola, so a − b ≪ R is required. With b → 0 it is the paraboloid.
+/// radius of curvature of the edge [m] (Schubert 1942; Ciavarella 1999; Popov, Heß & Willert 2019,
+/// ch. 2). The edge is a parabola, so a − b ≪ R is required. With b → 0 it is the paraboloid.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct RoundedPunch {

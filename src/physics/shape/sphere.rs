@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// Sphere f(r) = R − √(R²−r²) for r < R, g(x) = x artanh(x/R).
 ///
-/// R is the radius [m]. Sneddon's solution (Sneddon 1965; Popov & Heß 2015, eq. 3.20):
+/// R is the radius [m]. Sneddon's solution (Sneddon 1965; Popov & Heß 2015, ch. 3):
 /// d = (a/2) ln((R+a)/(R−a)), F = E*[(R²+a²)/2 · ln((R+a)/(R−a)) − aR]. The half-space it is pressed
 /// into keeps its flat boundary conditions, so the gain over the [`Paraboloid`](super::Paraboloid)
 /// is that of the shape alone. Check: E* = R = 1, a = 0.6 gives d = 0.4158883083359672.

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Truncated cone f(r) = t(r−b)₊, g(x) = t x arccos(b/x) for x > b, else 0.
 ///
-/// b is the radius of the flat [m], t the slope of the flank (Popov & Heß 2015, eq. 3.43;
+/// b is the radius of the flat [m], t the slope of the flank (Popov & Heß 2015, ch. 3;
 /// Ejike 1981). F = E*t[a² arccos(b/a) + b√(a²−b²)]. The pressure is infinite (logarithmically) at
 /// r = b. Check: E* = 1, b = 0.3, t = 0.2, a = 0.6 gives d = 0.1256637061435917.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -25,7 +25,7 @@ pub struct TruncatedCone {
 /// Truncated paraboloid f(r) = (r²−b²)₊/2R, g(x) = (x/R)√(x²−b²) for x > b, else 0.
 ///
 /// b is the radius of the flat [m], R the radius of curvature [m] of the paraboloid cut off (Popov &
-/// Heß 2015, eq. 3.47). F = (2E*/3R)(2a²+b²)√(a²−b²). The pressure is infinite (logarithmically) at
+/// Heß 2015, ch. 3). F = (2E*/3R)(2a²+b²)√(a²−b²). The pressure is infinite (logarithmically) at
 /// r = b. Check: E* = R = 1, b = 0.3, a = 0.6 gives d = 0.3117691453623979.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
