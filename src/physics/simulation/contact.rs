@@ -3,8 +3,24 @@
 use crate::physics::adhesion::equilibrium::{Balance, BranchError, Control};
 use crate::physics::adhesion::line::Energy;
 use crate::physics::bed::SpringBed;
+use crate::physics::friction::FrictionError;
 use crate::physics::quasistatic::{Jump, QuasiStatic};
 use crate::physics::record::Normal;
+use crate::physics::viscoelastic::memory::BedError;
+
+/// Why a contact cannot follow what is prescribed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ContactError {
+    /// No equilibrium of the elastic contact.
+    #[error(transparent)]
+    Branch(#[from] BranchError),
+    /// The viscoelastic bed ends.
+    #[error(transparent)]
+    Bed(#[from] BedError),
+    /// No state of the tangential contact.
+    #[error(transparent)]
+    Friction(#[from] FrictionError),
+}
 
 /// A sudden change on the way, with the state on both sides.
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +40,7 @@ pub trait NormalContact {
     ///
     /// # Errors
     /// The contact cannot follow.
-    fn advance(&mut self, control: Control, to: f64, over: f64) -> Result<Vec<Event>, BranchError>;
+    fn advance(&mut self, control: Control, to: f64, over: f64) -> Result<Vec<Event>, ContactError>;
 
     /// Present state.
     fn state(&self) -> Normal;
@@ -33,7 +49,7 @@ pub trait NormalContact {
     ///
     /// # Errors
     /// The contact cannot follow.
-    fn last_depth(&self) -> Result<f64, BranchError>;
+    fn last_depth(&self) -> Result<f64, ContactError>;
 
     /// Pressure at the radius r [Pa]; `None` where it is singular.
     fn pressure(&self, r: f64) -> Option<f64>;
@@ -81,7 +97,7 @@ impl<'p> Direct<'p> {
     }
 
     /// The jumps, and between them the states at which the force turns: pull-off is no matter of records.
-    fn with_force_turns(&mut self, from: f64, jumps: &[Jump]) -> Result<Vec<Event>, BranchError> {
+    fn with_force_turns(&mut self, from: f64, jumps: &[Jump]) -> Result<Vec<Event>, ContactError> {
         let mut events = Vec::new();
         let mut from = from;
         for jump in jumps {
@@ -93,7 +109,7 @@ impl<'p> Direct<'p> {
         Ok(events)
     }
 
-    fn turn_events(&mut self, from: f64, to: f64, events: &mut Vec<Event>) -> Result<(), BranchError> {
+    fn turn_events(&mut self, from: f64, to: f64, events: &mut Vec<Event>) -> Result<(), ContactError> {
         for balance in self.contact.force_turns(from, to)? {
             let state = self.normal(&balance, self.contact.energy_at(&balance));
             events.push(Event { at: balance.indentation, before: state, after: state });
@@ -113,7 +129,7 @@ impl<'p> Direct<'p> {
 }
 
 impl NormalContact for Direct<'_> {
-    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, BranchError> {
+    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, ContactError> {
         let from = self.contact.present().balance.reach;
         match control {
             Control::Force => Ok(self.contact.press(to)?.iter().map(|jump| self.event(jump)).collect()),
@@ -128,8 +144,8 @@ impl NormalContact for Direct<'_> {
         self.normal(&self.contact.present().balance, self.contact.energy())
     }
 
-    fn last_depth(&self) -> Result<f64, BranchError> {
-        self.contact.last_depth()
+    fn last_depth(&self) -> Result<f64, ContactError> {
+        Ok(self.contact.last_depth()?)
     }
 
     fn pressure(&self, r: f64) -> Option<f64> {
@@ -175,7 +191,7 @@ impl Springs {
 }
 
 impl NormalContact for Springs {
-    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, BranchError> {
+    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, ContactError> {
         self.parted = !self.bed.follow(control, to) && to < 0.0;
         Ok(Vec::new())
     }
@@ -193,7 +209,7 @@ impl NormalContact for Springs {
         }
     }
 
-    fn last_depth(&self) -> Result<f64, BranchError> {
+    fn last_depth(&self) -> Result<f64, ContactError> {
         Ok(self.last_depth)
     }
 

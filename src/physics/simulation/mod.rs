@@ -4,10 +4,10 @@ mod contact;
 mod fields;
 mod results;
 
-pub use contact::{Direct, Event, NormalContact, Springs};
+pub use contact::{ContactError, Direct, Event, NormalContact, Springs};
 
 use super::adhesion::Adhesion;
-use super::adhesion::equilibrium::{BranchError, Control};
+use super::adhesion::equilibrium::Control;
 use super::adhesion::line::EdgeLine;
 use super::adhesion::range::RangeDisc;
 use super::bed::SpringBed;
@@ -23,11 +23,11 @@ use std::f64::consts::PI;
 pub enum SimulationError {
     /// The contact cannot follow what an entry prescribes.
     #[error("history[{entry}]: {source}")]
-    Branch {
+    Contact {
         /// Number of the entry.
         entry: usize,
         /// Why.
-        source: BranchError,
+        source: ContactError,
     },
     /// The scene holds a part that cannot be computed.
     #[error("{0}")]
@@ -89,7 +89,7 @@ fn direct(setup: &Setup) -> Result<Direct<'_>, SimulationError> {
     let mut contact = QuasiStatic::new(profile, modulus, attraction);
     if let Attraction::Range(_) = attraction {
         // The bodies have come from far away: at d = 0 they attract each other already.
-        contact.indent(0.0).map_err(|source| SimulationError::Branch { entry: 0, source })?;
+        contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
     }
     Ok(Direct::new(contact, modulus))
 }
@@ -158,7 +158,7 @@ fn follow<'p>(setup: &Setup, contact: Box<dyn NormalContact + 'p>, wanted: Wante
     };
     run.push(run.contact.state(), 0.0);
     for (number, stage) in stages.iter().enumerate() {
-        run.follow_stage(stage).map_err(|source| SimulationError::Branch { entry: stage.entry, source })?;
+        run.follow_stage(stage).map_err(|source| SimulationError::Contact { entry: stage.entry, source })?;
         let ends_entry = stages.get(number + 1).is_none_or(|next| next.entry != stage.entry);
         if wanted.fields && ends_entry {
             run.field(format!("end of entry {}", stage.entry + 1));
@@ -168,7 +168,7 @@ fn follow<'p>(setup: &Setup, contact: Box<dyn NormalContact + 'p>, wanted: Wante
 }
 
 impl Run<'_> {
-    fn follow_stage(&mut self, stage: &Stage) -> Result<(), BranchError> {
+    fn follow_stage(&mut self, stage: &Stage) -> Result<(), ContactError> {
         self.entry = stage.entry;
         self.control = stage.control.unwrap_or(self.control);
         let from = self.prescribed();
@@ -193,7 +193,7 @@ impl Run<'_> {
     }
 
     /// The path and duration of a stage; a retraction becomes a ramp to the depth where the bodies part.
-    fn resolved(&mut self, stage: &Stage) -> Result<(Path, f64), BranchError> {
+    fn resolved(&mut self, stage: &Stage) -> Result<(Path, f64), ContactError> {
         let Path::UntilParted { speed } = stage.normal else { return Ok((stage.normal, stage.over)) };
         if !self.contact.joined() {
             self.notes
@@ -213,7 +213,7 @@ impl Run<'_> {
         }
     }
 
-    fn advance(&mut self, to: f64, time: f64) -> Result<(), BranchError> {
+    fn advance(&mut self, to: f64, time: f64) -> Result<(), ContactError> {
         let (from, since) = (self.prescribed(), self.time);
         let was_joined = self.contact.joined();
         for event in self.contact.advance(self.control, to, time - since)? {
@@ -233,7 +233,7 @@ impl Run<'_> {
     }
 
     /// The instant in which a retracted contact parts: a hair below the last stable depth.
-    fn part(&mut self) -> Result<(), BranchError> {
+    fn part(&mut self) -> Result<(), ContactError> {
         let last = self.prescribed();
         let events = self.contact.advance(Control::Indentation, last.next_down(), 0.0)?;
         for event in events {
