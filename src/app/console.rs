@@ -1,6 +1,7 @@
 //! What a person or a pipe reads: results on standard output, messages on standard error.
 
 use super::fault::{Fault, Paint};
+use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
@@ -108,6 +109,16 @@ impl Console {
         if self.talks() {
             Self::error(text);
         }
+    }
+
+    /// A bar for `count` pieces of work such as "scenes"; shown on a terminal only.
+    #[must_use]
+    pub fn progress(&self, count: usize, what: &'static str) -> ProgressBar {
+        if count < 2 || !self.talks() {
+            return ProgressBar::hidden();
+        }
+        let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {what}, {{eta}} left"));
+        ProgressBar::new(count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
     }
 
     /// Writes a warning to standard error unless the program is to be quiet.

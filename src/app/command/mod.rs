@@ -3,6 +3,7 @@
 mod check;
 mod explain;
 mod run;
+mod verify;
 
 use super::console::{Colour, Console, Failure, Voice};
 use super::run::Format;
@@ -144,7 +145,10 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
         Command::Check { scenes } => check::run(&scenes, common, console),
         Command::Explain { scene } => explain::run(&scene, common, console),
         Command::New { kind } => starters::run(kind.as_deref(), console),
-        Command::Verify { .. } => later("verify"),
+        Command::Verify { filter, markdown } => {
+            let form = if markdown { verify::Form::Markdown } else { verify::Form::of(common) };
+            verify::run(filter.as_deref().unwrap_or(""), form, console)
+        }
         Command::Compare { .. } => later("compare"),
         Command::Report { .. } => later("report"),
     }

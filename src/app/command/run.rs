@@ -7,7 +7,6 @@ use crate::app::export;
 use crate::app::run::{Product, compute, products};
 use crate::app::scene_file::SceneFile;
 use crate::app::write::write_all;
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -27,7 +26,7 @@ struct Done {
 pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), Failure> {
     let scenes = load(paths)?;
     no_clash(&scenes)?;
-    let progress = bar(scenes.len(), console);
+    let progress = console.progress(scenes.len(), "scenes");
     let done: Vec<Result<Done, String>> =
         scenes.par_iter().map(|scene| done(scene, common)).inspect(|_| progress.inc(1)).collect();
     progress.finish_and_clear();
@@ -44,14 +43,6 @@ pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), 
         console.result(&text)?;
     }
     if failed.is_empty() { Ok(()) } else { Err(Failure::Failed(failed.join("\n"))) }
-}
-
-fn bar(count: usize, console: &Console) -> ProgressBar {
-    if count < 2 || !console.talks() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {eta} left");
-    ProgressBar::new(count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// Two scenes of one name would write the same files.

@@ -3,6 +3,7 @@
 mod json;
 mod summary;
 mod tables;
+mod verdicts;
 
 #[cfg(feature = "plot")]
 mod figures;
@@ -12,3 +13,4 @@ pub use figures::figures;
 pub use json::json;
 pub use summary::{summary, with_prefix};
 pub use tables::{pressure_table, record_table};
+pub use verdicts::{validation, verdict_table};

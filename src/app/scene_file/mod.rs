@@ -5,7 +5,7 @@ mod names;
 mod parse;
 
 pub use bytes::read_text;
-pub use names::advice;
+pub use names::{advice, nearest};
 
 use super::fault::Fault;
 use super::place;

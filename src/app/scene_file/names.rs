@@ -12,7 +12,7 @@ pub fn advice(found: &str, known: &[&str]) -> String {
 }
 
 /// The known name nearest to `found`, if it is near enough to be meant.
-fn nearest<'n>(found: &str, known: &[&'n str]) -> Option<&'n str> {
+pub fn nearest<'n>(found: &str, known: &[&'n str]) -> Option<&'n str> {
     let lower = |text: &str| text.chars().take(64).flat_map(char::to_lowercase).collect::<Vec<char>>();
     let found = lower(found);
     let near = |name: &&&str| {

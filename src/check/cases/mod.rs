@@ -5,6 +5,7 @@ mod elastic;
 mod shapes;
 
 use super::case::{Case, Verdict};
+use rayon::prelude::*;
 
 /// Every case.
 #[must_use]
@@ -12,10 +13,17 @@ pub fn all() -> Vec<Case> {
     [elastic::CASES, shapes::CASES, adhesive::CASES].concat()
 }
 
-/// The cases whose name contains `filter`, run in order.
+/// The cases whose name contains `filter`, in upper or lower case.
+#[must_use]
+pub fn matching(filter: &str) -> Vec<Case> {
+    let filter = filter.to_lowercase();
+    all().into_iter().filter(|case| case.name.to_lowercase().contains(&filter)).collect()
+}
+
+/// The verdicts on the cases whose name contains `filter`, in their order; run in parallel.
 #[must_use]
 pub fn verdicts(filter: &str) -> Vec<Verdict> {
-    all().iter().filter(|case| case.name.contains(filter)).map(Case::verdict).collect()
+    matching(filter).par_iter().map(Case::verdict).collect()
 }
 
 #[cfg(test)]
