@@ -52,6 +52,7 @@ pub fn compute(setup: &Setup, formats: &[Format]) -> Result<Outcome, RunError> {
             || formats.contains(&Format::Json)
             || figure && (setup.scene.plots.is_none() || plotted(crate::physics::scene::Plot::Pressure)),
         stresses: figure && plotted(crate::physics::scene::Plot::Stress),
+        fretting: false,
     };
     let mut outcome = simulation::run(setup, wanted)?;
     outcome.warnings.extend(validity::warnings(setup, &outcome));
@@ -67,7 +68,7 @@ pub fn products(setup: &Setup, file: &str, outcome: &Outcome, formats: &[Format]
     if formats.contains(&Format::Csv) {
         products.push(Product { ending: ".csv", content: export::record_table(outcome)? });
         if !outcome.fields.is_empty() {
-            products.push(Product { ending: ".pressure.csv", content: export::pressure_table(&outcome.fields)? });
+            products.push(Product { ending: ".pressure.csv", content: export::pressure_table(outcome)? });
         }
     }
     if formats.contains(&Format::Json) {

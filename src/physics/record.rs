@@ -42,8 +42,14 @@ pub struct Tangential {
     pub force: f64,
     /// Radius of the sticking part of the contact [m].
     pub stick_radius: f64,
+    /// Tangential stiffness dF_x/du_x [N/m] while the slide goes on.
+    pub stiffness: f64,
+    /// Elastic energy of the tangential deformation [J].
+    pub stored: f64,
     /// Energy lost to friction so far [J].
     pub dissipated: f64,
+    /// Area of a sheared adhesive contact over its area without shear, A/A_JKR.
+    pub area_ratio: Option<f64>,
 }
 
 /// Pressure and surface displacement over the radius, at one time.
@@ -70,6 +76,8 @@ pub struct FieldRow {
     pub pressure: Option<f64>,
     /// Surface displacement u_z(r) [m].
     pub displacement: Option<f64>,
+    /// Shear stress τ(r) [Pa], if the scene has friction; `None` where it is singular.
+    pub shear: Option<f64>,
 }
 
 /// Stresses on the axis below the surface.

@@ -2,6 +2,7 @@
 
 use super::adhesion::equilibrium::Control;
 use super::history::{Driven, Entry, Motion};
+use std::f64::consts::PI;
 
 /// Records per ramp unless the scene says otherwise: a smooth curve on paper.
 const RECORDS_PER_RAMP: usize = 100;
@@ -29,6 +30,28 @@ pub enum Path {
     },
 }
 
+impl Path {
+    /// The value that starts at `from` at the part `part` of a stage that lasts `over` [s].
+    #[must_use]
+    pub fn at(self, from: f64, (part, over): (f64, f64)) -> f64 {
+        match self {
+            Self::To(to) if part >= 1.0 => to,
+            Self::To(to) => from + part * (to - from),
+            Self::Stay | Self::UntilParted { .. } => from,
+            Self::Wave { amplitude, frequency } => {
+                from + amplitude * (2.0 * PI * (part * over * frequency).fract()).sin()
+            }
+        }
+    }
+
+    /// The parts of a stage of `over` [s] at which the path turns.
+    fn turns(self, over: f64) -> Vec<f64> {
+        let Self::Wave { frequency, .. } = self else { return Vec::new() };
+        let turn = |j: u32| (0.5 * f64::from(j) + 0.25) / (frequency * over);
+        (0..u32::MAX).map(turn).take_while(|part| *part < 1.0).collect()
+    }
+}
+
 /// A part of the history in which everything moves along one path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stage {
@@ -44,6 +67,24 @@ pub struct Stage {
     pub over: f64,
     /// Number of records, at equal times.
     pub records: usize,
+}
+
+/// Two records closer than this part of a stage are one.
+const SAME: f64 = 1e-12;
+
+impl Stage {
+    /// The parts of the stage, up to 1, at which records stand: at equal times, and where a path turns.
+    #[must_use]
+    pub fn parts(&self) -> Vec<f64> {
+        let even = (1..=self.records).map(|k| k as f64 / self.records as f64);
+        let mut parts: Vec<f64> = self.tangential.turns(self.over);
+        parts.extend(self.normal.turns(self.over));
+        parts.extend(even);
+        parts.sort_by(f64::total_cmp);
+        // The end stays as it is, and of two others the first.
+        parts.dedup_by(|next, kept| *next < 1.0 && *next - *kept < SAME);
+        parts
+    }
 }
 
 /// The stages of the history entries; `steps` overrides the number of records per entry.

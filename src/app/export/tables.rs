@@ -1,6 +1,6 @@
 //! CSV tables of records and fields.
 
-use crate::physics::record::{Field, Outcome, Record};
+use crate::physics::record::{Outcome, Record};
 
 /// The records, one row each; columns of a part appear only if the scene has it.
 ///
@@ -35,17 +35,23 @@ fn cells(record: &Record, sheared: bool) -> Vec<Option<f64>> {
     row
 }
 
-/// Pressure and surface profiles, one block of rows per field, named in the first column.
+/// Pressure and surface profiles, one block of rows per field, named in the first column; with the
+/// shear stress if the scene has friction.
 ///
 /// # Errors
 /// The table cannot be put together (never for fields of a simulation).
-pub fn pressure_table(fields: &[Field]) -> Result<String, csv::Error> {
+pub fn pressure_table(outcome: &Outcome) -> Result<String, csv::Error> {
+    let sheared = outcome.records.iter().any(|record| record.tangential.is_some());
+    let mut header = vec!["profile", "time_s", "radius_m", "pressure_pa", "surface_displacement_m"];
+    header.extend(sheared.then_some("shear_pa"));
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["profile", "time_s", "radius_m", "pressure_pa", "surface_displacement_m"])?;
-    for field in fields {
+    writer.write_record(header)?;
+    for field in &outcome.fields {
         for row in &field.rows {
-            let numbers = [Some(field.time), Some(row.radius), row.pressure, row.displacement].map(cell);
-            writer.write_record(std::iter::once(field.label.clone()).chain(numbers))?;
+            let numbers = [Some(field.time), Some(row.radius), row.pressure, row.displacement];
+            let shear = sheared.then_some(row.shear);
+            let cells = numbers.into_iter().chain(shear).map(cell);
+            writer.write_record(std::iter::once(field.label.clone()).chain(cells))?;
         }
     }
     text(writer)

@@ -31,12 +31,7 @@ impl TangentialMemory<'_> {
     }
 
     /// Moves along a curve: the depth follows `depth`(t), t from 0 to 1, while the slide grows evenly
-    /// to `slide` (as under a prescribed normal force).
-    ///
-    /// The curve is halved until its middle lies within `accuracy` (default 1e-6, from 1e-12 to 1e-2)
-    /// of the greater end depth from its chord; too small a value costs steps as its inverse root, too
-    /// large a one shifts the memory by that part of the depth. Only a contact that grows faster than it is slid remembers the
-    /// curve; any other takes one step, which is exact for every monotone path.
+    /// to `slide` (as under a prescribed normal force), by [`chords`].
     ///
     /// # Errors
     /// The indentation leaves the profile.
@@ -46,24 +41,45 @@ impl TangentialMemory<'_> {
         slide: f64,
         accuracy: f64,
     ) -> Result<(), FrictionError> {
-        let bend = accuracy * depth(0.0).abs().max(depth(1.0).abs());
-        self.piece(&(depth, self.position().slide, slide, bend), (0.0, 1.0), MOST_HALVINGS)
+        chords(depth, (self.position().slide, slide), accuracy).into_iter().try_for_each(|to| self.advance(to))
     }
+}
 
-    fn piece(
-        &mut self,
-        path: &(&dyn Fn(f64) -> f64, f64, f64, f64),
-        (from, to): (f64, f64),
-        halvings: u32,
-    ) -> Result<(), FrictionError> {
-        let &(depth, start, end, allowed) = path;
+/// The ends of the chords of a curve: the depth follows `depth`(t), t from 0 to 1, while the slide
+/// grows evenly between the values `slides` [m].
+///
+/// The curve is halved until its middle lies within `accuracy` (default 1e-6, from 1e-12 to 1e-2)
+/// of the greater end depth from its chord; too small a value costs steps as its inverse root, too
+/// large a one shifts the memory by that part of the depth. Only a contact that grows while it is slid
+/// remembers the curve; any other takes one step, which is exact for every monotone path.
+#[must_use]
+pub fn chords(depth: &dyn Fn(f64) -> f64, slides: (f64, f64), accuracy: f64) -> Vec<Position> {
+    let allowed = accuracy * depth(0.0).abs().max(depth(1.0).abs());
+    let mut ends = Vec::new();
+    Curve { depth, slides, allowed }.cut((0.0, 1.0), MOST_HALVINGS, &mut ends);
+    ends
+}
+
+/// A curve and the bend [m] at which a piece of it counts as straight.
+struct Curve<'d> {
+    depth: &'d dyn Fn(f64) -> f64,
+    slides: (f64, f64),
+    allowed: f64,
+}
+
+impl Curve<'_> {
+    fn cut(&self, (from, to): (f64, f64), halvings: u32, ends: &mut Vec<Position>) {
+        let depth = self.depth;
+        let grows = depth(to) > depth(from) && (self.slides.1 - self.slides.0).abs() > 0.0;
         let middle = 0.5 * (from + to);
-        let bend = depth(middle) - 0.5 * (depth(from) + depth(to));
-        if depth(to) <= depth(from) || halvings == 0 || bend.abs() <= allowed {
-            return self.advance(Position { indentation: depth(to), slide: start + to * (end - start) });
+        let bent = || (depth(middle) - 0.5 * (depth(from) + depth(to))).abs() > self.allowed;
+        if grows && halvings > 0 && bent() {
+            self.cut((from, middle), halvings - 1, ends);
+            self.cut((middle, to), halvings - 1, ends);
+        } else {
+            let slide = if to >= 1.0 { self.slides.1 } else { self.slides.0 + to * (self.slides.1 - self.slides.0) };
+            ends.push(Position { indentation: depth(to), slide });
         }
-        self.piece(path, (from, middle), halvings - 1)?;
-        self.piece(path, (middle, to), halvings - 1)
     }
 }
 

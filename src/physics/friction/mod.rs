@@ -12,6 +12,7 @@ mod slipped;
 pub mod turning;
 
 pub use bed::CoulombBed;
+pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
 pub use relaxing::RelaxingBed;
 pub use turning::{Grip, Position, TangentialMemory, TangentialState};

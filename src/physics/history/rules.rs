@@ -148,7 +148,10 @@ fn nothing_to_part(history: &[Entry], index: usize, allowed: Allowed) -> Option<
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a saturating cast is meant")]
 fn records(entry: &Entry, motion: Option<&Motion>, steps: Option<usize>) -> usize {
     match (entry, motion) {
-        (Entry::Oscillate(wave) | Entry::Shake(wave), _) => steps.unwrap_or((PER_CYCLE * wave.cycles.si()) as usize),
+        (Entry::Oscillate(wave) | Entry::Shake(wave), _) => {
+            let turns = (2.0 * wave.cycles.si()) as usize;
+            steps.map_or((PER_CYCLE * wave.cycles.si()) as usize, |steps| steps.saturating_add(turns))
+        }
         (Entry::Table(_), Some(motion)) => motion.time.len(),
         _ => steps.unwrap_or(1),
     }

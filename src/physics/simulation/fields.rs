@@ -1,6 +1,7 @@
 //! Fields over the radius and under the axis.
 
 use super::contact::NormalContact;
+use super::shear::TangentialContact;
 use crate::physics::material::Body;
 use crate::physics::record::{Field, FieldRow, Normal, StressRow};
 use crate::physics::setup::Setup;
@@ -14,18 +15,26 @@ const OUTSIDE: usize = 64;
 /// Depths below the surface.
 const DEPTHS: usize = 96;
 
-/// Pressure and surface of a contact; `None` where the bodies are apart.
+/// A normal contact and what rubs in it.
+type Parts<'c> = (&'c dyn NormalContact, Option<&'c (dyn TangentialContact + 'c)>);
+
+/// Pressure, shear stress and surface of a contact; `None` where the bodies are apart.
 #[must_use]
-pub fn field(contact: &dyn NormalContact, label: String, time: f64) -> Option<Field> {
+pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Option<Field> {
     if !contact.joined() {
         return None;
     }
     let a = contact.state().contact_radius;
-    let intensity = contact.stress_intensity();
-    let row =
-        |radius: f64| FieldRow { radius, pressure: contact.pressure(radius), displacement: contact.surface(radius) };
-    let rows = radii(a, contact.reach()).into_iter().map(row).collect();
-    Some(Field { label, time, contact_radius: a, stress_intensity: intensity, rows })
+    let radii = radii(a, contact.reach());
+    let shear = tangential.map_or_else(|| vec![None; radii.len()], |part| part.stress(contact, &radii));
+    let row = |(radius, shear): (f64, Option<f64>)| FieldRow {
+        radius,
+        pressure: contact.pressure(radius),
+        displacement: contact.surface(radius),
+        shear,
+    };
+    let rows = radii.into_iter().zip(shear).map(row).collect();
+    Some(Field { label, time, contact_radius: a, stress_intensity: contact.stress_intensity(), rows })
 }
 
 #[expect(clippy::cast_precision_loss, reason = "few radii")]

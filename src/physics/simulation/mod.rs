@@ -3,8 +3,10 @@
 mod contact;
 mod fields;
 mod results;
+mod shear;
 
 pub use contact::{ContactError, Direct, Event, NormalContact, Springs};
+pub use shear::TangentialContact;
 
 use super::adhesion::Adhesion;
 use super::adhesion::equilibrium::Control;
@@ -16,7 +18,8 @@ use super::quasistatic::{Attraction, QuasiStatic};
 use super::record::{ErrorEstimate, Field, Normal, Outcome, Record};
 use super::setup::Setup;
 use super::stage::{Path, Stage, stages};
-use std::f64::consts::PI;
+use shear::Step;
+use std::num::NonZeroUsize;
 
 /// Why a scene could not be run to its end.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -41,6 +44,19 @@ pub struct Wanted {
     pub fields: bool,
     /// Stresses below the surface.
     pub stresses: bool,
+    /// Where in the contact friction takes its energy.
+    pub fretting: bool,
+}
+
+impl Wanted {
+    /// Records and results only.
+    pub const NOTHING: Self = Self { fields: false, stresses: false, fretting: false };
+}
+
+/// The contact of a run: what presses, and what rubs if the scene has friction.
+struct Contact<'p> {
+    normal: Box<dyn NormalContact + 'p>,
+    tangential: Option<Box<dyn TangentialContact + 'p>>,
 }
 
 /// Runs a scene.
@@ -54,10 +70,15 @@ pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
     let plan = plan::of(setup);
     let direct = direct(setup)?;
     let mut run = match setup.scene.springs {
-        None => follow(setup, Box::new(direct), wanted)?,
+        None => {
+            let path = wanted.fretting.then(Vec::new);
+            let tangential = shear::of(setup, None, path)?;
+            follow(setup, Contact { normal: Box::new(direct), tangential }, wanted)?
+        }
         Some(springs) => {
-            let bed = springs_under(setup, springs.get(), direct)?;
-            follow(setup, Box::new(bed), wanted)?
+            let (bed, reach) = springs_under(setup, springs, direct)?;
+            let tangential = shear::of(setup, Some((springs, reach)), None)?;
+            follow(setup, Contact { normal: Box::new(bed), tangential }, wanted)?
         }
     };
     let error_estimate = error_estimate(setup);
@@ -94,8 +115,9 @@ fn direct(setup: &Setup) -> Result<Direct<'_>, SimulationError> {
     Ok(Direct::new(contact, modulus))
 }
 
-/// A bed of `springs` springs that is just wide enough for the history, as the direct path finds it.
-fn springs_under(setup: &Setup, springs: usize, direct: Direct<'_>) -> Result<Springs, SimulationError> {
+/// A bed of `springs` springs that is just wide enough for the history, as the direct path finds it,
+/// and its half width [m].
+fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: Direct<'_>) -> Result<(Springs, f64), SimulationError> {
     let work = match &setup.scene.adhesion {
         Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
         Some(Adhesion::Maugis(_)) => {
@@ -104,15 +126,15 @@ fn springs_under(setup: &Setup, springs: usize, direct: Direct<'_>) -> Result<Sp
         None => 0.0,
     };
     let parting = direct.last_depth().unwrap_or(0.0);
-    let run = follow(setup, Box::new(direct), Wanted { fields: false, stresses: false })?;
+    let run = follow(setup, Contact { normal: Box::new(direct), tangential: None }, Wanted::NOTHING)?;
     let largest = run.records.iter().map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let reach = match setup.profile.rim() {
         super::shape::Rim::Wall(end) if largest >= end => end,
         _ if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
         _ => setup.profile.scale(),
     };
-    let bed = SpringBed::new(setup.profile.as_ref(), (springs, reach), setup.pair.normal, work);
-    Ok(Springs::new(bed, setup.pair.normal, parting))
+    let bed = SpringBed::new(setup.profile.as_ref(), (springs.get(), reach), setup.pair.normal, work);
+    Ok((Springs::new(bed, setup.pair.normal, parting), reach))
 }
 
 /// Where the error of a scene comes from.
@@ -132,10 +154,20 @@ fn error_estimate(setup: &Setup) -> ErrorEstimate {
     }
 }
 
+/// Where a step leads: the prescribed quantity, the tangential displacement [m] and the time [s].
+#[derive(Debug, Clone, Copy)]
+struct Aim {
+    prescribed: f64,
+    slide: f64,
+    time: f64,
+}
+
 /// A history being followed.
 struct Run<'p> {
     contact: Box<dyn NormalContact + 'p>,
+    tangential: Option<Box<dyn TangentialContact + 'p>>,
     control: Control,
+    slide: f64,
     time: f64,
     entry: usize,
     records: Vec<Record>,
@@ -144,11 +176,13 @@ struct Run<'p> {
     loaded: Option<Normal>,
 }
 
-fn follow<'p>(setup: &Setup, contact: Box<dyn NormalContact + 'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
-    let stages = stages(setup.entries(), setup.scene.steps.map(std::num::NonZeroUsize::get));
+fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
+    let stages = stages(setup.entries(), setup.scene.steps.map(NonZeroUsize::get));
     let mut run = Run {
-        contact,
+        contact: contact.normal,
+        tangential: contact.tangential,
         control: Control::Indentation,
+        slide: 0.0,
         time: 0.0,
         entry: 0,
         records: Vec::new(),
@@ -171,20 +205,15 @@ impl Run<'_> {
     fn follow_stage(&mut self, stage: &Stage) -> Result<(), ContactError> {
         self.entry = stage.entry;
         self.control = stage.control.unwrap_or(self.control);
-        let from = self.prescribed();
-        let start = self.time;
-        let (path, over) = self.resolved(stage)?;
-        for k in 1..=stage.records {
-            let part = k as f64 / stage.records as f64;
-            let to = match path {
-                Path::To(to) if k == stage.records => to,
-                Path::To(to) => from + part * (to - from),
-                Path::Stay | Path::UntilParted { .. } => from,
-                Path::Wave { amplitude, frequency } => {
-                    from + amplitude * (2.0 * PI * (part * over * frequency).fract()).sin()
-                }
+        let (from, slide, start) = (self.prescribed(), self.slide, self.time);
+        let (normal, over) = self.resolved(stage)?;
+        for part in stage.parts() {
+            let aim = Aim {
+                prescribed: normal.at(from, (part, over)),
+                slide: stage.tangential.at(slide, (part, over)),
+                time: start + part * over,
             };
-            self.advance(to, start + part * over)?;
+            self.advance(aim)?;
         }
         if let Path::UntilParted { .. } = stage.normal {
             self.part()?;
@@ -213,23 +242,39 @@ impl Run<'_> {
         }
     }
 
-    fn advance(&mut self, to: f64, time: f64) -> Result<(), ContactError> {
+    /// Moves on straight lines to `to`.
+    ///
+    /// The order: the normal contact goes first, for nothing it does depends on friction (the bodies are
+    /// taken as elastically similar); its jumps are recorded; the tangential contact follows along
+    /// the depths the normal one has gone through; the record of both is last.
+    fn advance(&mut self, to: Aim) -> Result<(), ContactError> {
         let (from, since) = (self.prescribed(), self.time);
+        let (value, over) = (to.prescribed, to.time - since);
         let was_joined = self.contact.joined();
-        for event in self.contact.advance(self.control, to, time - since)? {
-            let part = if (to - from).abs() > 0.0 { ((event.at - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
-            let at = since + part * (time - since);
+        for event in self.contact.advance(self.control, value, over)? {
+            let part =
+                if (value - from).abs() > 0.0 { ((event.at - from) / (value - from)).clamp(0.0, 1.0) } else { 0.0 };
+            let at = since + part * over;
             self.push(event.before, at);
             self.push(event.after, at);
         }
-        if was_joined && !self.contact.joined() && self.control == Control::Force && to < 0.0 {
+        if was_joined && !self.contact.joined() && self.control == Control::Force && value < 0.0 {
             self.notes.push(format!(
-                "history[{}]: the prescribed force passes pull-off at t = {time:e} s: the bodies part and stay apart",
-                self.entry
+                "history[{}]: the prescribed force passes pull-off at t = {:e} s: the bodies part and stay apart",
+                self.entry, to.time
             ));
         }
-        self.push(self.contact.state(), time);
+        self.shear(from, to, over)?;
+        self.push(self.contact.state(), to.time);
         Ok(())
+    }
+
+    /// The tangential part of a step.
+    fn shear(&mut self, from: f64, to: Aim, over: f64) -> Result<(), ContactError> {
+        let slide = (std::mem::replace(&mut self.slide, to.slide), to.slide);
+        let Some(tangential) = &mut self.tangential else { return Ok(()) };
+        let contact = self.contact.as_ref();
+        tangential.advance(&Step { contact, control: self.control, prescribed: (from, to.prescribed), slide, over })
     }
 
     /// The instant in which a retracted contact parts: a hair below the last stable depth.
@@ -243,7 +288,8 @@ impl Run<'_> {
     }
 
     fn push(&mut self, normal: Normal, time: f64) {
-        let record = Record { entry: self.entry, time, normal, tangential: None };
+        let tangential = self.tangential.as_ref().map(|tangential| tangential.state());
+        let record = Record { entry: self.entry, time, normal, tangential };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }
@@ -254,7 +300,7 @@ impl Run<'_> {
     }
 
     fn field(&mut self, label: String) {
-        let field = fields::field(self.contact.as_ref(), label, self.time);
+        let field = fields::field((self.contact.as_ref(), self.tangential.as_deref()), label, self.time);
         self.fields.extend(field);
     }
 

@@ -1,6 +1,7 @@
 //! Named results of a run.
 
-use crate::physics::record::{Field, Record, Value};
+use crate::physics::history::Entry;
+use crate::physics::record::{Field, Record, Tangential, Value};
 use crate::physics::setup::Setup;
 
 /// The results the scene has, in a fixed order.
@@ -37,7 +38,38 @@ pub fn named(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<(&'stat
             add("final_stored_surface_j", Some(last.normal.stored.surface));
         }
     }
+    results.extend(rubbing(setup, records));
     results
+}
+
+/// What friction adds.
+fn rubbing(setup: &Setup, records: &[Record]) -> Vec<(&'static str, Value)> {
+    let Some(last) = records.last().and_then(|record| record.tangential) else { return Vec::new() };
+    let force = records.iter().filter_map(|record| Some(record.tangential?.force.abs()));
+    let mut results = vec![
+        ("largest_tangential_force_n", force.fold(0.0, f64::max)),
+        ("friction_dissipated_j", last.dissipated),
+        ("final_slide_m", last.slide),
+        ("final_tangential_force_n", last.force),
+        ("final_stick_radius_m", last.stick_radius),
+        ("final_tangential_stiffness_n_per_m", last.stiffness),
+        ("final_stored_tangential_j", last.stored),
+    ];
+    results.extend(per_cycle(setup, records).map(|lost| ("dissipated_per_cycle_j", lost)));
+    results.into_iter().map(|(name, value)| (name, Value::Number(value))).collect()
+}
+
+/// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.
+fn per_cycle(setup: &Setup, records: &[Record]) -> Option<f64> {
+    let entry = setup.scene.history.iter().rposition(|entry| matches!(entry, Entry::Shake(_)))?;
+    let shaken = records.iter().filter(|record| record.entry == entry).filter_map(|record| record.tangential);
+    let shaken: Vec<Tangential> = shaken.collect();
+    let turns = |three: &&[Tangential]| (three[1].slide - three[0].slide) * (three[2].slide - three[1].slide) < 0.0;
+    let lost: Vec<f64> = shaken.windows(3).filter(turns).map(|three| three[1].dissipated).collect();
+    match lost[..] {
+        [.., first, _, last] => Some(last - first),
+        _ => None,
+    }
 }
 
 /// The largest pressure of all fields, if it is finite: a sharp edge or apex has none.
