@@ -6,6 +6,7 @@ pub mod scene_file;
 pub mod table_file;
 pub mod write;
 pub mod console;
+pub mod progress;
 #[cfg(feature = "plot")]
 pub mod figure;
 pub mod export;

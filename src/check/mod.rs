@@ -11,3 +11,4 @@ pub mod agreement;
 pub mod case;
 pub mod cases;
 pub mod validity;
+pub mod comparison;

@@ -65,6 +65,16 @@ impl SpringBed {
         }
     }
 
+    /// Radius [m] of a bed that is just wide enough for contacts up to the radius `largest` [m].
+    #[must_use]
+    pub fn reach_for(profile: &dyn Profile, largest: f64) -> f64 {
+        match profile.rim() {
+            Rim::Wall(end) if largest >= end => end,
+            _ if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
+            _ => profile.scale(),
+        }
+    }
+
     /// The same bed with another way to read the edge.
     #[must_use]
     pub fn with_edge(mut self, location: EdgeLocation) -> Self {

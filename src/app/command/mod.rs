@@ -1,6 +1,7 @@
 //! The command line: what can be asked for, and who answers.
 
 mod check;
+mod compare;
 mod explain;
 mod run;
 mod verify;
@@ -149,7 +150,7 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
             let form = if markdown { verify::Form::Markdown } else { verify::Form::of(common) };
             verify::run(filter.as_deref().unwrap_or(""), form, console)
         }
-        Command::Compare { .. } => later("compare"),
+        Command::Compare { scene } => compare::run(&scene, common, console),
         Command::Report { .. } => later("report"),
     }
 }

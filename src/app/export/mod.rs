@@ -1,5 +1,6 @@
 //! Results as bytes: tables, JSON, figures, a summary. Nothing here writes a file.
 
+mod comparison;
 mod json;
 mod summary;
 mod tables;
@@ -8,8 +9,9 @@ mod verdicts;
 #[cfg(feature = "plot")]
 mod figures;
 
+pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]
-pub use figures::figures;
+pub use figures::{comparison_figure, figures};
 pub use json::json;
 pub use summary::{summary, with_prefix};
 pub use tables::{pressure_table, record_table};

@@ -67,12 +67,12 @@ fn table(header: &[&str], rows: impl Iterator<Item = Vec<Option<f64>>>) -> Resul
 }
 
 /// The shortest text that reads back as the same number; empty where there is none.
-fn cell(value: Option<f64>) -> String {
+pub(super) fn cell(value: Option<f64>) -> String {
     // Adding zero turns −0 into 0.
     value.filter(|value| value.is_finite()).map_or_else(String::new, |value| format!("{:?}", value + 0.0))
 }
 
-fn text(writer: csv::Writer<Vec<u8>>) -> Result<String, csv::Error> {
+pub(super) fn text(writer: csv::Writer<Vec<u8>>) -> Result<String, csv::Error> {
     let bytes = writer.into_inner().map_err(|error| std::io::Error::other(error.to_string()))?;
     String::from_utf8(bytes).map_err(|error| std::io::Error::other(error).into())
 }

@@ -96,7 +96,10 @@ pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
 }
 
 /// The direct path of a scene, bodies just touching.
-fn direct(setup: &Setup) -> Result<Direct<'_>, SimulationError> {
+///
+/// # Errors
+/// The attraction has no contact.
+pub fn direct(setup: &Setup) -> Result<Direct<'_>, SimulationError> {
     let modulus = setup.pair.normal;
     let profile = setup.profile.as_ref();
     let attraction = match &setup.scene.adhesion {
@@ -128,11 +131,7 @@ fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: Direct<'_>) -> Re
     let parting = direct.last_depth().unwrap_or(0.0);
     let run = follow(setup, Contact { normal: Box::new(direct), tangential: None }, Wanted::NOTHING)?;
     let largest = run.records.iter().map(|record| record.normal.contact_radius).fold(0.0, f64::max);
-    let reach = match setup.profile.rim() {
-        super::shape::Rim::Wall(end) if largest >= end => end,
-        _ if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
-        _ => setup.profile.scale(),
-    };
+    let reach = SpringBed::reach_for(setup.profile.as_ref(), largest);
     let bed = SpringBed::new(setup.profile.as_ref(), (springs.get(), reach), setup.pair.normal, work);
     Ok((Springs::new(bed, setup.pair.normal, parting), reach))
 }

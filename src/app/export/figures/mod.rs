@@ -1,6 +1,7 @@
 //! The figures a scene asks for, or those that suit it.
 
 mod branches;
+mod comparison;
 mod fields;
 mod shape;
 
@@ -8,6 +9,8 @@ use crate::app::figure::{Axis, Figure, Guide, Panel, Series};
 use crate::physics::record::{Outcome, Record};
 use crate::physics::scene::Plot;
 use crate::physics::setup::Setup;
+pub use comparison::comparison_figure;
+
 use branches::{Branch, branches, jumps};
 
 /// The figure of a scene: one panel per plot wanted.

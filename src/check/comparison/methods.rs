@@ -1,0 +1,159 @@
+//! The methods: direct path and springs, in one state or through the history.
+
+use super::{Fineness, Measured, Method, State, state_of, timed};
+use crate::physics::adhesion::Adhesion;
+use crate::physics::adhesion::equilibrium::Control;
+use crate::physics::bed::SpringBed;
+use crate::physics::plan;
+use crate::physics::record::Record;
+use crate::physics::setup::Setup;
+use crate::physics::shape::Shape;
+use crate::physics::simulation::{self, NormalContact, SimulationError, Wanted};
+use std::num::NonZeroUsize;
+
+/// Places at which the largest pressure is looked for before it is refined.
+const PLACES: u32 = 64;
+
+/// What is to be computed.
+pub(super) struct Scenario<'s> {
+    /// The scene, without springs.
+    pub(super) setup: &'s Setup,
+    /// The state of the largest force, by the direct path.
+    pub(super) most: State,
+    /// Where that state has its largest pressure [m]; `None` where it is singular or not known.
+    pub(super) peak_at: Option<f64>,
+    /// Whether the state follows from its indentation alone.
+    pub(super) replayed: bool,
+}
+
+impl<'s> Scenario<'s> {
+    /// The state of a record, replayed if it follows from its indentation.
+    pub(super) fn of(setup: &'s Setup, most: &Record) -> Self {
+        let recorded = state_of(most);
+        let mut scenario = Self { setup, most: recorded, peak_at: None, replayed: false };
+        if setup.relaxation.is_some() {
+            return scenario;
+        }
+        // With adhesion a state may hang on the way to it.
+        if let Ok(contact) = pressed(setup, recorded.indentation_m) {
+            let force = contact.state().force;
+            scenario.replayed = (force - recorded.force_n).abs() <= 1e-9 * recorded.force_n.abs();
+            scenario.peak_at = (!is_sharp(&setup.scene.shape)).then(|| peak_at(&contact)).flatten();
+        }
+        scenario
+    }
+
+    /// What the comparison does about the past.
+    pub(super) fn note(&self) -> Option<String> {
+        (!self.replayed).then(|| {
+            "the state depends on its past: times are those of the whole history, and pressures are not compared"
+                .to_owned()
+        })
+    }
+
+    /// Whether the half-space can compute the state.
+    #[cfg(feature = "half-space")]
+    pub(super) fn is_plain(&self) -> bool {
+        self.replayed && self.setup.scene.adhesion.is_none()
+    }
+
+    /// A row; `None` if the method cannot compute the scene, an error if it failed at this fineness.
+    pub(super) fn measured(&self, (method, springs, grid): Fineness) -> Option<Result<Measured, String>> {
+        match (method, springs, grid) {
+            (Method::Direct, ..) => Some(self.direct()),
+            (Method::Springs, Some(springs), _) => {
+                // The bed cannot carry an attraction at a distance.
+                (!matches!(self.setup.scene.adhesion, Some(Adhesion::Maugis(_)))).then(|| self.springs(springs))
+            }
+            #[cfg(feature = "half-space")]
+            (Method::HalfSpace, _, Some(grid)) => self.is_plain().then(|| super::full::measured(self, grid)),
+            _ => None,
+        }
+    }
+
+    fn direct(&self) -> Result<Measured, String> {
+        let (state, time) = timed(|| if self.replayed { self.direct_state() } else { self.history(None) });
+        let bytes = plan::of(self.setup).state_bytes as u64;
+        let state = state.map_err(|error| format!("direct: {error}"))?;
+        Ok(Measured { state, time, bytes, iterations: None })
+    }
+
+    fn direct_state(&self) -> Result<State, SimulationError> {
+        let contact = pressed(self.setup, self.most.indentation_m)?;
+        let normal = contact.state();
+        Ok(State {
+            force_n: normal.force,
+            contact_radius_m: normal.contact_radius,
+            peak_pressure_pa: self.peak_at.and_then(|r| contact.pressure(r)),
+            ..self.most
+        })
+    }
+
+    fn springs(&self, springs: usize) -> Result<Measured, String> {
+        let computed = || if self.replayed { Ok(self.bed_state(springs)) } else { self.history(Some(springs)) };
+        let (state, time) = timed(computed);
+        let state = state.map_err(|error| format!("{springs} springs: {error}"))?;
+        Ok(Measured { state, time, bytes: 16 * springs as u64, iterations: None })
+    }
+
+    fn bed_state(&self, springs: usize) -> State {
+        let profile = self.setup.profile.as_ref();
+        let work = match &self.setup.scene.adhesion {
+            Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
+            _ => 0.0,
+        };
+        let reach = SpringBed::reach_for(profile, self.most.contact_radius_m);
+        let mut bed = SpringBed::new(profile, (springs, reach), self.setup.pair.normal, work);
+        bed.indent(self.most.indentation_m);
+        State {
+            force_n: bed.force(),
+            contact_radius_m: bed.contact_radius(),
+            peak_pressure_pa: self.peak_at.map(|r| bed.pressure(r)),
+            ..self.most
+        }
+    }
+
+    /// The state of the largest force after the whole history.
+    fn history(&self, springs: Option<usize>) -> Result<State, SimulationError> {
+        let mut setup = self.setup.clone();
+        setup.scene.springs = springs.and_then(NonZeroUsize::new);
+        let outcome = simulation::run(&setup, Wanted::NOTHING)?;
+        let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force));
+        Ok(most.map_or(self.most, state_of))
+    }
+}
+
+/// The contact pressed to an indentation [m] from first touch.
+fn pressed(setup: &Setup, to: f64) -> Result<simulation::Direct<'_>, SimulationError> {
+    let mut contact = simulation::direct(setup)?;
+    let pressed = contact.advance(Control::Indentation, to, 0.0);
+    pressed.map_err(|source| SimulationError::Contact { entry: 0, source })?;
+    Ok(contact)
+}
+
+/// Whether the pressure of a shape is singular somewhere under compression: at an apex or an edge.
+fn is_sharp(shape: &Shape) -> bool {
+    match shape {
+        Shape::Power(power) => power.exponent.si() <= 1.0,
+        Shape::Cone(_) | Shape::FlatPunch(_) | Shape::TruncatedCone(_) | Shape::TruncatedParaboloid(_) => true,
+        _ => false,
+    }
+}
+
+/// Where the pressure is largest [m].
+fn peak_at(contact: &dyn NormalContact) -> Option<f64> {
+    let a = contact.state().contact_radius;
+    let place = |k: u32| a * f64::from(k) / f64::from(PLACES);
+    let pressure = |r: f64| contact.pressure(r).unwrap_or(f64::NAN);
+    let best = (0..PLACES).max_by(|&i, &j| pressure(place(i)).total_cmp(&pressure(place(j))))?;
+    if best == 0 {
+        return pressure(0.0).is_finite().then_some(0.0);
+    }
+    let (mut low, mut high) = (place(best - 1), place(best + 1));
+    // Golden section: 40 steps take the place to 1e-8 of the radius, the pressure to its square.
+    for _ in 0..40 {
+        let (inner, outer) = (high - 0.618_033_988_75 * (high - low), low + 0.618_033_988_75 * (high - low));
+        if pressure(inner) > pressure(outer) { high = outer } else { low = inner }
+    }
+    Some(0.5 * (low + high))
+}
