@@ -20,18 +20,12 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 /// The physics a user must know about an outcome.
 #[must_use]
 pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
-    let states = outcome.records.iter().map(|record| record.normal);
-    let Some(largest) = states.max_by(|x, y| x.contact_radius.total_cmp(&y.contact_radius)) else { return Vec::new() };
+    let states = outcome.records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
+    let Some((a, largest)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
     let profile = setup.profile.as_ref();
-    let found = [
-        steep(profile, largest.contact_radius),
-        not_a_ball(setup, largest.contact_radius),
-        two_radii(setup),
-        connected(setup, largest.contact_radius),
-        tabor(setup),
-        coupled(setup),
-    ];
-    found.into_iter().flatten().chain(first_yield(setup, &largest)).collect()
+    let found =
+        [steep(profile, a), not_a_ball(setup, a), two_radii(setup), connected(setup, a), tabor(setup), coupled(setup)];
+    found.into_iter().flatten().chain(first_yield(setup, (a, &largest))).collect()
 }
 
 fn steep(profile: &dyn Profile, a: f64) -> Option<String> {
@@ -105,15 +99,15 @@ fn coupled(setup: &Setup) -> Option<String> {
 }
 
 /// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress.
-fn first_yield(setup: &Setup, largest: &Normal) -> Vec<String> {
+fn first_yield(setup: &Setup, largest: (f64, &Normal)) -> Vec<String> {
     let bodies = [&setup.scene.bodies.0, &setup.scene.bodies.1];
     bodies.into_iter().filter_map(|body| yielding(setup, largest, body)).collect()
 }
 
-fn yielding(setup: &Setup, largest: &Normal, body: &Body) -> Option<String> {
+fn yielding(setup: &Setup, (a, largest): (f64, &Normal), body: &Body) -> Option<String> {
     let Body::Elastic(elastic) = body else { return None };
     let limit = elastic.yield_stress?.si();
-    let (a, modulus) = (largest.contact_radius, setup.pair.normal);
+    let modulus = setup.pair.normal;
     let edge = largest.indentation? - setup.profile.reduced(a);
     let loading = Loading {
         profile: setup.profile.as_ref(),

@@ -23,9 +23,9 @@ pub struct Normal {
     pub indentation: Option<f64>,
     /// Normal force F [N], compression positive.
     pub force: f64,
-    /// Contact radius a [m].
-    pub contact_radius: f64,
-    /// Contact stiffness 2E*a [N/m].
+    /// Contact radius a [m]; `None` for a rough bed, which does not know its contact area.
+    pub contact_radius: Option<f64>,
+    /// Contact stiffness dF/dd, 2E*a of a round contact [N/m].
     pub stiffness: f64,
     /// Stored energy [J] by part.
     pub stored: Energy,

@@ -23,7 +23,7 @@ fn cells(record: &Record, sheared: bool) -> Vec<Option<f64>> {
         Some(record.time),
         normal.indentation,
         Some(normal.force),
-        Some(normal.contact_radius),
+        normal.contact_radius,
         Some(normal.stiffness),
         Some(normal.stored.stored()),
         Some(normal.dissipated),

@@ -83,7 +83,7 @@ impl<'s> Scenario<'s> {
         let normal = contact.state();
         Ok(State {
             force_n: normal.force,
-            contact_radius_m: normal.contact_radius,
+            contact_radius_m: normal.contact_radius.unwrap_or(f64::NAN),
             peak_pressure_pa: self.peak_at.and_then(|r| contact.pressure(r)),
             ..self.most
         })
@@ -142,7 +142,7 @@ fn is_sharp(shape: &Shape) -> bool {
 
 /// Where the pressure is largest [m].
 fn peak_at(contact: &dyn NormalContact) -> Option<f64> {
-    let a = contact.state().contact_radius;
+    let a = contact.state().contact_radius?;
     let place = |k: u32| a * f64::from(k) / f64::from(PLACES);
     let pressure = |r: f64| contact.pressure(r).unwrap_or(f64::NAN);
     let best = (0..PLACES).max_by(|&i, &j| pressure(place(i)).total_cmp(&pressure(place(j))))?;

@@ -226,7 +226,7 @@ fn state_of(record: &Record) -> State {
     State {
         indentation_m: record.normal.indentation.unwrap_or(f64::NAN),
         force_n: record.normal.force,
-        contact_radius_m: record.normal.contact_radius,
+        contact_radius_m: record.normal.contact_radius.unwrap_or(f64::NAN),
         peak_pressure_pa: None,
     }
 }

@@ -89,7 +89,7 @@ impl<'p> Direct<'p> {
         Normal {
             indentation: (!balance.indentation.is_nan()).then_some(balance.indentation),
             force: balance.force,
-            contact_radius: balance.contact_radius,
+            contact_radius: Some(balance.contact_radius),
             stiffness: 2.0 * self.modulus * balance.contact_radius,
             stored,
             dissipated: self.dissipated,
@@ -202,7 +202,7 @@ impl NormalContact for Springs {
         Normal {
             indentation: (!self.parted).then_some(self.bed.indentation()),
             force: self.bed.force(),
-            contact_radius: a,
+            contact_radius: Some(a),
             stiffness: 2.0 * self.modulus * a,
             stored,
             dissipated: self.bed.work() - stored.stored(),

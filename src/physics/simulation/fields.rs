@@ -24,7 +24,7 @@ pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Opti
     if !contact.joined() {
         return None;
     }
-    let a = contact.state().contact_radius;
+    let a = contact.state().contact_radius?;
     let radii = radii(a, contact.reach());
     let shear = tangential.map_or_else(|| vec![None; radii.len()], |part| part.stress(contact, &radii));
     let row = |(radius, shear): (f64, Option<f64>)| FieldRow {
@@ -53,10 +53,7 @@ fn radii(a: f64, reach: f64) -> Vec<f64> {
 /// Stresses on the axis in the first body that can deform, at the given state.
 #[must_use]
 pub fn stresses(setup: &Setup, normal: &Normal) -> Vec<StressRow> {
-    let a = normal.contact_radius;
-    if a <= 0.0 {
-        return Vec::new();
-    }
+    let Some(a) = normal.contact_radius.filter(|&a| a > 0.0) else { return Vec::new() };
     let profile = setup.profile.as_ref();
     let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
     let edge_load = setup.pair.normal * edge;

@@ -130,7 +130,7 @@ fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: Direct<'_>) -> Re
     };
     let parting = direct.last_depth().unwrap_or(0.0);
     let run = follow(setup, Contact { normal: Box::new(direct), tangential: None }, Wanted::NOTHING)?;
-    let largest = run.records.iter().map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let largest = run.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let reach = SpringBed::reach_for(setup.profile.as_ref(), largest);
     let bed = SpringBed::new(setup.profile.as_ref(), (springs.get(), reach), setup.pair.normal, work);
     Ok((Springs::new(bed, setup.pair.normal, parting), reach))

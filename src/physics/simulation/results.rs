@@ -14,9 +14,9 @@ pub fn named(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<(&'stat
             "largest_indentation_m",
             Value::Number(largest(|record| record.normal.indentation.unwrap_or(f64::NEG_INFINITY))),
         ),
-        ("largest_contact_radius_m", Value::Number(largest(|record| record.normal.contact_radius))),
     ];
     let mut add = |name, value: Option<f64>| results.extend(value.map(|value| (name, Value::Number(value))));
+    add("largest_contact_radius_m", records.iter().filter_map(|record| record.normal.contact_radius).reduce(f64::max));
     add("peak_pressure_pa", peak_pressure(fields));
     let intensity = fields.iter().filter_map(|field| field.stress_intensity);
     add("largest_stress_intensity_pa_sqrt_m", intensity.max_by(|x, y| x.abs().total_cmp(&y.abs())));
@@ -32,7 +32,7 @@ pub fn named(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<(&'stat
         add("final_time_s", Some(last.time));
         add("final_indentation_m", last.normal.indentation);
         add("final_force_n", Some(last.normal.force));
-        add("final_contact_radius_m", Some(last.normal.contact_radius));
+        add("final_contact_radius_m", last.normal.contact_radius);
         add("final_stored_elastic_j", Some(last.normal.stored.elastic));
         if setup.scene.adhesion.is_some() {
             add("final_stored_surface_j", Some(last.normal.stored.surface));

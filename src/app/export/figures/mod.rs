@@ -40,7 +40,9 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
     let records = &outcome.records;
     match plot {
         Plot::Force => force(setup, records),
-        Plot::Radius => vec![against_depth(records, "contact radius a", "m", |record| record.normal.contact_radius)],
+        Plot::Radius => vec![against_depth(records, "contact radius a", "m", |record| {
+            record.normal.contact_radius.unwrap_or(f64::NAN)
+        })],
         Plot::Pressure => vec![fields::pressure(setup, outcome)],
         Plot::Stress => vec![fields::stress(outcome)],
         Plot::Energy => vec![energy(records)],

@@ -12,7 +12,7 @@ const POINTS: usize = 400;
 /// f(r) and g(x) out to a little beyond the largest contact.
 pub fn profile(setup: &Setup, outcome: &Outcome) -> Panel {
     let profile = setup.profile.as_ref();
-    let largest = outcome.records.iter().map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let largest = outcome.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let wanted = if largest > 0.0 { 1.25 * largest } else { profile.scale() };
     let reach = match profile.rim() {
         Rim::None => wanted,
