@@ -33,6 +33,8 @@ pub struct SpringBed {
     attached: usize,
     /// Sum of g over the springs in contact [m].
     attached_sum: f64,
+    /// Sum of d − g over the springs in contact [m], carried from event to event.
+    deflection: f64,
     wall: bool,
     indentation: f64,
     work: f64,
@@ -59,6 +61,7 @@ impl SpringBed {
             threshold,
             attached: 0,
             attached_sum: 0.0,
+            deflection: 0.0,
             wall,
             indentation: 0.0,
             work: 0.0,
@@ -105,6 +108,7 @@ impl SpringBed {
             self.join();
         }
         self.move_to(to);
+        self.settle();
     }
 
     /// Moves to the force `to` [N]; `false` if the bodies part on the way.
@@ -124,6 +128,7 @@ impl SpringBed {
         if self.attached > 0 {
             self.move_under(to);
         }
+        self.settle();
         self.attached > 0
     }
 
@@ -140,18 +145,27 @@ impl SpringBed {
 
     fn join(&mut self) {
         self.attached_sum += self.reduced[self.attached];
+        self.deflection += self.indentation - self.reduced[self.attached];
         self.attached += 1;
     }
 
     fn part(&mut self) {
         self.attached -= 1;
         self.attached_sum -= self.reduced[self.attached];
+        self.deflection -= self.indentation - self.reduced[self.attached];
+    }
+
+    /// Sums anew what rounding has gathered over the events of a motion.
+    fn settle(&mut self) {
+        self.attached_sum = self.reduced.iter().take(self.attached).sum();
+        self.deflection = self.reduced.iter().take(self.attached).map(|g| self.indentation - g).sum();
     }
 
     fn move_to(&mut self, depth: f64) {
         let before = self.counted_force();
         let path = depth - self.indentation;
         self.indentation = depth;
+        self.deflection += self.count() * path;
         self.work += 0.5 * (before + self.counted_force()) * path;
     }
 
@@ -174,8 +188,7 @@ impl SpringBed {
 
     /// Sum of the loads of the springs in contact [N].
     fn counted_force(&self) -> f64 {
-        let deflections = self.reduced.iter().take(self.attached).map(|g| self.indentation - g);
-        2.0 * self.modulus * self.spacing * deflections.sum::<f64>()
+        2.0 * self.modulus * self.spacing * self.deflection
     }
 
     /// Indentation [m].
