@@ -55,7 +55,8 @@ pub fn slip_work(curve: &LoadCurve, (lower, upper): (Node, Node), motion: Motion
         let edge = between(lower, upper, (upper.below / (upper.below - lower.below), motion.edge));
         return held(curve, (lower, edge), motion) + left(curve, (edge, upper), motion);
     }
-    let work = if lower.below > 0.0 { held } else { left };
+    // A contact that does not shrink leaves no spring; one at its very edge carries nothing.
+    let work = if lower.below > 0.0 || motion.depth >= 0.0 { held } else { left };
     work(curve, (lower, upper), motion)
 }
 

@@ -17,6 +17,7 @@ use super::FrictionError;
 use super::load::{LoadCurve, Place, Product};
 use super::slipped::{Motion, Node, slip_work};
 use crate::physics::shape::Profile;
+use std::cmp::Ordering;
 
 /// Moduli and friction of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -350,7 +351,12 @@ fn mantle(inner: Node, outer: Node, slope: f64) -> (f64, f64) {
         return (reached(side), side);
     }
     let (forward, backward) = (reached(1.0), reached(-1.0));
-    if forward >= backward { (forward, 1.0) } else { (backward, -1.0) }
+    match forward.total_cmp(&backward) {
+        Ordering::Greater => (forward, 1.0),
+        Ordering::Less => (backward, -1.0),
+        // At the apex both meet: the side is that of the springs beyond, so that mirrored histories mirror.
+        Ordering::Equal => (forward, outer.displacement.signum()),
+    }
 }
 
 #[cfg(test)]
@@ -526,30 +532,34 @@ mod tests {
             let coefficient = 10f64.powf(0.1 * f64::from(k));
             for profile in shapes() {
                 let mut memory = TangentialMemory::new(profile.as_ref(), grip(coefficient));
-                let (mut work, mut scale) = (0.0, 0.0);
+                let (mut work, mut bound) = (0.0, 0.0);
+                let stiffness = 2.0 * 0.8 * profile.edge(1.2).unwrap();
                 for to in positions(coefficient, &knots) {
                     let before = memory.state().dissipated;
                     let from = memory.position();
-                    // Simpson's rule in steps: the force is a smooth function of the way between
-                    // corners of the memory, the rest is of fourth order or of the kink's third.
+                    // Simpson's rule in steps. Where the memory closes a loop or contact is lost, F_x has
+                    // a kink of at most twice its slope 2G*a(|Δu| + mΔd), which costs 1/24 of it;
+                    // a knot brings one vertex and wipes it out later, gross slip and parting are two more.
                     let steps = 64;
+                    let (slide, depth) = (to.slide - from.slide, to.indentation - from.indentation);
+                    let part = f64::from(steps).recip();
+                    let kink = 2.0 / 24.0 * stiffness * (slide.abs() + memory.reach * depth.abs()) * slide.abs();
+                    bound += 4.0 * kink * part * part;
                     for j in 0..steps {
-                        let way = |t: f64| at(
-                            from.indentation + t * (to.indentation - from.indentation),
-                            from.slide + t * (to.slide - from.slide));
-                        let middle = way((f64::from(j) + 0.5) / f64::from(steps));
-                        let end = way((f64::from(j) + 1.0) / f64::from(steps));
+                        let way = |t: f64| at(from.indentation + t * depth, from.slide + t * slide);
+                        let middle = way((f64::from(j) + 0.5) * part);
+                        let end = way((f64::from(j) + 1.0) * part);
                         let forces = [memory.state().tangential_force, memory.force_at(middle).unwrap()];
                         let start = memory.position().slide;
                         memory.advance(end).unwrap();
                         let last = memory.state().tangential_force;
                         work += (end.slide - start) / 6.0 * (forces[0] + 4.0 * forces[1] + last);
-                        scale += (end.slide - start).abs() * forces[1].abs();
                     }
                     prop_assert!(memory.state().dissipated >= before);
                 }
                 let ledger = memory.state().dissipated + memory.stored();
-                prop_assert!((ledger - work).abs() <= 1e-4 * scale, "{ledger:e} {work:e} {scale:e}");
+                let rounding = 1e-13 * (ledger.abs() + bound);
+                prop_assert!((ledger - work).abs() <= bound + rounding, "{ledger:e} {work:e} {bound:e}");
             }
         }
 
@@ -587,7 +597,7 @@ mod tests {
                     mirror.advance(at(to.indentation, -to.slide)).unwrap();
                     let (state, other) = (memory.state(), mirror.state());
                     prop_assert!((state.tangential_force + other.tangential_force).abs() <= 0.0);
-                    prop_assert!((state.dissipated - other.dissipated).abs() <= 0.0);
+                    prop_assert!((state.dissipated - other.dissipated).abs() <= 0.0, "{:e} {:e}", state.dissipated, other.dissipated);
                     prop_assert!((state.stick_radius - other.stick_radius).abs() <= 0.0);
                 }
             }
