@@ -34,7 +34,7 @@ pub struct Normal {
 }
 
 /// State of the tangential contact at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tangential {
     /// Tangential displacement of the indenter [m].
     pub slide: f64,

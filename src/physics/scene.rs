@@ -104,6 +104,9 @@ impl Scene {
             format!("{springs} do not fit into memory: expected at most {MOST_SPRINGS}")
         } else if matches!(self.adhesion, Some(Adhesion::Maugis(_))) {
             "with Maugis adhesion cannot be computed: expected Jkr(…), or no springs".to_owned()
+        } else if self.adhesion.is_some() && self.friction.is_some() {
+            "with Jkr adhesion under shear cannot be computed: expected no springs, no adhesion or no friction"
+                .to_owned()
         } else {
             return None;
         };

@@ -1,7 +1,7 @@
 //! A scene made ready: what the simulation works with.
 
 use super::adhesion::Adhesion;
-use super::friction::Friction;
+use super::friction::{Friction, Strength, StrengthCurve};
 use super::history::rules::{self, Allowed};
 use super::history::{Entry, Motion};
 use super::material::{self, Pair, Relaxation};
@@ -26,6 +26,8 @@ pub struct Setup {
     pub pair: Pair,
     /// E*(t) if one of the bodies is viscoelastic.
     pub relaxation: Option<Relaxation>,
+    /// Shear strength over the sliding speed, if the friction names a table.
+    pub strength: Option<StrengthCurve>,
     /// One per history entry: the table it names, `None` for an entry without.
     pub motions: Vec<Option<Motion>>,
 }
@@ -55,9 +57,13 @@ impl Scene {
         let pair = material::pair(&self.bodies, tables).map_err(|found| problems.extend(found)).ok();
         let profile =
             self.shape.profile(tables).map_err(|error| problems.push(Problem::new("shape", error.to_string()))).ok();
+        let strength = strength(self.friction.as_ref(), tables, &mut problems);
+        problems.extend(strength.iter().flat_map(|curve| rules::sliding_speeds(&self.history, curve)));
         problems.extend(rules::problems(&self.history, &motions, self.allowed()));
         if let Some((pair, relaxation)) = &pair {
             problems.extend(self.adhesion.iter().flat_map(|adhesion| adhesion.problems(relaxation.as_ref())));
+            let (adhesion, relaxed) = (self.adhesion.as_ref(), relaxation.as_ref());
+            problems.extend(self.friction.iter().flat_map(|friction| friction.problems(adhesion, relaxed)));
             if let Some(profile) = &profile {
                 let direct = (self.adhesion.is_none() && relaxation.is_none()).then_some(pair.normal);
                 let bounds = self.bounds(profile.as_ref());
@@ -66,7 +72,7 @@ impl Scene {
         }
         match pair.zip(profile) {
             Some(((pair, relaxation), profile)) if problems.is_empty() => {
-                Ok(Setup { scene: self, profile, pair, relaxation, motions })
+                Ok(Setup { scene: self, profile, pair, relaxation, strength, motions })
             }
             _ => Err(problems),
         }
@@ -85,6 +91,14 @@ impl Scene {
         let second = if self.adhesion.is_none() { reach::second_contact(profile) } else { None };
         second.into_iter().chain(reach::end(profile)).collect()
     }
+}
+
+/// The table of the shear strength, if the friction names one.
+fn strength(friction: Option<&Friction>, tables: &dyn Tables, problems: &mut Vec<Problem>) -> Option<StrengthCurve> {
+    let Some(Friction::Pressure(law)) = friction else { return None };
+    let Strength::Table(path) = &law.shear else { return None };
+    let curve = StrengthCurve::read(path, tables);
+    curve.map_err(|error| problems.push(Problem::new("friction.shear", error.to_string()))).ok()
 }
 
 fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<Motion>> {

@@ -13,8 +13,16 @@ pub fn record_table(outcome: &Outcome) -> Result<String, csv::Error> {
     if sheared {
         header.extend(["slide_m", "tangential_force_n", "stick_radius_m", "friction_dissipated_j"]);
     }
-    let rows = outcome.records.iter().map(|record| cells(record, sheared));
+    let peels = outcome.records.iter().any(|record| area_ratio(record).is_some());
+    header.extend(peels.then_some("area_ratio"));
+    let row = |record| cells(record, sheared).into_iter().chain(peels.then(|| area_ratio(record))).collect();
+    let rows = outcome.records.iter().map(row);
     table(&header, rows)
+}
+
+/// A/A_JKR of a sheared adhesive contact.
+fn area_ratio(record: &Record) -> Option<f64> {
+    record.tangential.and_then(|state| state.area_ratio)
 }
 
 fn cells(record: &Record, sheared: bool) -> Vec<Option<f64>> {

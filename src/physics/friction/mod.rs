@@ -8,16 +8,19 @@ pub mod relaxing;
 pub mod sliding;
 pub mod oblique;
 mod load;
+mod rules;
 mod slipped;
+pub mod strength;
 pub mod turning;
 
 pub use bed::CoulombBed;
 pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
 pub use relaxing::RelaxingBed;
+pub use strength::{Strength, StrengthCurve};
 pub use turning::{Grip, Position, TangentialMemory, TangentialState};
 
-use super::quantity::{Modulus, Ratio, Stress};
+use super::quantity::{Modulus, Ratio};
 use serde::{Deserialize, Serialize};
 
 /// Law of friction.
@@ -65,8 +68,8 @@ pub struct CoulombOrowan {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct PressureLaw {
-    /// Shear stress τ_c at zero pressure [Pa].
-    pub shear: Stress,
+    /// Shear stress τ_c at zero pressure [Pa], or its table over the sliding speed.
+    pub shear: Strength,
     /// Slope β.
     pub slope: Ratio,
 }
@@ -111,6 +114,15 @@ pub enum FrictionError {
     NoApproach {
         /// Normal speed [m/s].
         speed: f64,
+    },
+    /// A sliding speed outside the table of shear strength.
+    #[error(transparent)]
+    OutsideTable(#[from] strength::OutsideTable),
+    /// The tangential load has peeled an adhesive contact that nothing presses.
+    #[error("at the indentation {depth:e} m the tangential load peels the adhesive contact: the bodies part")]
+    PeeledAt {
+        /// Indentation [m].
+        depth: f64,
     },
     /// The tangential load has peeled the adhesive contact.
     #[error("under the normal force {force:e} N the tangential load peels the adhesive contact")]

@@ -5,6 +5,9 @@ use crate::physics::root::{bracket_upwards, brent};
 use crate::physics::shape::{Profile, Rim};
 use std::f64::consts::PI;
 
+/// Places between two radii at which an equilibrium is looked for.
+const PLACES: u32 = 1024;
+
 /// α of a contact that sticks everywhere against a rigid body: G*/E* = 2(1−ν)/(2−ν).
 ///
 /// ν is Poisson's ratio (Persson et al. 2008, eq. B.3). Check: 2/3 at ν = 1/2.
@@ -21,8 +24,11 @@ pub fn stuck_ratio(poisson: f64) -> f64 {
 /// [`stuck_ratio`] by 3π²/32 = 0.925. Check: 0.6169 at ν = 1/2.
 #[must_use]
 pub fn uniform_ratio(poisson: f64) -> f64 {
-    3.0 * PI * PI / 32.0 * stuck_ratio(poisson)
+    UNIFORM * stuck_ratio(poisson)
 }
+
+/// Tangential stiffness of a contact under uniform stress over that of a stuck one, for any pair: 3π²/32.
+pub const UNIFORM: f64 = 3.0 * PI * PI / 32.0;
 
 /// Tangential load of an adhesive contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -138,6 +144,51 @@ impl ShearedAdhesion<'_> {
             Err(error) => return Err(error),
         };
         Ok((radius / rest).powi(2))
+    }
+
+    /// Equilibrium under the normal force `force` [N] and a uniform shear stress `stress` [Pa]; where the
+    /// edge has peeled, the contact without adhesion, which carries on under the stress.
+    ///
+    /// # Errors
+    /// The bodies part under the normal force alone, or peel with nothing that presses them; the
+    /// profile ends first.
+    pub fn under_stress(&self, force: f64, stress: f64) -> Result<Sheared, FrictionError> {
+        self.under(force, Shear::Force(0.0))?;
+        match self.under(force, Shear::Stress(stress)) {
+            Err(FrictionError::Peeled { .. }) if force > 0.0 => {
+                let a = self.plain_radius(force)?;
+                self.with_force(a, force, PI * a * a * stress)
+            }
+            found => found,
+        }
+    }
+
+    /// Equilibrium at the indentation `depth` [m] under the uniform shear stress `stress` [Pa], reached
+    /// from the radius `rest` [m] the contact has without it: the first one inwards from there.
+    ///
+    /// Where no edge is left to hold, the contact without adhesion remains if the bodies are pressed.
+    ///
+    /// # Errors
+    /// The contact peels altogether, and nothing presses the bodies.
+    pub fn at_depth(&self, depth: f64, stress: f64, rest: f64) -> Result<Sheared, FrictionError> {
+        let scale = (PI * stress).powi(2) / (4.0 * self.ratio * self.modulus);
+        let edge = |a: f64| self.profile.reduced(a) - depth;
+        let excess = |a: f64| self.modulus * edge(a).powi(2) + scale * a * a - self.edge_limit(a);
+        let plain = if depth > 0.0 { self.profile.edge(depth) } else { None };
+        let least = plain.unwrap_or(1e-6 * rest).min(rest);
+        let held = self.first_inside(excess, (least, rest));
+        let a = held.or(plain).ok_or(FrictionError::PeeledAt { depth })?;
+        let tangential_force = PI * a * a * stress;
+        let slide = tangential_force / (2.0 * self.ratio * self.modulus * a);
+        Ok(Sheared { contact_radius: a, indentation: depth, tangential_force, slide })
+    }
+
+    /// The first zero of `excess` on the way from `rest` inwards to `least`.
+    fn first_inside(&self, excess: impl Fn(f64) -> f64, (least, rest): (f64, f64)) -> Option<f64> {
+        let at = |k: u32| rest * (least / rest).powf(f64::from(k) / f64::from(PLACES));
+        let k = (1..=PLACES).find(|&k| excess(at(k)) <= 0.0)?;
+        let (inner, outer) = (at(k), at(k - 1));
+        if excess(outer) <= 0.0 { Some(outer) } else { brent(&excess, inner, outer).ok() }
     }
 
     /// E*Δl² [N/m] with the elongation the normal force asks for.

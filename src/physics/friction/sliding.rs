@@ -1,11 +1,12 @@
 //! Gross sliding under laws of soft matter, which act on the pressure p(r).
 
 use super::peeling::{Shear, ShearedAdhesion};
-use super::{Coulomb, CoulombOrowan, Friction, FrictionError, PressureLaw};
+use super::strength::{OutsideTable, Strength, StrengthCurve};
+use super::{Coulomb, CoulombOrowan, Friction, FrictionError};
 use crate::physics::quadrature::panel_with_root_ends;
 use crate::physics::root::brent;
 use crate::physics::shape::Profile;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 /// Samples of the pressure between which it is searched for the corners of a law.
 const SAMPLES: u32 = 64;
@@ -41,35 +42,46 @@ impl SlidingLaw for CoulombOrowan {
     }
 }
 
-/// τ = τ_c + βp = β(p_ad + p) (Persson et al. 2008, eqs. 3 and 4), and zero where the tension is above
-/// the adhesional pressure p_ad = τ_c/β.
-impl SlidingLaw for PressureLaw {
+/// Shear stress linear in the pressure: τ = τ_c + βp = β(p_ad + p) (Persson et al. 2008, eqs. 3 and 4),
+/// and zero where the tension is above the adhesional pressure p_ad = τ_c/β.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinearLaw {
+    /// Shear stress τ_c at zero pressure [Pa].
+    pub strength: f64,
+    /// Slope β.
+    pub slope: f64,
+}
+
+impl SlidingLaw for LinearLaw {
     fn stress(&self, p: f64) -> f64 {
         // β = 0 is the uniform stress τ_c, at any tension.
-        let slope = self.slope.si();
-        if slope > 0.0 { (self.shear.si() + slope * p).max(0.0) } else { self.shear.si() }
+        if self.slope > 0.0 { (self.strength + self.slope * p).max(0.0) } else { self.strength }
     }
 
     fn corners(&self) -> Vec<f64> {
-        vec![-self.shear.si() / self.slope.si()]
+        vec![-self.strength / self.slope]
     }
 }
 
-impl SlidingLaw for Friction {
-    fn stress(&self, p: f64) -> f64 {
-        match self {
-            Self::Coulomb(law) => law.stress(p),
-            Self::CoulombOrowan(law) => law.stress(p),
-            Self::Pressure(law) => law.stress(p),
-        }
-    }
-
-    fn corners(&self) -> Vec<f64> {
-        match self {
-            Self::Coulomb(law) => law.corners(),
-            Self::CoulombOrowan(law) => law.corners(),
-            Self::Pressure(law) => law.corners(),
-        }
+impl Friction {
+    /// The law of gross sliding at the speed `speed` [m/s]; `curve` is the table of the shear strength,
+    /// if the scene names one.
+    ///
+    /// # Errors
+    /// The speed is outside the table.
+    pub fn law(&self, speed: f64, curve: Option<&StrengthCurve>) -> Result<Box<dyn SlidingLaw>, OutsideTable> {
+        Ok(match self {
+            Self::Coulomb(law) => Box::new(law.clone()),
+            Self::CoulombOrowan(law) => Box::new(law.clone()),
+            Self::Pressure(law) => {
+                let strength = match (&law.shear, curve) {
+                    (_, Some(curve)) => curve.at(speed)?,
+                    (Strength::Constant(strength), None) => strength.si(),
+                    (Strength::Table(_), None) => 0.0,
+                };
+                Box::new(LinearLaw { strength, slope: law.slope.si() })
+            }
+        })
     }
 }
 
@@ -108,6 +120,35 @@ impl Pressed<'_> {
             from = to;
         }
         2.0 * PI * a * a * sum
+    }
+
+    /// Pressure [Pa] at the radius `r` [m]; `None` where it is singular, zero outside.
+    #[must_use]
+    pub fn pressure_at(&self, r: f64) -> Option<f64> {
+        let a = self.contact_radius;
+        if r > a {
+            return Some(0.0);
+        }
+        let regular = self.modulus * self.profile.pressure_integral(r, a);
+        let root = ((a - r) * (a + r)).sqrt();
+        let p = if self.edge_load.abs() > 0.0 { regular + self.edge_load / (PI * root) } else { regular };
+        Some(p).filter(|p| p.is_finite())
+    }
+
+    /// Displacement u_z(r) [m] of the surface into the body.
+    #[must_use]
+    pub fn surface_at(&self, r: f64) -> f64 {
+        let (a, edge) = (self.contact_radius, self.edge_load / self.modulus);
+        if r <= a {
+            return self.profile.reduced(a) + edge - self.profile.height(r);
+        }
+        self.profile.displacement_integral(r, a) + edge * FRAC_2_PI * (a / r).asin()
+    }
+
+    /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] of the edge, if it is singular.
+    #[must_use]
+    pub fn stress_intensity(&self) -> Option<f64> {
+        Some(-self.edge_load / (PI * self.contact_radius).sqrt()).filter(|intensity| intensity.abs() > 0.0)
     }
 
     /// Pressure [Pa] at r = a sin θ.
@@ -214,7 +255,7 @@ fn holds(point: &SlidingPoint, tolerance: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::quantity::{Length, Modulus, Positive, Ratio, Stress};
+    use crate::physics::quantity::{Length, Modulus, Positive, Ratio};
     use crate::physics::shape::{Cone, Paraboloid};
 
     fn orowan(coefficient: f64, limit: f64) -> CoulombOrowan {
@@ -230,7 +271,7 @@ mod tests {
     fn linear_laws_need_no_pressure() {
         let cone = Cone { slope: Positive::new(0.3).unwrap() };
         let (lens, a) = (lens(), 0.7);
-        let law = PressureLaw { shear: Stress::new(0.2).unwrap(), slope: Ratio::new(0.1).unwrap() };
+        let law = LinearLaw { strength: 0.2, slope: 0.1 };
         let coulomb = Coulomb { coefficient: Ratio::new(0.4).unwrap() };
         for (profile, bound) in [(&lens as &dyn Profile, 1e-13), (&cone, 1e-9)] {
             let pressed = Pressed { profile, modulus: 1.0, contact_radius: a, edge_load: 0.0 };
@@ -250,7 +291,7 @@ mod tests {
         let coulomb = Coulomb { coefficient: Ratio::new(0.4).unwrap() };
         assert!((pressed.sliding_force(&coulomb) / (0.4 * force) - 1.0).abs() < 1e-13);
         // Uniform stress whatever the tension.
-        let uniform = PressureLaw { shear: Stress::new(0.2).unwrap(), slope: Ratio::new(0.0).unwrap() };
+        let uniform = LinearLaw { strength: 0.2, slope: 0.0 };
         let adhesive = Pressed { edge_load: -0.5, ..pressed };
         assert!((adhesive.sliding_force(&uniform) / (0.2 * PI * a * a) - 1.0).abs() < 1e-13);
         // Capped, it is less than the cap times the area and less than μ times the pressing part.

@@ -1,6 +1,7 @@
 //! Which histories can be followed, whatever the shape.
 
 use super::{Driven, Entry, Impact, Motion};
+use crate::physics::friction::StrengthCurve;
 use crate::physics::problem::Problem;
 
 /// What the other parts of the scene allow.
@@ -79,6 +80,20 @@ fn tangential(entry: &Entry, motion: Option<&Motion>, allowed: Allowed, at: &str
             ),
         )),
     }
+}
+
+/// Every `Slide` must go at a speed the table of the shear strength holds.
+#[must_use]
+pub fn sliding_speeds(history: &[Entry], curve: &StrengthCurve) -> Vec<Problem> {
+    let mut at = 0.0;
+    let mut wrong = |(index, entry): (usize, &Entry)| {
+        let Entry::Slide(slide) = entry else { return None };
+        let way = (slide.to.si() - at).abs();
+        at = slide.to.si();
+        let error = curve.at(way / slide.over.si()).err().filter(|_| way > 0.0)?;
+        Some(Problem::new(format!("history[{index}]"), error.to_string()))
+    };
+    history.iter().enumerate().filter_map(&mut wrong).collect()
 }
 
 /// A pull needs adhesion.

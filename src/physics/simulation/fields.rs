@@ -24,17 +24,26 @@ pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Opti
     if !contact.joined() {
         return None;
     }
-    let a = contact.state().contact_radius?;
-    let radii = radii(a, contact.reach());
+    let pressed = tangential.and_then(TangentialContact::pressed);
+    let (a, reach) = match &pressed {
+        Some(pressed) => (pressed.contact_radius, pressed.contact_radius),
+        None => (contact.state().contact_radius?, contact.reach()),
+    };
+    let radii = radii(a, reach);
     let shear = tangential.map_or_else(|| vec![None; radii.len()], |part| part.stress(contact, &radii));
-    let row = |(radius, shear): (f64, Option<f64>)| FieldRow {
-        radius,
-        pressure: contact.pressure(radius),
-        displacement: contact.surface(radius),
-        shear,
+    let row = |(radius, shear): (f64, Option<f64>)| {
+        let (pressure, displacement) = match &pressed {
+            Some(pressed) => (pressed.pressure_at(radius), Some(pressed.surface_at(radius))),
+            None => (contact.pressure(radius), contact.surface(radius)),
+        };
+        FieldRow { radius, pressure, displacement, shear }
     };
     let rows = radii.into_iter().zip(shear).map(row).collect();
-    Some(Field { label, time, contact_radius: a, stress_intensity: contact.stress_intensity(), rows })
+    let stress_intensity = match &pressed {
+        Some(pressed) => pressed.stress_intensity(),
+        None => contact.stress_intensity(),
+    };
+    Some(Field { label, time, contact_radius: a, stress_intensity, rows })
 }
 
 #[expect(clippy::cast_precision_loss, reason = "few radii")]

@@ -167,6 +167,8 @@ struct Run<'p> {
     tangential: Option<Box<dyn TangentialContact + 'p>>,
     control: Control,
     slide: f64,
+    /// Sliding speed of the present stage [m/s].
+    speed: f64,
     time: f64,
     entry: usize,
     records: Vec<Record>,
@@ -182,6 +184,7 @@ fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run
         tangential: contact.tangential,
         control: Control::Indentation,
         slide: 0.0,
+        speed: 0.0,
         time: 0.0,
         entry: 0,
         records: Vec::new(),
@@ -206,6 +209,7 @@ impl Run<'_> {
         self.control = stage.control.unwrap_or(self.control);
         let (from, slide, start) = (self.prescribed(), self.slide, self.time);
         let (normal, over) = self.resolved(stage)?;
+        self.speed = if let Path::To(to) = stage.tangential { (to - slide).abs() / over } else { 0.0 };
         for part in stage.parts() {
             let aim = Aim {
                 prescribed: normal.at(from, (part, over)),
@@ -250,6 +254,9 @@ impl Run<'_> {
         let (from, since) = (self.prescribed(), self.time);
         let (value, over) = (to.prescribed, to.time - since);
         let was_joined = self.contact.joined();
+        if (value - from).abs() > 0.0 {
+            self.tangential.iter_mut().for_each(|tangential| tangential.let_go());
+        }
         for event in self.contact.advance(self.control, value, over)? {
             let part =
                 if (value - from).abs() > 0.0 { ((event.at - from) / (value - from)).clamp(0.0, 1.0) } else { 0.0 };
@@ -263,17 +270,21 @@ impl Run<'_> {
                 self.entry, to.time
             ));
         }
-        self.shear(from, to, over)?;
+        self.shear(from, to)?;
         self.push(self.contact.state(), to.time);
         Ok(())
     }
 
-    /// The tangential part of a step.
-    fn shear(&mut self, from: f64, to: Aim, over: f64) -> Result<(), ContactError> {
+    /// The tangential part of a step; where it begins suddenly, that is a record too.
+    fn shear(&mut self, from: f64, to: Aim) -> Result<(), ContactError> {
         let slide = (std::mem::replace(&mut self.slide, to.slide), to.slide);
         let Some(tangential) = &mut self.tangential else { return Ok(()) };
-        let contact = self.contact.as_ref();
-        tangential.advance(&Step { contact, control: self.control, prescribed: (from, to.prescribed), slide, over })
+        let prescribed = (from, to.prescribed);
+        let step = Step { contact: self.contact.as_ref(), control: self.control, prescribed, slide, speed: self.speed };
+        let Some(onset) = tangential.advance(&step)? else { return Ok(()) };
+        let normal = tangential.normal(self.contact.state());
+        self.records.push(Record { entry: self.entry, time: self.time, normal, tangential: Some(onset) });
+        Ok(())
     }
 
     /// The instant in which a retracted contact parts: a hair below the last stable depth.
@@ -288,6 +299,7 @@ impl Run<'_> {
 
     fn push(&mut self, normal: Normal, time: f64) {
         let tangential = self.tangential.as_ref().map(|tangential| tangential.state());
+        let normal = self.tangential.as_ref().map_or(normal, |tangential| tangential.normal(normal));
         let record = Record { entry: self.entry, time, normal, tangential };
         if self.records.last() != Some(&record) {
             self.records.push(record);

@@ -1,5 +1,8 @@
 //! Named results of a run.
 
+use super::shear;
+use crate::physics::friction::Friction;
+use crate::physics::friction::peeling::Shear;
 use crate::physics::history::Entry;
 use crate::physics::record::{Field, Record, Tangential, Value};
 use crate::physics::setup::Setup;
@@ -56,7 +59,41 @@ fn rubbing(setup: &Setup, records: &[Record]) -> Vec<(&'static str, Value)> {
         ("final_stored_tangential_j", last.stored),
     ];
     results.extend(per_cycle(setup, records).map(|lost| ("dissipated_per_cycle_j", lost)));
-    results.into_iter().map(|(name, value)| (name, Value::Number(value))).collect()
+    results.extend(coefficient(setup, records).map(|ratio| ("friction_coefficient", ratio)));
+    let numbers = results.into_iter().map(|(name, value)| (name, Value::Number(value)));
+    numbers.chain(peeled(setup, records)).collect()
+}
+
+/// F_x/F of the last slide under a law of gross sliding.
+fn coefficient(setup: &Setup, records: &[Record]) -> Option<f64> {
+    if matches!(setup.scene.friction, None | Some(Friction::Coulomb(_))) {
+        return None;
+    }
+    let slides = |record: &Record| {
+        let rubs = record.tangential.filter(|state| state.stick_radius <= 0.0 && state.force.abs() > 0.0)?;
+        (record.normal.force > 0.0).then_some(rubs.force.abs() / record.normal.force)
+    };
+    records.iter().rev().find_map(slides)
+}
+
+/// What sliding does to an adhesive contact: A/A_JKR at the last slide and at its least, what is left
+/// without adhesion, and the tangential force at which the edge would jump under that force.
+fn peeled(setup: &Setup, records: &[Record]) -> Vec<(&'static str, Value)> {
+    let ratio = |record: &Record| record.tangential.and_then(|state| state.area_ratio);
+    let last = records.iter().rev().find_map(ratio);
+    let sheared = records.iter().filter(|record| ratio(record).is_some());
+    let least = sheared.min_by(|x, y| ratio(x).unwrap_or(1.0).total_cmp(&ratio(y).unwrap_or(1.0)));
+    let (Some(contact), Some(last), Some(least)) = (shear::sheared(setup), last, least) else { return Vec::new() };
+    let (force, radius) = (least.normal.force, least.normal.contact_radius.unwrap_or(0.0));
+    let mut results = vec![("area_ratio", last), ("least_area_ratio", ratio(least).unwrap_or(last))];
+    let rest = contact.under(force, Shear::Force(0.0)).map(|state| state.contact_radius);
+    if let (Ok(plain), Ok(rest)) = (contact.plain_radius(force), rest) {
+        results.push(("hertz_area_ratio", (plain / rest).powi(2)));
+    }
+    let critical = contact.critical(force);
+    results.extend(critical.iter().map(|state| ("critical_tangential_force_n", state.tangential_force)));
+    let peels = critical.map(|state| ("peels", Value::Answer(radius <= state.contact_radius)));
+    results.into_iter().map(|(name, value)| (name, Value::Number(value))).chain(peels).collect()
 }
 
 /// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.

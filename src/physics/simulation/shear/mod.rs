@@ -1,14 +1,21 @@
 //! The tangential part of a run: what slides, sticks and rubs while the normal contact moves.
 
+mod peeling;
+mod sliding;
 mod springs;
 mod sticking;
+
+pub use peeling::sheared;
 
 use super::SimulationError;
 use super::contact::{ContactError, NormalContact};
 use crate::physics::adhesion::equilibrium::Control;
+use crate::physics::friction::sliding::Pressed;
 use crate::physics::friction::{Coulomb, Friction, Grip, Position, chords};
-use crate::physics::record::Tangential;
+use crate::physics::record::{Normal, Tangential};
 use crate::physics::setup::Setup;
+use peeling::Peeling;
+use sliding::{Interface, Sliding};
 use std::num::NonZeroUsize;
 
 /// A step of the history, seen after the normal contact has taken it.
@@ -21,23 +28,36 @@ pub struct Step<'c> {
     pub prescribed: (f64, f64),
     /// Tangential displacements at the beginning and the end [m], linear in time too.
     pub slide: (f64, f64),
-    /// Duration [s].
-    pub over: f64,
+    /// Sliding speed [m/s].
+    pub speed: f64,
 }
 
 /// A tangential contact on top of a normal one.
 pub trait TangentialContact {
-    /// Follows a step.
+    /// Follows a step; returns the state at its beginning if that has changed suddenly.
     ///
     /// # Errors
     /// There is no state of the contact at its end.
-    fn advance(&mut self, step: &Step<'_>) -> Result<(), ContactError>;
+    fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError>;
+
+    /// Told before the normal contact moves.
+    fn let_go(&mut self) {}
 
     /// Present state.
     fn state(&self) -> Tangential;
 
     /// Shear stress τ [Pa] at the radii `radii` [m]; `None` where it is singular or not known.
     fn stress(&self, contact: &dyn NormalContact, radii: &[f64]) -> Vec<Option<f64>>;
+
+    /// The state of the normal contact under shear, from the one without.
+    fn normal(&self, normal: Normal) -> Normal {
+        normal
+    }
+
+    /// The normal contact under shear, where that changes its pressure.
+    fn pressed(&self) -> Option<Pressed<'_>> {
+        None
+    }
 
     /// The straight steps taken so far, if they were kept.
     fn path(&self) -> &[Position] {
@@ -57,7 +77,12 @@ pub fn of<'p>(
     springs: Option<(NonZeroUsize, f64)>,
     kept: Option<Vec<Position>>,
 ) -> Result<Option<Box<dyn TangentialContact + 'p>>, SimulationError> {
-    let Some(Friction::Coulomb(law)) = &setup.scene.friction else { return Ok(None) };
+    let law = match (&setup.scene.friction, sheared(setup)) {
+        (None, _) => return Ok(None),
+        (Some(Friction::Coulomb(law)), _) => law,
+        (Some(friction), Some(contact)) => return Ok(Some(Box::new(Peeling::new(contact, setup, friction)))),
+        (Some(friction), None) => return Ok(Some(Box::new(Sliding::new(Interface::new(setup, friction))))),
+    };
     let (profile, grip) = (setup.profile.as_ref(), grip(setup, law));
     let accuracy = setup.accuracy().clamp(1e-12, 1e-2);
     Ok(Some(match springs {

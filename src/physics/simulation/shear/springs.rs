@@ -50,14 +50,14 @@ impl Springs {
 }
 
 impl TangentialContact for Springs {
-    fn advance(&mut self, step: &Step<'_>) -> Result<(), ContactError> {
+    fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError> {
         let path = step.positions(self.at, self.accuracy);
         for &to in &path {
             self.map.advance(to);
         }
         self.force = self.bed.advance(&path).last().copied().unwrap_or(self.force);
         self.at = path.last().copied().unwrap_or(self.at);
-        Ok(())
+        Ok(None)
     }
 
     #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]

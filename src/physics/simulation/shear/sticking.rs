@@ -23,12 +23,12 @@ impl<'p> Sticking<'p> {
 }
 
 impl TangentialContact for Sticking<'_> {
-    fn advance(&mut self, step: &Step<'_>) -> Result<(), ContactError> {
+    fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError> {
         for to in step.positions(self.memory.position(), self.accuracy) {
             self.memory.advance(to)?;
             self.kept.iter_mut().for_each(|path| path.push(to));
         }
-        Ok(())
+        Ok(None)
     }
 
     fn state(&self) -> Tangential {
