@@ -2,6 +2,7 @@
 
 mod adhesive;
 mod elastic;
+mod friction;
 mod shapes;
 
 use super::case::{Case, Verdict};
@@ -10,7 +11,7 @@ use rayon::prelude::*;
 /// Every case.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    [elastic::CASES, shapes::CASES, adhesive::CASES].concat()
+    [elastic::CASES, shapes::CASES, adhesive::CASES, friction::CASES].concat()
 }
 
 /// The cases whose name contains `filter`, in upper or lower case.
