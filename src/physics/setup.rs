@@ -63,7 +63,7 @@ impl Scene {
         if let Some((pair, relaxation)) = &pair {
             problems.extend(self.adhesion.iter().flat_map(|adhesion| adhesion.problems(relaxation.as_ref())));
             let (adhesion, relaxed) = (self.adhesion.as_ref(), relaxation.as_ref());
-            problems.extend(self.friction.iter().flat_map(|friction| friction.problems(adhesion, relaxed)));
+            problems.extend(self.rubbing().iter().flat_map(|friction| friction.problems(adhesion, relaxed)));
             if let Some(profile) = &profile {
                 let direct = (self.adhesion.is_none() && relaxation.is_none()).then_some(pair.normal);
                 let bounds = self.bounds(profile.as_ref());
@@ -76,6 +76,11 @@ impl Scene {
             }
             _ => Err(problems),
         }
+    }
+
+    /// The friction, unless the history is an impact, which has its own rules.
+    fn rubbing(&self) -> Option<&Friction> {
+        self.friction.as_ref().filter(|_| !self.history.iter().any(|entry| matches!(entry, Entry::Impact(_))))
     }
 
     fn allowed(&self) -> Allowed {
