@@ -3,6 +3,7 @@
 pub mod place;
 pub mod fault;
 pub mod scene_file;
+mod matrix_file;
 pub mod table_file;
 pub mod write;
 pub mod console;

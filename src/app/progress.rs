@@ -2,14 +2,14 @@
 
 use super::console::Console;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::cell::Cell;
 use std::io::{self, IsTerminal};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 /// Steps of the bar.
 const STEPS: u64 = 1000;
-/// Share of the work between two plain lines.
-const SHARE: f64 = 0.05;
+/// Steps between two plain lines.
+const BETWEEN: u64 = STEPS / 20;
 /// Work shorter than this is not worth a line.
 const PATIENCE: Duration = Duration::from_secs(2);
 
@@ -19,7 +19,8 @@ pub struct Progress<'c> {
     what: String,
     bar: Option<ProgressBar>,
     began: Instant,
-    said: Cell<f64>,
+    /// Step at which the last plain line was printed.
+    said: AtomicU64,
 }
 
 impl<'c> Progress<'c> {
@@ -28,19 +29,22 @@ impl<'c> Progress<'c> {
     pub fn of(what: impl Into<String>, console: &'c Console) -> Self {
         let what = what.into();
         let bar = (console.talks() && io::stderr().is_terminal()).then(|| bar(&what));
-        Self { console, what, bar, began: Instant::now(), said: Cell::new(0.0) }
+        Self { console, what, bar, began: Instant::now(), said: AtomicU64::new(0) }
     }
 
-    /// Tells that a share of the work is behind.
+    /// Tells that a share of the work is behind; from any thread.
     pub fn done(&self, share: f64) {
-        match &self.bar {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a thousand")]
-            Some(bar) => bar.set_position((share.clamp(0.0, 1.0) * STEPS as f64) as u64),
-            None if share >= self.said.get() + SHARE && self.began.elapsed() > PATIENCE => {
-                self.said.set(share);
-                self.console.message(&format!("  {}: {:.0} %", self.what, 100.0 * share));
-            }
-            None => {}
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a share of a thousand")]
+        let step = (share.clamp(0.0, 1.0) * STEPS as f64) as u64;
+        if let Some(bar) = &self.bar {
+            bar.set_position(step);
+            return;
+        }
+        let said = self.said.load(Ordering::Relaxed);
+        let due = step >= said + BETWEEN && self.began.elapsed() > PATIENCE;
+        // Of several threads one prints the line.
+        if due && self.said.compare_exchange(said, step, Ordering::Relaxed, Ordering::Relaxed).is_ok() {
+            self.console.message(&format!("  {}: {:.0} %", self.what, 100.0 * share));
         }
     }
 }

@@ -45,6 +45,14 @@ pub enum RunError {
 /// # Errors
 /// The computation failed.
 pub fn compute(setup: &Setup, formats: &[Format]) -> Result<Outcome, RunError> {
+    compute_watched(setup, formats, &|_| ())
+}
+
+/// Computes a scene; `done` is told the share of the work that is behind, from any thread, where it is long.
+///
+/// # Errors
+/// The computation failed.
+pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, RunError> {
     let plotted = |plot| setup.scene.plots.as_ref().is_some_and(|plots| plots.contains(&plot));
     let figure = formats.contains(&Format::Svg);
     let wanted = Wanted {
@@ -54,7 +62,7 @@ pub fn compute(setup: &Setup, formats: &[Format]) -> Result<Outcome, RunError> {
         stresses: figure && plotted(crate::physics::scene::Plot::Stress),
         fretting: false,
     };
-    let mut outcome = simulation::run(setup, wanted)?;
+    let mut outcome = simulation::run_watched(setup, wanted, done)?;
     outcome.warnings.extend(validity::warnings(setup, &outcome));
     Ok(outcome)
 }
@@ -70,6 +78,9 @@ pub fn products(setup: &Setup, file: &str, outcome: &Outcome, formats: &[Format]
         if !outcome.fields.is_empty() {
             products.push(Product { ending: ".pressure.csv", content: export::pressure_table(outcome)? });
         }
+    }
+    if let Some(ensemble) = outcome.ensemble.as_ref().filter(|_| formats.contains(&Format::Csv)) {
+        products.push(Product { ending: ".ensemble.csv", content: export::ensemble_table(ensemble)? });
     }
     if formats.contains(&Format::Json) {
         products.push(Product { ending: ".json", content: export::json(&setup.scene, file, outcome)? });

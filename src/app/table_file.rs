@@ -1,8 +1,10 @@
 //! Tables: CSV files with a header, next to the scene.
 
+use super::matrix_file;
 use super::scene_file::read_text;
 use crate::physics::table::{Columns, TableError, Tables};
 use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
+use ndarray::Array2;
 use std::path::{Path, PathBuf};
 
 /// Largest table: a few million rows.
@@ -44,6 +46,10 @@ impl Tables for TableFiles {
         let table = self.open(path)?;
         let order = table.order(names)?;
         table.values(names, &order)
+    }
+
+    fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError> {
+        matrix_file::read(&self.folder.join(path), path)
     }
 }
 

@@ -1,12 +1,14 @@
 //! Where a computed contact leaves the assumptions of the half-space, with numbers.
 
 use super::elliptic;
+use super::theory::{SmallSlope, slope_verdict};
 use crate::physics::adhesion::Adhesion;
 use crate::physics::material::Body;
 use crate::physics::record::{Normal, Outcome};
 use crate::physics::setup::Setup;
 use crate::physics::shape::{Profile, Shape, Sphere};
 use crate::physics::stress::Loading;
+use crate::physics::surface::Surface;
 use std::f64::consts::PI;
 
 /// Slope of the indenter at the edge beyond which the half-space is doubtful; the error grows with
@@ -20,12 +22,23 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 /// The physics a user must know about an outcome.
 #[must_use]
 pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
+    if let Some(surface) = &setup.surface {
+        return rough(surface);
+    }
     let states = outcome.records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
     let Some((a, largest)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
     let profile = setup.profile.as_ref();
     let found =
         [steep(profile, a), not_a_ball(setup, a), two_radii(setup), connected(setup, a), tabor(setup), coupled(setup)];
     found.into_iter().flatten().chain(first_yield(setup, (a, &largest))).collect()
+}
+
+/// Slopes beyond the linear theory, with numbers.
+fn rough(surface: &Surface) -> Vec<String> {
+    match slope_verdict(surface.roughness().rms_slope) {
+        SmallSlope::Valid => Vec::new(),
+        steep => vec![steep.to_string()],
+    }
 }
 
 fn steep(profile: &dyn Profile, a: f64) -> Option<String> {

@@ -20,6 +20,7 @@ pub mod friction;
 pub mod history;
 pub mod reach;
 pub mod scene;
+pub mod surface;
 pub mod setup;
 pub mod record;
 pub mod stress;

@@ -4,6 +4,7 @@ use super::adhesion::Adhesion;
 use super::quasistatic::QuasiStatic;
 use super::record::Plan;
 use super::setup::Setup;
+use super::surface::Surface;
 
 /// The plan of a scene.
 #[must_use]
@@ -22,4 +23,27 @@ pub fn of(setup: &Setup) -> Plan {
         Some(count) => ("springs", format!("`springs: {count}` asks for the classical bed")),
     };
     Plan { solver, reason, used, left_out, springs, state_bytes: size_of::<QuasiStatic<'_>>() + 16 * springs }
+}
+
+/// The plan of a scene with a rough shape.
+#[must_use]
+pub fn of_rough(setup: &Setup, surface: &Surface) -> Plan {
+    let members = surface.seeds.len();
+    let mut used = vec!["equivalent rough line", "springs sorted by height"];
+    let mut left_out = vec!["real contact area"];
+    let mut part = |name, wanted: bool| if wanted { used.push(name) } else { left_out.push(name) };
+    part("one-dimensional profile g(x)", setup.profile.flat_radius() <= 0.0);
+    part("ensemble", members > 1);
+    Plan {
+        solver: "rough bed",
+        reason: format!(
+            "approximate: a line with the spectrum of the surface stands for it, {} springs that touch one by one",
+            surface.points
+        ),
+        used,
+        left_out,
+        springs: surface.points,
+        // Gaps, forces and energies of the members that run at a time are no more than those of all.
+        state_bytes: 24 * surface.points,
+    }
 }

@@ -1,6 +1,7 @@
 //! What a simulation gives back: records, fields, named results. No clock, no path, no thread count.
 
 use super::adhesion::line::Energy;
+use super::rough::Scatter;
 use serde::Serialize;
 
 /// State of the contact at one time.
@@ -148,6 +149,30 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// What was used.
     pub plan: Plan,
+    /// Scatter over the members of an ensemble; the records are their means.
+    pub ensemble: Option<Ensemble>,
+}
+
+/// Mean and scatter over many random surfaces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ensemble {
+    /// Number of members.
+    pub members: usize,
+    /// One row per record.
+    pub rows: Vec<EnsembleRow>,
+}
+
+/// One record of an [`Ensemble`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnsembleRow {
+    /// Mean time [s].
+    pub time: f64,
+    /// Indentation d [m].
+    pub indentation: Scatter,
+    /// Normal force F [N].
+    pub force: Scatter,
+    /// Stiffness dF/dd [N/m].
+    pub stiffness: Scatter,
 }
 
 impl Outcome {

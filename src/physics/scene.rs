@@ -87,6 +87,9 @@ impl Scene {
         let impact =
             self.history.iter().find_map(|entry| if let Entry::Impact(impact) = entry { Some(impact) } else { None });
         match plot {
+            Plot::Radius | Plot::Pressure | Plot::Stress if self.shape.is_rough() => {
+                Some("a rough bed does not know its contact area: expected Force, Energy or Shape")
+            }
             Plot::Moduli if !(relaxes(&self.bodies.0) || relaxes(&self.bodies.1)) => {
                 Some("expected a Viscoelastic body")
             }

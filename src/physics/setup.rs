@@ -6,9 +6,11 @@ use super::history::rules::{self, Allowed};
 use super::history::{Entry, Motion};
 use super::material::{self, Pair, Relaxation};
 use super::problem::Problem;
+use super::quantity::Length;
 use super::reach::{self, Bound};
 use super::scene::Scene;
-use super::shape::Profile;
+use super::shape::{FlatPunch, Profile, Shape};
+use super::surface::{self, Surface};
 use super::table::Tables;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -22,6 +24,8 @@ pub struct Setup {
     pub scene: Scene,
     /// Profile of the indenter.
     pub profile: Arc<dyn Profile>,
+    /// Roughness on the profile, if the shape has one.
+    pub surface: Option<Surface>,
     /// Effective moduli; instantaneous ones of a viscoelastic pair.
     pub pair: Pair,
     /// E*(t) if one of the bodies is viscoelastic.
@@ -55,8 +59,9 @@ impl Scene {
         let mut problems = self.problems();
         let motions = motions(&self.history, tables, &mut problems);
         let pair = material::pair(&self.bodies, tables).map_err(|found| problems.extend(found)).ok();
-        let profile =
-            self.shape.profile(tables).map_err(|error| problems.push(Problem::new("shape", error.to_string()))).ok();
+        let surface = surface::of(&self, tables).map_err(|found| problems.extend(found)).ok();
+        let profile = self.profile(surface.as_ref().and_then(Option::as_ref), tables);
+        let profile = profile.map_err(|found| problems.extend(found)).ok();
         let strength = strength(self.friction.as_ref(), tables, &mut problems);
         problems.extend(strength.iter().flat_map(|curve| rules::sliding_speeds(&self.history, curve)));
         problems.extend(rules::problems(&self.history, &motions, self.allowed()));
@@ -70,9 +75,9 @@ impl Scene {
                 problems.extend(reach::problems(&bounds, direct, (&self.history, &motions)));
             }
         }
-        match pair.zip(profile) {
-            Some(((pair, relaxation), profile)) if problems.is_empty() => {
-                Ok(Setup { scene: self, profile, pair, relaxation, strength, motions })
+        match (pair, profile, surface) {
+            (Some((pair, relaxation)), Some(profile), Some(surface)) if problems.is_empty() => {
+                Ok(Setup { scene: self, profile, surface, pair, relaxation, strength, motions })
             }
             _ => Err(problems),
         }
@@ -81,6 +86,18 @@ impl Scene {
     /// The friction, unless the history is an impact, which has its own rules.
     fn rubbing(&self) -> Option<&Friction> {
         self.friction.as_ref().filter(|_| !self.history.iter().any(|entry| matches!(entry, Entry::Impact(_))))
+    }
+
+    /// The smooth profile: that of the shape, or a flat as wide as a height map.
+    fn profile(&self, surface: Option<&Surface>, tables: &dyn Tables) -> Result<Arc<dyn Profile>, Option<Problem>> {
+        let problem = |what: String| Some(Problem::new("shape", what));
+        let Shape::HeightMap(..) = &self.shape else {
+            return self.shape.profile(tables).map_err(|error| problem(error.to_string()));
+        };
+        // A map that cannot be read has been refused already.
+        let side = surface.ok_or(None)?.length();
+        let punch = Length::new(side).and_then(FlatPunch::of_width);
+        punch.map(|punch| Arc::new(punch) as Arc<dyn Profile>).map_err(|error| problem(error.to_string()))
     }
 
     fn allowed(&self) -> Allowed {

@@ -4,6 +4,7 @@
 //! [`Tables`]. What a table must hold (rising radii, rising times) is checked where it is used, and
 //! the error carries the row of the file so that a person finds it in their editor.
 
+use ndarray::Array2;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -53,6 +54,12 @@ pub trait Tables {
     /// # Errors
     /// The table cannot be read, has no such column, or holds something that is not a finite number.
     fn columns(&self, path: &Path, names: &[&str]) -> Result<Columns, TableError>;
+
+    /// The matrix of numbers at `path`, such as a height map.
+    ///
+    /// # Errors
+    /// The matrix cannot be read, is empty or ragged, or holds something that is not a finite number.
+    fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError>;
 }
 
 /// Tables held in memory, for callers of the library that have their columns at hand.
@@ -61,6 +68,7 @@ pub trait Tables {
 #[derive(Debug, Clone, Default)]
 pub struct InMemory {
     tables: BTreeMap<PathBuf, Vec<(String, Vec<f64>)>>,
+    matrices: BTreeMap<PathBuf, Array2<f64>>,
 }
 
 impl InMemory {
@@ -69,6 +77,13 @@ impl InMemory {
     pub fn with(mut self, path: impl Into<PathBuf>, columns: &[(&str, &[f64])]) -> Self {
         let owned = columns.iter().map(|&(name, values)| (name.to_owned(), values.to_vec())).collect();
         self.tables.insert(path.into(), owned);
+        self
+    }
+
+    /// The same tables and a matrix.
+    #[must_use]
+    pub fn with_heights(mut self, path: impl Into<PathBuf>, heights: Array2<f64>) -> Self {
+        self.matrices.insert(path.into(), heights);
         self
     }
 
@@ -98,6 +113,10 @@ impl Tables for InMemory {
             }
         }
         Ok(Columns { values, rows: (2..length + 2).collect() })
+    }
+
+    fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError> {
+        self.matrices.get(path).cloned().ok_or_else(|| TableError::whole(path, "there is no such table"))
     }
 }
 

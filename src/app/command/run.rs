@@ -4,7 +4,8 @@ use super::Common;
 use super::check::load;
 use crate::app::console::{Console, Failure};
 use crate::app::export;
-use crate::app::run::{Product, compute, products};
+use crate::app::progress::Progress;
+use crate::app::run::{Product, compute_watched, products};
 use crate::app::scene_file::SceneFile;
 use crate::app::write::write_all;
 use rayon::prelude::*;
@@ -26,10 +27,7 @@ struct Done {
 pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), Failure> {
     let scenes = load(paths)?;
     no_clash(&scenes)?;
-    let progress = console.progress(scenes.len(), "scenes");
-    let done: Vec<Result<Done, String>> =
-        scenes.par_iter().map(|scene| done(scene, common)).inspect(|_| progress.inc(1)).collect();
-    progress.finish_and_clear();
+    let done = all_done(&scenes, common, console);
     let mut failed = Vec::new();
     let mut jsons = Vec::new();
     for (scene, done) in scenes.iter().zip(done) {
@@ -43,6 +41,18 @@ pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), 
         console.result(&text)?;
     }
     if failed.is_empty() { Ok(()) } else { Err(Failure::Failed(failed.join("\n"))) }
+}
+
+/// The scenes in parallel under one bar; a scene alone under a bar of its own, as that of an ensemble.
+fn all_done(scenes: &[SceneFile], common: &Common, console: &Console) -> Vec<Result<Done, String>> {
+    if let [scene] = scenes {
+        let progress = Progress::of("computing", console);
+        return vec![done(scene, common, &|share| progress.done(share))];
+    }
+    let progress = console.progress(scenes.len(), "scenes");
+    let done = scenes.par_iter().map(|scene| done(scene, common, &|_| ())).inspect(|_| progress.inc(1)).collect();
+    progress.finish_and_clear();
+    done
 }
 
 /// Two scenes of one name would write the same files.
@@ -60,10 +70,10 @@ fn no_clash(scenes: &[SceneFile]) -> Result<(), Failure> {
     Ok(())
 }
 
-fn done(scene: &SceneFile, common: &Common) -> Result<Done, String> {
+fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Result<Done, String> {
     let setup = &scene.setup;
     let file = scene.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let outcome = compute(setup, &common.format).map_err(|error| error.to_string())?;
+    let outcome = compute_watched(setup, &common.format, watch).map_err(|error| error.to_string())?;
     let products = products(setup, &file, &outcome, &common.format).map_err(|error| error.to_string())?;
     let json = if common.json { export::json(&setup.scene, &file, &outcome) } else { Ok(String::new()) };
     Ok(Done {

@@ -4,9 +4,10 @@ use crate::physics::record::{Outcome, Value};
 use std::fmt::Write;
 
 /// Unit endings of result names, the symbol, and whether an SI prefix is used with it.
-const UNITS: [(&str, &str, bool); 10] = [
+const UNITS: [(&str, &str, bool); 11] = [
     ("_pa_sqrt_m", "Pa √m", true),
     ("_n_per_m", "N/m", true),
+    ("_per_m", "1/m", false),
     ("_m_per_s", "m/s", true),
     ("_rad_per_s", "rad/s", false),
     ("_rad", "rad", false),

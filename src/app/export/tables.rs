@@ -1,6 +1,6 @@
 //! CSV tables of records and fields.
 
-use crate::physics::record::{Outcome, Record};
+use crate::physics::record::{Ensemble, Outcome, Record};
 
 /// The records, one row each; columns of a part appear only if the scene has it.
 ///
@@ -41,6 +41,23 @@ fn cells(record: &Record, sheared: bool) -> Vec<Option<f64>> {
         row.extend([part(|t| t.slide), part(|t| t.force), part(|t| t.stick_radius), part(|t| t.dissipated)]);
     }
     row
+}
+
+/// Mean and scatter over an ensemble, one row per record.
+///
+/// # Errors
+/// The table cannot be put together (never for an ensemble of a simulation).
+pub fn ensemble_table(ensemble: &Ensemble) -> Result<String, csv::Error> {
+    let mut header = vec!["time_s".to_owned()];
+    for (name, unit) in [("indentation", "m"), ("force", "n"), ("stiffness", "n_per_m")] {
+        header.extend(["mean", "deviation", "least", "greatest"].map(|which| format!("{name}_{which}_{unit}")));
+    }
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let rows = ensemble.rows.iter().map(|row| {
+        let columns = [row.indentation, row.force, row.stiffness].map(|s| [s.mean, s.deviation, s.range.0, s.range.1]);
+        std::iter::once(row.time).chain(columns.concat()).map(Some).collect()
+    });
+    table(&header, rows)
 }
 
 /// Pressure and surface profiles, one block of rows per field, named in the first column; with the

@@ -19,7 +19,11 @@ pub fn read_text(path: &Path, largest: u64) -> Result<String, Fault> {
     Ok(text)
 }
 
-fn read_bytes(path: &Path, largest: u64) -> Result<Vec<u8>, Fault> {
+/// The bytes of the file at `path`, if it has at most `largest`.
+///
+/// # Errors
+/// The file is missing, a directory or too large.
+pub fn read_bytes(path: &Path, largest: u64) -> Result<Vec<u8>, Fault> {
     let fault = |error: io::Error| Fault::whole(path, unreadable(&error));
     let metadata = std::fs::metadata(path).map_err(fault)?;
     if metadata.is_dir() {

@@ -4,7 +4,7 @@ mod bytes;
 mod names;
 mod parse;
 
-pub use bytes::read_text;
+pub use bytes::{read_bytes, read_text};
 pub use names::{advice, nearest};
 
 use super::fault::Fault;

@@ -32,6 +32,9 @@ starters!(
     "restitution",
     "oblique",
     "history",
+    "rough",
+    "ensemble",
+    "height-map",
 );
 
 impl Starter {

@@ -111,6 +111,9 @@ pub enum ComparisonError {
     /// The bodies never press on each other.
     #[error("there is nothing to compare: the bodies never press on each other in this scene")]
     NoContact,
+    /// Rough shapes.
+    #[error("rough shapes cannot be compared yet")]
+    Rough,
 }
 
 /// What a method gave.
@@ -130,6 +133,9 @@ struct Measured {
 /// # Errors
 /// The scene cannot be run, or the bodies never press on each other.
 pub fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
+    if setup.surface.is_some() {
+        return Err(ComparisonError::Rough);
+    }
     let mut setup = setup.clone();
     setup.scene.springs = None;
     let outcome = simulation::run(&setup, Wanted::NOTHING)?;

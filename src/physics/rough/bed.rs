@@ -55,13 +55,14 @@ impl RoughBed {
     /// The bed of a rough line of a number of points on the one-dimensional profile of a macroscopic shape.
     ///
     /// `base` is g(x) [m] for x ≥ 0 [m], zero for a nominally flat surface; the gaps are g(|x|) + z(x) over springs of stiffness E*Δx.
-    /// Indentation counts from the apex of the base on the mean line of the roughness.
+    /// No spring stands where the base is infinite, beyond the edge of a punch. Indentation counts from the apex of the base on the mean line of the roughness.
     ///
     /// # Errors
     /// Fewer than two points on the shortest wave; a modulus [Pa] that is not positive; a base that is not finite.
     pub fn under(line: &RoughLine, points: usize, modulus: f64, base: impl Fn(f64) -> f64) -> Result<Self, RoughError> {
         let heights = line.heights(points)?;
-        let gaps: Vec<_> = line.places(points).iter().zip(&heights).map(|(x, z)| base(x.abs()) + z).collect();
+        let gaps = line.places(points).into_iter().zip(&heights).map(|(x, z)| base(x.abs()) + z);
+        let gaps: Vec<_> = gaps.filter(|gap| !gap.is_infinite()).collect();
         Self::new(&gaps, modulus * line.length() / number(points))
     }
 

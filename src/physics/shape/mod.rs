@@ -9,6 +9,7 @@ mod measured;
 mod paraboloid;
 mod power;
 mod punch;
+mod rough_line;
 mod rounded;
 mod sphere;
 mod truncated;
@@ -19,13 +20,14 @@ pub use measured::Measured;
 pub use paraboloid::Paraboloid;
 pub use power::{Cone, Power};
 pub use punch::FlatPunch;
+pub use rough_line::{RoughShape, Seeds};
 pub use rounded::{RoundedCone, RoundedPunch};
 pub use sphere::Sphere;
 pub use truncated::{TruncatedCone, TruncatedParaboloid};
 pub use wavy::WavyParaboloid;
 
 use super::quadrature;
-use super::quantity::QuantityError;
+use super::quantity::{Length, QuantityError};
 use super::root;
 use super::table::{TableError, Tables};
 use serde::{Deserialize, Serialize};
@@ -195,6 +197,10 @@ pub enum Shape {
     Ellipsoid(Ellipsoid),
     /// Measured profile: a table with the columns `radius_m` and `height_m`.
     Table(PathBuf),
+    /// Rough line, alone or on a smooth shape.
+    RoughLine(RoughShape),
+    /// Heights of a measured or generated surface, a plain matrix or `.npy` [m], and the size of a pixel.
+    HeightMap(PathBuf, Length),
 }
 
 /// Why a shape cannot be used.
@@ -206,6 +212,9 @@ pub enum ShapeError {
     /// A quantity derived from the shape's own is out of range.
     #[error("effective radius of the ellipsoid: {0}")]
     Quantity(#[from] QuantityError),
+    /// A height map is no profile over a radius.
+    #[error("a HeightMap has no profile over a radius")]
+    NoProfile,
 }
 
 impl Shape {
@@ -222,7 +231,13 @@ impl Shape {
         }
     }
 
-    /// The profile, ready for evaluation; tables are read now.
+    /// Whether the shape is rough: only approximately axisymmetric, if at all.
+    #[must_use]
+    pub fn is_rough(&self) -> bool {
+        matches!(self, Self::RoughLine(_) | Self::HeightMap(..))
+    }
+
+    /// The profile, ready for evaluation, that of the smooth shape under a roughness; tables are read now.
     ///
     /// # Errors
     /// A table cannot be read or is not a profile; the error names its row.
@@ -240,6 +255,11 @@ impl Shape {
             Self::WavyParaboloid(shape) => Arc::new(shape.clone()),
             Self::Ellipsoid(shape) => Arc::new(shape.effective()?),
             Self::Table(path) => Arc::new(Measured::read(path, tables)?),
+            Self::RoughLine(line) => match &line.base {
+                Some(base) => base.profile(tables)?,
+                None => Arc::new(FlatPunch::of_width(line.length)?),
+            },
+            Self::HeightMap(..) => return Err(ShapeError::NoProfile),
         })
     }
 }

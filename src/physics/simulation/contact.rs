@@ -17,6 +17,9 @@ pub enum ContactError {
     /// The viscoelastic bed ends.
     #[error(transparent)]
     Bed(#[from] BedError),
+    /// The contact grows out of a rough line.
+    #[error(transparent)]
+    Line(#[from] super::rough::LineTooShort),
     /// No state of the tangential contact.
     #[error(transparent)]
     Friction(#[from] FrictionError),

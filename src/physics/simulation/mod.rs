@@ -3,9 +3,11 @@
 mod contact;
 mod fields;
 mod results;
+mod rough;
 mod shear;
 
 pub use contact::{ContactError, Direct, Event, NormalContact, Springs};
+pub use rough::LineTooShort;
 pub use shear::TangentialContact;
 
 use super::adhesion::Adhesion;
@@ -67,6 +69,17 @@ struct Contact<'p> {
 /// # Errors
 /// The contact would leave its profile, or cannot be followed.
 pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
+    run_watched(setup, wanted, &|_| ())
+}
+
+/// Runs a scene; `done` is told the share of the work that is behind, from any thread, where it is long.
+///
+/// # Errors
+/// As for [`run`].
+pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
+    if let Some(surface) = &setup.surface {
+        return rough::run(setup, surface, done);
+    }
     let plan = plan::of(setup);
     let direct = direct(setup)?;
     let mut run = match setup.scene.springs {
@@ -92,6 +105,7 @@ pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
         error_estimate,
         warnings: std::mem::take(&mut run.notes),
         plan,
+        ensemble: None,
     })
 }
 

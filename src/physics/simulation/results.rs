@@ -4,8 +4,9 @@ use super::shear;
 use crate::physics::friction::Friction;
 use crate::physics::friction::peeling::Shear;
 use crate::physics::history::Entry;
-use crate::physics::record::{Field, Record, Tangential, Value};
+use crate::physics::record::{Ensemble, EnsembleRow, Field, Record, Tangential, Value};
 use crate::physics::setup::Setup;
+use crate::physics::surface::Surface;
 
 /// The results the scene has, in a fixed order.
 #[must_use]
@@ -42,6 +43,33 @@ pub fn named(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<(&'stat
         }
     }
     results.extend(rubbing(setup, records));
+    results
+}
+
+/// Results of a rough shape; of an ensemble, those of the means with their deviation.
+#[must_use]
+pub fn rough(surface: &Surface, records: &[Record], ensemble: Option<&Ensemble>) -> Vec<(&'static str, Value)> {
+    let largest = |of: fn(&Record) -> f64| Value::Number(records.iter().map(of).fold(f64::NEG_INFINITY, f64::max));
+    let roughness = surface.roughness();
+    let mut results = vec![
+        ("largest_force_n", largest(|record| record.normal.force)),
+        ("largest_indentation_m", largest(|record| record.normal.indentation.unwrap_or(f64::NEG_INFINITY))),
+        ("largest_stiffness_n_per_m", largest(|record| record.normal.stiffness)),
+        ("largest_stored_elastic_j", largest(|record| record.normal.stored.elastic)),
+        ("rms_height_m", Value::Number(roughness.rms_height)),
+        ("rms_slope", Value::Number(roughness.rms_slope)),
+        ("rms_curvature_per_m", Value::Number(roughness.rms_curvature)),
+    ];
+    if roughness.peak_to_valley.is_finite() {
+        results.push(("peak_to_valley_m", Value::Number(roughness.peak_to_valley)));
+    }
+    if let Some(ensemble) = ensemble {
+        let deviation = |of: fn(&EnsembleRow) -> f64| Value::Number(ensemble.rows.iter().map(of).fold(0.0, f64::max));
+        results.push(("members", Value::Count(ensemble.members)));
+        results.push(("largest_force_deviation_n", deviation(|row| row.force.deviation)));
+        results.push(("largest_indentation_deviation_m", deviation(|row| row.indentation.deviation)));
+        results.push(("largest_stiffness_deviation_n_per_m", deviation(|row| row.stiffness.deviation)));
+    }
     results
 }
 

@@ -3,6 +3,7 @@
 mod branches;
 mod comparison;
 mod fields;
+mod rough;
 mod shape;
 
 use crate::app::figure::{Axis, Figure, Guide, Panel, Series};
@@ -23,6 +24,9 @@ pub fn figures(setup: &Setup, outcome: &Outcome) -> Figure {
 
 /// What suits a scene that asks for nothing.
 fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
+    if setup.surface.is_some() {
+        return rough::SUITING.to_vec();
+    }
     let mut plots = vec![Plot::Force, Plot::Radius];
     if outcome.records.iter().any(|record| record.tangential.is_some()) {
         plots.push(Plot::Friction);
@@ -37,6 +41,9 @@ fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
 }
 
 fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
+    if let Some(surface) = &setup.surface {
+        return rough::panels(plot, (setup, surface), outcome);
+    }
     let records = &outcome.records;
     match plot {
         Plot::Force => force(setup, records),

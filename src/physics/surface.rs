@@ -1,0 +1,168 @@
+//! What lies on the smooth profile of a scene: roughness, made ready.
+
+use super::history::Entry;
+use super::material::Body;
+use super::problem::Problem;
+use super::rough::{Border, HeightMap, Rings, Roughness, SourceError, Spectrum};
+use super::scene::Scene;
+use super::shape::{Rim, RoughShape, Shape};
+use super::table::Tables;
+use std::sync::Arc;
+
+/// Most springs of a rough line: their state alone has a gigabyte.
+const MOST_POINTS: usize = 1 << 25;
+/// Most members of an ensemble.
+const MOST_MEMBERS: usize = 100_000;
+/// Springs per ring under a height map, and at least.
+const PER_RING: usize = 8;
+const LEAST_POINTS: usize = 1 << 14;
+
+/// A rough surface ready to be pressed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    /// Variance by rings of wavevectors.
+    pub rings: Rings,
+    /// Where the roughness comes from.
+    pub source: Source,
+    /// Springs of the equivalent line.
+    pub points: usize,
+    /// One seed per member of the ensemble.
+    pub seeds: Vec<u64>,
+}
+
+/// Where a roughness comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// A power spectrum.
+    Spectrum(Spectrum),
+    /// Measured or generated heights.
+    Map(Arc<HeightMap>),
+}
+
+impl Surface {
+    /// Side of the nominal area [m].
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.rings.length()
+    }
+
+    /// Root mean square height [m], slope and mean curvature [1/m].
+    #[must_use]
+    pub fn roughness(&self) -> Roughness {
+        match &self.source {
+            Source::Map(map) => map.roughness(Border::Cut),
+            Source::Spectrum(spectrum) => Roughness {
+                rms_height: spectrum.rms_height(),
+                rms_slope: spectrum.rms_slope(),
+                rms_curvature: spectrum.rms_curvature(),
+                peak_to_valley: f64::NAN,
+            },
+        }
+    }
+}
+
+/// The roughness of a scene, if its shape has one, or what is wrong with it.
+///
+/// # Errors
+/// Spectra that do not fit the line, tables that cannot be read, parts that cannot be computed on a rough shape.
+pub fn of(scene: &Scene, tables: &dyn Tables) -> Result<Option<Surface>, Vec<Problem>> {
+    let (name, made) = match &scene.shape {
+        Shape::RoughLine(line) => ("RoughLine", of_line(line, tables)),
+        Shape::HeightMap(path, pixel) => {
+            let map = tables.heights(path).map_err(|error| error.to_string());
+            let map = map.and_then(|heights| {
+                HeightMap::new(heights, (pixel.si(), pixel.si())).map_err(|e| format!("{}: {e}", path.display()))
+            });
+            ("HeightMap", map.map(of_map).map_err(|what| vec![Problem::new("shape", what)]))
+        }
+        _ => return Ok(None),
+    };
+    let mut problems = misfits(scene, name);
+    let surface = made.map_err(|found| problems.extend(found)).ok();
+    if problems.is_empty() { Ok(surface) } else { Err(problems) }
+}
+
+fn of_line(line: &RoughShape, tables: &dyn Tables) -> Result<Surface, Vec<Problem>> {
+    let mut problems = sizes(line);
+    problems.extend(beyond_base(line, tables));
+    let spectrum = line.spectrum.spectrum(tables);
+    let rings = spectrum.and_then(|spectrum| {
+        let rings = Rings::of(&spectrum, line.length.si(), line.points.get());
+        Ok((rings.map_err(SourceError::from)?, spectrum))
+    });
+    match rings {
+        Ok((rings, spectrum)) if problems.is_empty() => {
+            let source = Source::Spectrum(spectrum);
+            Ok(Surface { rings, source, points: line.points.get(), seeds: line.seeds() })
+        }
+        Ok(_) => Err(problems),
+        Err(error) => {
+            problems.push(Problem::new("shape.spectrum", error.to_string()));
+            Err(problems)
+        }
+    }
+}
+
+/// Numbers of springs and members that are too large.
+fn sizes(line: &RoughShape) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    let mut too_many = |field: &str, count: usize, most: usize| {
+        if count > most {
+            problems.push(Problem::new(field, format!("{count} is too many: expected at most {most}")));
+        }
+    };
+    too_many("shape.points", line.points.get(), MOST_POINTS);
+    too_many("shape.seeds", line.seeds.map_or(0, std::num::NonZeroUsize::get), MOST_MEMBERS);
+    too_many("shape.seed", line.seed.as_ref().map_or(0, |seeds| seeds.0.len()), MOST_MEMBERS);
+    if line.seed.is_some() && line.seeds.is_some() {
+        problems.push(Problem::new("shape.seeds", "is given beside `seed`: expected one of the two"));
+    }
+    problems
+}
+
+/// A line that is longer than the shape it lies on, or lies on another rough shape.
+fn beyond_base(line: &RoughShape, tables: &dyn Tables) -> Option<Problem> {
+    let base = line.base.as_deref()?;
+    if base.is_rough() {
+        return Some(Problem::new("shape.base", "is rough itself: expected a smooth shape"));
+    }
+    let Ok(profile) = base.profile(tables) else { return None };
+    let Rim::End(end) = profile.rim() else { return None };
+    (0.5 * line.length.si() > end).then(|| {
+        Problem::new("shape.length", format!("reaches beyond the end of the base: expected at most {:e} m", 2.0 * end))
+    })
+}
+
+fn of_map(map: HeightMap) -> Surface {
+    let rings = map.rings(Border::Cut);
+    let points = (PER_RING * rings.variances().len()).max(LEAST_POINTS);
+    Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] }
+}
+
+/// Parts of a scene that cannot be computed on a rough shape.
+fn misfits(scene: &Scene, name: &str) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    let mut refuse = |path: String, part: &str| {
+        problems
+            .push(Problem::new(path, format!("{part} cannot be computed on the rough shape {name}: expected none")));
+    };
+    if let Some(adhesion) = &scene.adhesion {
+        refuse("adhesion".to_owned(), adhesion.name());
+    }
+    if let Some(friction) = &scene.friction {
+        refuse("friction".to_owned(), friction.name());
+    }
+    if scene.springs.is_some() {
+        refuse("springs".to_owned(), "a number of springs other than its own points");
+    }
+    for (path, body) in [("bodies.0", &scene.bodies.0), ("bodies.1", &scene.bodies.1)] {
+        if matches!(body, Body::Viscoelastic(_)) {
+            refuse(path.to_owned(), "a viscoelastic body");
+        }
+    }
+    let impacts = scene.history.iter().position(|entry| matches!(entry, Entry::Impact(_)));
+    if let Some(index) = impacts {
+        refuse(format!("history[{index}]"), "Impact");
+    }
+    problems
+}

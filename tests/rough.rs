@@ -1,0 +1,132 @@
+//! Rough shapes as a person or a script meets them.
+
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+use tempfile::TempDir;
+
+/// Runs a scene with `arguments`; gives the folder of its files and what was said.
+fn run(scene: &str, map: Option<&[u8]>, arguments: &[&str]) -> (TempDir, String) {
+    let folder = TempDir::new().unwrap();
+    std::fs::write(folder.path().join("scene.ron"), scene).unwrap();
+    if let Some(bytes) = map {
+        std::fs::write(folder.path().join("map"), bytes).unwrap();
+    }
+    let mut command = Command::new(env!("CARGO_BIN_EXE_springbed"));
+    command.stdin(Stdio::null()).arg("run").arg(folder.path().join("scene.ron")).args(arguments);
+    let output = command.arg("--out").arg(folder.path().join("out")).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    (folder, String::from_utf8(output.stdout).unwrap())
+}
+
+fn table(folder: &Path, ending: &str) -> String {
+    std::fs::read_to_string(folder.join("out").join(format!("scene{ending}"))).unwrap()
+}
+
+/// The numbers of a named column; an empty cell is NaN.
+fn column(table: &str, name: &str) -> Vec<f64> {
+    let mut lines = table.lines();
+    let at = lines.next().unwrap().split(',').position(|column| column == name).unwrap();
+    lines.map(|line| line.split(',').nth(at).unwrap().parse().unwrap_or(f64::NAN)).collect()
+}
+
+fn scene(more: &str, history: &str) -> String {
+    format!(
+        "(shape: RoughLine({more} length: \"100 um\", points: 4096), bodies: (Elastic(young: \"3 MPa\", poisson: 0.5), Rigid), history: [{history}])"
+    )
+}
+
+const SPECTRUM: &str = "spectrum: SelfAffine(hurst: 0.8, rms: \"1 um\", long: \"100 um\", short: \"0.5 um\"),";
+
+/// A rough bed gives force and stiffness, says that it is approximate, and never an area.
+#[test]
+fn a_rough_bed_gives_force_and_stiffness_but_no_radius() {
+    let (folder, said) = run(&scene(SPECTRUM, "Indent(to: \"2 um\", over: 1), Indent(to: 0, over: 1)"), None, &[]);
+    assert!(said.contains("approximate") && !said.contains("contact radius"), "{said}");
+    let records = table(folder.path(), ".csv");
+    assert!(column(&records, "contact_radius_m").iter().all(|radius| radius.is_nan()));
+    let (depth, force) = (column(&records, "indentation_m"), column(&records, "force_n"));
+    let stiffness = column(&records, "stiffness_n_per_m");
+    assert!((depth[100] - 2e-6).abs() <= 0.0 && force[0].abs() <= 0.0 && force[200].abs() <= 0.0);
+    // Elastic: the way back is the way there.
+    for k in 0..100 {
+        assert!((force[k] - force[200 - k]).abs() <= 1e-9 * force[100], "{k}");
+        // F = ∫k dd and k grows: a chord's slope lies between the stiffnesses at its ends.
+        let slope = (force[k + 1] - force[k]) / (depth[k + 1] - depth[k]);
+        assert!(slope >= stiffness[k] * (1.0 - 1e-9) && slope <= stiffness[k + 1] * (1.0 + 1e-9), "{k}");
+    }
+}
+
+/// Roughness of a thousandth of the indentation leaves the ball: Hertz to that order.
+#[test]
+fn a_hardly_rough_ball_is_hertz() {
+    let base = "base: Paraboloid(radius: \"1 mm\"), spectrum: SelfAffine(hurst: 0.8, rms: \"0.1 nm\", long: \"10 um\", short: \"1 um\"),";
+    let (folder, _) = run(&scene(base, "Press(to: 1e-4, over: 1)"), None, &[]);
+    let depth = *column(&table(folder.path(), ".csv"), "indentation_m").last().unwrap();
+    let hertz = (0.75 * 1e-4 / 4e6 / 1e-3_f64.sqrt()).powf(2.0 / 3.0);
+    assert!((depth / hertz - 1.0).abs() < 1e-2, "{depth} {hertz}");
+}
+
+/// The same seeds, the same bytes on any number of threads.
+#[test]
+fn an_ensemble_is_the_same_on_any_number_of_threads() {
+    let scene = scene(SPECTRUM, "Indent(to: \"2 um\", over: 1)").replace("4096", "4096, seeds: 6");
+    let (one, said) = run(&scene, None, &["--threads", "1"]);
+    assert!(said.contains("members") && said.contains("largest force deviation"), "{said}");
+    let (three, _) = run(&scene, None, &["--threads", "3"]);
+    for ending in [".csv", ".ensemble.csv", ".json"] {
+        assert_eq!(table(one.path(), ending), table(three.path(), ending), "{ending}");
+    }
+    let scatter = table(one.path(), ".ensemble.csv");
+    let (least, most) = (column(&scatter, "force_least_n"), column(&scatter, "force_greatest_n"));
+    let mean = column(&table(one.path(), ".csv"), "force_n");
+    assert!((1..mean.len()).all(|k| least[k] <= mean[k] && mean[k] <= most[k] && least[k] < most[k]));
+}
+
+/// A height map as text and as files of NumPy in both orders of bytes and of axes: the same surface, the same results.
+#[test]
+fn a_height_map_is_the_same_in_every_form() {
+    let height = |i: u32, j: u32| 1e-7 * f64::from((7 * i + 3 * j + i * j) % 11);
+    let rows = |i| (0..8).map(move |j| height(i, j));
+    let text: String =
+        (0..8).map(|i| rows(i).map(|h| format!("{h:e}")).collect::<Vec<_>>().join(" \t") + "\n").collect();
+    let npy = |kind: &str, order: &str, numbers: Vec<[u8; 8]>| {
+        let header = format!("{{'descr': '{kind}', 'fortran_order': {order}, 'shape': (8, 8), }}\n");
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        bytes.extend(u16::try_from(header.len()).unwrap().to_le_bytes());
+        bytes.extend(header.as_bytes());
+        bytes.extend(numbers.concat());
+        bytes
+    };
+    let by_rows = (0..64).map(|k| height(k / 8, k % 8));
+    let by_columns = (0..64).map(|k| height(k % 8, k / 8));
+    let forms = [
+        text.into_bytes(),
+        npy("<f8", "False", by_rows.map(f64::to_le_bytes).collect()),
+        npy(">f8", "True", by_columns.map(f64::to_be_bytes).collect()),
+    ];
+    let scene = "(shape: HeightMap(\"map\", \"1 um\"), bodies: (Elastic(young: 1e9, poisson: 0.3), Rigid), history: [Press(to: 1e-3, over: 1)])";
+    let said = forms.map(|bytes| run(scene, Some(&bytes), &["--json", "--format", "csv"]).1);
+    assert!(said[0] == said[1] && said[1] == said[2]);
+    let value: serde_json::Value = serde_json::from_str(&said[0]).unwrap();
+    assert!(value["results"]["rms_slope"].as_f64().unwrap() > 0.1);
+    assert!(value["results"]["peak_to_valley_m"].as_f64().unwrap() > 9e-7);
+}
+
+/// A contact that grows out of its line is a failed run and says what length it wants.
+#[test]
+fn a_line_too_short_for_its_ball_is_refused() {
+    let base = "base: Paraboloid(radius: \"1 mm\"), spectrum: SelfAffine(hurst: 0.8, rms: \"10 nm\", long: \"10 um\", short: \"1 um\"),";
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("scene.ron");
+    std::fs::write(&path, scene(base, "Indent(to: \"5 um\", over: 1)")).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_springbed")).arg("run").arg(&path).output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(
+        said.contains("the contact reaches the ends of the rough line: expected a `length` well above 1e-4 m"),
+        "{said}"
+    );
+}
