@@ -291,9 +291,16 @@ impl Branches {
     }
 
     /// The root on the last, rising branch above `s`; the end of the curve if the wall is reached.
+    ///
+    /// What has been searched is known to rise from its last turning point on; beyond it a step could
+    /// pass over the waves to come.
     fn root_above(&self, curve: &impl Equilibrium, s: f64, target: f64) -> Result<f64, BranchError> {
-        let end = curve.end();
+        let (end, searched) = (curve.end(), self.scanned);
         let residual = |s: f64| curve.value(self.control, s) - target;
+        let from = self.turning.last().map_or(s, |turning| turning.s.max(s));
+        if searched.is_finite() && residual(searched) > 0.0 {
+            return self.root_between(curve, (from, searched), target);
+        }
         let first = if s > curve.start() { s * (1.0 + 1.0 / 64.0) } else { curve.start() + curve.scale() };
         match self.bracket_above(residual, (s, first), end) {
             Some(bracket) => self.root_between(curve, bracket, target),
