@@ -111,16 +111,28 @@ fn coupled(setup: &Setup) -> Option<String> {
     })
 }
 
-/// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress.
+/// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress. Two equal bodies
+/// yield together.
 fn first_yield(setup: &Setup, largest: (f64, &Normal)) -> Vec<String> {
-    let bodies = [&setup.scene.bodies.0, &setup.scene.bodies.1];
-    bodies.into_iter().filter_map(|body| yielding(setup, largest, body)).collect()
+    let (one, other) = &setup.scene.bodies;
+    let both = [("body 1: ", one), ("body 2: ", other)];
+    let of = |(name, body): (&str, &Body)| yielding(setup, largest, body).map(|what| format!("{name}{what}"));
+    if one == other {
+        return yielding(setup, largest, one).into_iter().collect();
+    }
+    both.into_iter().filter_map(of).collect()
 }
 
 fn yielding(setup: &Setup, (a, largest): (f64, &Normal), body: &Body) -> Option<String> {
     let Body::Elastic(elastic) = body else { return None };
     let limit = elastic.yield_stress?.si();
     let modulus = setup.pair.normal;
+    if a > 0.0 && setup.profile.pressure_integral(0.0, a).is_infinite() {
+        return Some(format!(
+            "the tip is a point: the elastic stress below it has no bound, so the body yields there at any load, above {limit:.3e} Pa; mean pressure {:.3e} Pa",
+            largest.force / (PI * a * a)
+        ));
+    }
     let edge = largest.indentation? - setup.profile.reduced(a);
     let loading = Loading {
         profile: setup.profile.as_ref(),

@@ -65,6 +65,8 @@ impl Scene {
         let strength = strength(self.friction.as_ref(), tables, &mut problems);
         problems.extend(strength.iter().flat_map(|curve| rules::sliding_speeds(&self.history, curve)));
         problems.extend(rules::problems(&self.history, &motions, self.allowed()));
+        let adhesion = self.adhesion.as_ref().zip(profile.as_deref());
+        problems.extend(adhesion.and_then(|(adhesion, profile)| adhesion.problem_on(&self.shape, profile)));
         if let Some((pair, relaxation)) = &pair {
             problems.extend(self.adhesion.iter().flat_map(|adhesion| adhesion.problems(relaxation.as_ref())));
             let (adhesion, relaxed) = (self.adhesion.as_ref(), relaxation.as_ref());

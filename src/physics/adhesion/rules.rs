@@ -3,6 +3,7 @@
 use super::{Adhesion, Edge, Jkr, Maugis};
 use crate::physics::material::Relaxation;
 use crate::physics::problem::Problem;
+use crate::physics::shape::{Profile, Rim, Shape};
 
 impl Adhesion {
     /// The name a scene gives it.
@@ -27,6 +28,21 @@ impl Adhesion {
             )),
         };
         found.into_iter().collect()
+    }
+
+    /// What is wrong with the adhesion on a shape, whose profile is given.
+    #[must_use]
+    pub fn problem_on(&self, shape: &Shape, profile: &dyn Profile) -> Option<Problem> {
+        let Self::Maugis(_) = self else { return None };
+        let why = if let Rim::Wall(_) = profile.rim() {
+            "the side of the punch leaves the attraction no gap of growing width"
+        } else if profile.feature().is_some() {
+            "the slope of this profile rises and falls, so it could be attracted in several rings"
+        } else {
+            return None;
+        };
+        let name = shape.name();
+        Some(Problem::new("adhesion", format!("Maugis on a {name} cannot be computed: {why}; expected Jkr(work: …)")))
     }
 }
 

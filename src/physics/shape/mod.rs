@@ -218,6 +218,25 @@ pub enum ShapeError {
 }
 
 impl Shape {
+    /// The name a scene gives it.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Paraboloid(_) => "Paraboloid",
+            Self::Sphere(_) => "Sphere",
+            Self::Cone(_) => "Cone",
+            Self::Power(_) => "Power",
+            Self::FlatPunch(_) => "FlatPunch",
+            Self::TruncatedCone(_) => "TruncatedCone",
+            Self::TruncatedParaboloid(_) => "TruncatedParaboloid",
+            Self::RoundedCone(_) => "RoundedCone",
+            Self::RoundedPunch(_) => "RoundedPunch",
+            Self::WavyParaboloid(_) => "WavyParaboloid",
+            Self::Ellipsoid(_) => "Ellipsoid",
+            Self::Table(_) => "Table",
+        }
+    }
+
     /// Radius of curvature [m] at the apex, for criteria made for balls; `None` for tips without one.
     #[must_use]
     pub fn tip_radius(&self) -> Option<f64> {

@@ -9,7 +9,7 @@ use crate::physics::stress::Loading;
 use std::f64::consts::FRAC_PI_2;
 
 /// Radii inside the contact, denser towards the edge.
-const INSIDE: usize = 96;
+const INSIDE: usize = 160;
 /// Radii outside, out to three times the reach of the contact.
 const OUTSIDE: usize = 64;
 /// Depths below the surface.
@@ -44,6 +44,19 @@ pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Opti
         None => contact.stress_intensity(),
     };
     Some(Field { label, time, contact_radius: a, stress_intensity, rows })
+}
+
+/// Adds the field at the largest depth to those at the ends of the entries; where it is one of them, its
+/// label says so.
+pub fn with_deepest(fields: &mut Vec<Field>, deepest: Option<Field>) {
+    let Some(deepest) = deepest else { return };
+    let same = |field: &&mut Field| (field.time - deepest.time).abs() <= 0.0 && field.rows == deepest.rows;
+    if let Some(end) = fields.iter_mut().find(same) {
+        end.label.push_str(" (largest depth)");
+        return;
+    }
+    let place = fields.iter().position(|field| field.time > deepest.time).unwrap_or(fields.len());
+    fields.insert(place, deepest);
 }
 
 #[expect(clippy::cast_precision_loss, reason = "few radii")]

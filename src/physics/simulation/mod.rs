@@ -187,6 +187,9 @@ struct Run<'p> {
     entry: usize,
     records: Vec<Record>,
     fields: Vec<Field>,
+    /// The largest indentation [m] and the field there; `None` until the way back begins.
+    deepest: Option<(f64, Field)>,
+    wanted: Wanted,
     notes: Vec<String>,
     loaded: Option<Normal>,
 }
@@ -203,6 +206,8 @@ fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run
         entry: 0,
         records: Vec::new(),
         fields: Vec::new(),
+        deepest: None,
+        wanted,
         notes: Vec::new(),
         loaded: None,
     };
@@ -211,9 +216,11 @@ fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run
         run.follow_stage(stage).map_err(|source| SimulationError::Contact { entry: stage.entry, source })?;
         let ends_entry = stages.get(number + 1).is_none_or(|next| next.entry != stage.entry);
         if wanted.fields && ends_entry {
-            run.field(format!("end of entry {}", stage.entry + 1));
+            run.fields.extend(run.field(format!("end of entry {}", stage.entry + 1)));
         }
     }
+    run.look_deepest();
+    fields::with_deepest(&mut run.fields, run.deepest.take().map(|(_, field)| field));
     Ok(run)
 }
 
@@ -268,6 +275,9 @@ impl Run<'_> {
         let (from, since) = (self.prescribed(), self.time);
         let (value, over) = (to.prescribed, to.time - since);
         let was_joined = self.contact.joined();
+        if value < from {
+            self.look_deepest();
+        }
         if (value - from).abs() > 0.0 {
             self.tangential.iter_mut().for_each(|tangential| tangential.let_go());
         }
@@ -324,9 +334,17 @@ impl Run<'_> {
         }
     }
 
-    fn field(&mut self, label: String) {
-        let field = fields::field((self.contact.as_ref(), self.tangential.as_deref()), label, self.time);
-        self.fields.extend(field);
+    fn field(&self, label: String) -> Option<Field> {
+        fields::field((self.contact.as_ref(), self.tangential.as_deref()), label, self.time)
+    }
+
+    /// Keeps the field of the present state if no state before was as deep.
+    fn look_deepest(&mut self) {
+        let Some(depth) = self.contact.state().indentation.filter(|_| self.wanted.fields) else { return };
+        if self.deepest.as_ref().is_none_or(|(most, _)| depth > *most) {
+            let field = self.field(format!("largest depth (entry {})", self.entry + 1));
+            self.deepest = field.map(|field| (depth, field)).or(self.deepest.take());
+        }
     }
 
     fn stresses(&self, setup: &Setup) -> Vec<super::record::StressRow> {

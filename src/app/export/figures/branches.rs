@@ -2,6 +2,11 @@
 
 use crate::physics::record::Record;
 
+/// Label of a branch along which the indentation grows; the first in the order of letters.
+pub const APPROACH: &str = "approach";
+/// Label of a branch along which it falls.
+pub const RETRACTION: &str = "retraction";
+
 /// A run of records that move in one direction without a jump.
 pub struct Branch<'r> {
     /// Name in the legend.
@@ -34,9 +39,9 @@ fn branch(records: &[Record]) -> Option<Branch<'_>> {
     let label = if records.len() < 2 || (last - first).abs() <= 0.0 {
         return None;
     } else if last > first {
-        "approach"
+        APPROACH
     } else {
-        "retraction"
+        RETRACTION
     };
     Some(Branch { label, records })
 }

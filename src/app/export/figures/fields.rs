@@ -1,27 +1,71 @@
 //! Pressure over the radius and stress under the axis.
 
-use crate::app::figure::{Axis, Panel, Series};
+use crate::app::export::with_prefix;
+use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::physics::record::{Field, FieldRow, Outcome};
-use crate::physics::setup::Setup;
 
 /// Pressure profiles, at most four: the largest contact and the last ones.
-pub fn pressure(setup: &Setup, outcome: &Outcome) -> Panel {
+pub fn pressure(outcome: &Outcome) -> Panel {
     let shown = shown(&outcome.fields);
-    let mean = shown.iter().map(|field| mean_pressure(field)).fold(0.0, f64::max);
-    let singular = shown.iter().any(|field| field.stress_intensity.is_some());
-    // A singular edge or apex would leave no room for the rest of the curve.
-    let least = shown.iter().flat_map(|field| &field.rows).filter_map(|row| row.pressure).fold(0.0, f64::min);
-    let most = shown.iter().flat_map(|field| &field.rows).filter_map(|row| row.pressure).fold(0.0, f64::max);
-    let mut axis = Axis::linear("pressure p", "Pa");
-    if singular || most > 4.0 * mean {
-        axis = axis.from(least.max(-3.0 * mean.abs())).to(most.min(4.0 * mean.abs()));
-    }
-    let panel = Panel::new(Axis::linear("radius r", "m").from(0.0), axis);
+    let range = Range::of(&shown);
+    let panel = Panel::new(Axis::linear("radius r", "m").from(0.0), range.axis());
     let panel = shown.iter().fold(panel, |panel, field| panel.with(curve(field)));
-    if singular && setup.scene.adhesion.is_some() {
-        return panel.note("The edge is singular: p → −∞ as r → a; the curve is cut off there.");
+    let edge = shown.first().map(|field| field.contact_radius).filter(|&a| a > 0.0);
+    let panel = edge.into_iter().fold(panel, |panel, a| panel.guide(Guide::vertical(a, "a")));
+    range.notes().into_iter().fold(panel, Panel::note)
+}
+
+/// What the pressures shown reach, and where they have no bound.
+struct Range {
+    least: f64,
+    most: f64,
+    mean: f64,
+    /// Some edge pulls without bound.
+    pulls: bool,
+    /// Some edge presses without bound.
+    presses: bool,
+    /// The pressure at the axis has no bound.
+    pointed: bool,
+}
+
+impl Range {
+    fn of(shown: &[&Field]) -> Self {
+        let edge = |sign: f64| shown.iter().any(|field| field.stress_intensity.is_some_and(|k| k * sign > 0.0));
+        let pressures = || shown.iter().flat_map(|field| &field.rows).filter_map(|row| row.pressure);
+        Self {
+            least: pressures().fold(0.0, f64::min),
+            most: pressures().fold(0.0, f64::max),
+            mean: shown.iter().map(|field| mean_pressure(field)).fold(0.0, f64::max),
+            pulls: edge(1.0),
+            presses: edge(-1.0),
+            pointed: shown.iter().any(|field| {
+                field.rows.first().is_some_and(|row| row.pressure.is_none() && row.radius < field.contact_radius)
+            }),
+        }
     }
-    if singular { panel.note("The edge is singular: p → ∞ as r → a; the curve is cut off there.") } else { panel }
+
+    /// An axis on which a pressure without bound leaves room for the rest of the curve.
+    fn axis(&self) -> Axis {
+        let mut axis = Axis::linear("pressure p", "Pa");
+        if self.presses || self.pointed {
+            axis = axis.to(self.most.min(4.0 * self.mean));
+        } else if self.pulls && self.most > 0.0 {
+            axis = axis.to(1.08 * self.most);
+        }
+        let depth = if self.most > 0.0 && !self.presses { self.most } else { 3.0 * self.mean };
+        if self.pulls { axis.from(self.least.max(-depth)) } else { axis }
+    }
+
+    fn notes(&self) -> Vec<&'static str> {
+        let edge = match (self.pulls, self.presses) {
+            (true, true) => Some("The edge is singular: p → ±∞ as r → a; the curves are cut off there."),
+            (true, false) => Some("The edge is singular: p → −∞ as r → a; the curve is cut off there."),
+            (false, true) => Some("The edge is singular: p → ∞ as r → a; the curve is cut off there."),
+            (false, false) => None,
+        };
+        let tip = self.pointed.then_some("The tip is a point: p → ∞ as r → 0; the curve is cut off there.");
+        edge.into_iter().chain(tip).collect()
+    }
 }
 
 fn shown(fields: &[Field]) -> Vec<&Field> {
@@ -44,9 +88,11 @@ fn mean_pressure(field: &Field) -> f64 {
 
 fn curve(field: &Field) -> Series {
     let point = |row: &FieldRow| (row.radius, row.pressure.unwrap_or(f64::NAN));
-    let until =
-        |row: &&FieldRow| row.radius <= 1.5 * field.contact_radius || row.pressure.is_some_and(|p| p.abs() > 0.0);
-    Series::new(field.label.clone(), field.rows.iter().filter(until).map(point).collect())
+    let acts = |row: &&FieldRow| row.pressure.is_some_and(|p| p.abs() > 0.0);
+    let reach = field.rows.iter().filter(acts).map(|row| row.radius).fold(field.contact_radius, f64::max);
+    let rows = field.rows.iter().filter(|row| row.radius <= 1.4 * reach);
+    let label = format!("{}, a = {}", field.label, with_prefix(field.contact_radius, "m"));
+    Series::new(label, rows.map(point).collect())
 }
 
 /// Stresses on the axis at the largest force.

@@ -1,15 +1,17 @@
 //! The figures a scene asks for, or those that suit it.
 
+mod between;
 mod branches;
 mod comparison;
 mod fields;
 mod rough;
 mod shape;
 
-use crate::app::figure::{Axis, Figure, Guide, Panel, Series};
+use crate::app::figure::{Axis, Colour, Figure, Guide, Line, Panel, Series};
 use crate::physics::record::{Outcome, Record};
 use crate::physics::scene::Plot;
 use crate::physics::setup::Setup;
+use crate::physics::shape::Rim;
 pub use comparison::comparison_figure;
 
 use branches::{Branch, branches, jumps};
@@ -34,7 +36,7 @@ fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
     if !outcome.fields.is_empty() {
         plots.push(Plot::Pressure);
     }
-    if setup.scene.friction.is_none() {
+    if setup.scene.friction.is_none() && !matches!(setup.profile.rim(), Rim::Wall(_)) {
         plots.push(Plot::Shape);
     }
     plots
@@ -47,10 +49,11 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
     let records = &outcome.records;
     match plot {
         Plot::Force => force(setup, records),
-        Plot::Radius => vec![against_depth(records, "contact radius a", "m", |record| {
-            record.normal.contact_radius.unwrap_or(f64::NAN)
-        })],
-        Plot::Pressure => vec![fields::pressure(setup, outcome)],
+        Plot::Radius => {
+            let axis = Axis::linear("contact radius a", "m").from(0.0);
+            vec![against_depth((setup, records), axis, |record| record.normal.contact_radius.unwrap_or(f64::NAN))]
+        }
+        Plot::Pressure => vec![fields::pressure(outcome)],
         Plot::Stress => vec![fields::stress(outcome)],
         Plot::Energy => vec![energy(records)],
         Plot::Shape => vec![shape::profile(setup, outcome)],
@@ -62,7 +65,7 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
 
 /// Force against indentation, and against time where the bodies remember.
 fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
-    let mut panels = vec![against_depth(records, "force F", "N", |record| record.normal.force)];
+    let mut panels = vec![against_depth((setup, records), Axis::linear("force F", "N"), |record| record.normal.force)];
     if setup.relaxation.is_some() {
         panels.push(against_time(records, ("force F", "N"), |record| Some(record.normal.force)));
         panels.push(against_time(records, ("indentation d", "m"), |record| record.normal.indentation));
@@ -70,16 +73,25 @@ fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
     panels
 }
 
-fn against_depth(records: &[Record], name: &str, unit: &str, of: impl Fn(&Record) -> f64 + Copy) -> Panel {
-    let panel = Panel::new(Axis::linear("indentation d", "m"), Axis::linear(name, unit));
+/// A quantity against the indentation, approaches first: a label has the same look in all panels.
+fn against_depth((setup, records): (&Setup, &[Record]), axis: Axis, of: impl Fn(&Record) -> f64 + Copy) -> Panel {
+    let panel = Panel::new(Axis::linear("indentation d", "m"), axis);
     let point = |record: &Record| (record.normal.indentation.unwrap_or(f64::NAN), of(record));
-    let panel = branches(records).into_iter().fold(panel, |panel, branch| panel.with(series(&branch, point)));
+    let mut found = branches(records);
+    found.sort_by_key(|branch| branch.label);
+    let drawn = |branch: &Branch<'_>| {
+        let (colour, line) = look(branch.label);
+        let points = between::filled(setup, branch.records).iter().map(point).collect();
+        Series::new(branch.label, points).colour(colour).line(line).arrow()
+    };
+    let panel = found.iter().map(drawn).fold(panel, Panel::with);
     jumps(records)
         .fold(panel, |panel, (before, after)| panel.guide(Guide::Jump { from: point(before), to: point(after) }))
 }
 
-fn series(branch: &Branch<'_>, point: impl Fn(&Record) -> (f64, f64)) -> Series {
-    Series::new(branch.label, branch.records.iter().map(point).collect()).arrow()
+/// Colour and line of a branch.
+fn look(label: &str) -> (Colour, Line) {
+    if label == branches::APPROACH { (Colour::Blue, Line::Solid) } else { (Colour::Orange, Line::Dashed) }
 }
 
 fn against_time(records: &[Record], (name, unit): (&str, &str), of: impl Fn(&Record) -> Option<f64>) -> Panel {

@@ -1,0 +1,52 @@
+//! States between records, where a curve is too bent for a straight line from one to the next.
+
+use crate::physics::adhesion::Adhesion;
+use crate::physics::adhesion::line::EdgeLine;
+use crate::physics::record::{Normal, Record};
+use crate::physics::setup::Setup;
+
+/// Change of the contact radius, over the largest radius, from which a straight line is seen as one.
+const COARSE: f64 = 0.02;
+/// The most states put between two records.
+const MOST: f64 = 50.0;
+
+/// The records of a branch with states of the same branch between those that are far apart.
+///
+/// Near first touch and near pull-off a contact moves far in a short piece of depth, a ∝ √d. Only for
+/// elastic contacts without range of attraction, where a state follows from its radius in closed form.
+pub fn filled(setup: &Setup, records: &[Record]) -> Vec<Record> {
+    let Some(line) = line(setup) else { return records.to_vec() };
+    let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
+    let largest = records.iter().map(radius).fold(0.0, f64::max);
+    let mut filled: Vec<Record> = records.iter().take(1).copied().collect();
+    for pair in records.windows(2) {
+        let (from, to) = (radius(&pair[0]), radius(&pair[1]));
+        let count = ((to - from).abs() / (COARSE * largest)).min(MOST).ceil();
+        let steps = std::iter::successors(Some(1.0), |k| Some(k + 1.0)).take_while(|k| *k < count);
+        filled.extend(steps.map(|k| at(&line, from + (to - from) * k / count, &pair[0])));
+        filled.push(pair[1]);
+    }
+    filled
+}
+
+/// The equilibrium curve of the scene, if its states are those of the direct path.
+fn line(setup: &Setup) -> Option<EdgeLine<'_>> {
+    let work = match &setup.scene.adhesion {
+        None => 0.0,
+        Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
+        Some(Adhesion::Maugis(_)) => return None,
+    };
+    let direct = setup.relaxation.is_none() && setup.scene.springs.is_none();
+    direct.then(|| EdgeLine::new(setup.profile.as_ref(), setup.pair.normal, work))
+}
+
+fn at(line: &EdgeLine<'_>, radius: f64, like: &Record) -> Record {
+    let state = line.at(radius);
+    let normal = Normal {
+        indentation: Some(state.indentation),
+        force: state.force,
+        contact_radius: Some(state.contact_radius),
+        ..like.normal
+    };
+    Record { normal, ..*like }
+}
