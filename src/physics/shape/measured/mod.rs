@@ -58,7 +58,8 @@ fn check((radii, heights): (&[f64], &[f64]), rows: &[usize]) -> Result<(), (Opti
         return Err((None, format!("{} rows of numbers: expected at least {FEWEST_ROWS}", radii.len())));
     }
     if radii[0].abs() > 0.0 {
-        let message = format!("radius_m = {:?}: expected 0 in the first row, the apex", radii[0]);
+        let message =
+            format!("radius_m = {:?}: expected 0 in the first row: one flank, from the apex outwards", radii[0]);
         return Err((rows.first().copied(), message));
     }
     for (i, &row) in rows.iter().enumerate().skip(1) {
@@ -318,7 +319,10 @@ mod tests {
         };
         assert_eq!(message(&[0.0, 1.0], &[0.0, 1.0]), "tip.csv: 2 rows of numbers: expected at least 3");
         let text = message(&[0.1, 1.0, 2.0], &[0.0; 3]);
-        assert_eq!(text, "tip.csv, row 2: radius_m = 0.1: expected 0 in the first row, the apex");
+        assert_eq!(
+            text,
+            "tip.csv, row 2: radius_m = 0.1: expected 0 in the first row: one flank, from the apex outwards"
+        );
         let text = message(&[0.0, 1.0, 1.0], &[0.0; 3]);
         assert_eq!(text, "tip.csv, row 4: radius_m = 1.0 after 1.0: expected rising radii");
         let text = message(&[0.0, 1.0, 2.0], &[0.0, 2.0, 1.0]);

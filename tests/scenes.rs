@@ -1,0 +1,116 @@
+//! Every scene in `configs` runs, and gives the answers its comments quote.
+//!
+//! A comment `// answer: pull_off_force_n = -494.8008429e-6` holds the result of that name to half a
+//! unit of its last digit. The answers are from the formulas named beside them, computed with 20 digits.
+
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use springbed::app::run::{Format, compute, products};
+use springbed::app::scene_file::SceneFile;
+use springbed::physics::record::{Outcome, Value};
+use std::path::{Path, PathBuf};
+
+fn scenes() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs");
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut scenes: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|ending| ending == "ron")).collect();
+    scenes.sort();
+    scenes
+}
+
+/// Names and numbers in the comments, with half a unit of the last digit.
+fn answers(text: &str) -> Vec<(String, f64, f64)> {
+    let quoted = text.lines().filter_map(|line| line.trim().strip_prefix("// answer: "));
+    quoted.map(|line| answer(line).unwrap_or_else(|| panic!("cannot be read: {line}"))).collect()
+}
+
+fn answer(line: &str) -> Option<(String, f64, f64)> {
+    let (name, number) = line.split_once(" = ")?;
+    let (digits, exponent) = number.split_once('e').unwrap_or((number, "0"));
+    let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
+    let unit = 10f64.powi(exponent.parse::<i32>().ok()? - i32::try_from(decimals).ok()?);
+    Some((name.to_owned(), number.parse().ok()?, 0.5 * unit))
+}
+
+fn result(outcome: &Outcome, name: &str) -> Option<f64> {
+    outcome.results.iter().find(|(known, _)| *known == name).map(|(_, value)| match value {
+        Value::Number(number) => *number,
+        other => panic!("{name} is {other:?}"),
+    })
+}
+
+#[test]
+fn every_scene_runs_and_gives_the_answers_in_its_comments() {
+    let scenes = scenes();
+    assert!(scenes.len() >= 8, "{scenes:?}");
+    for path in scenes {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let scene = SceneFile::load(&path).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let formats = [Format::Csv, Format::Json, Format::Svg];
+        let outcome = compute(&scene.setup, &formats).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let files = products(&scene.setup, "scene.ron", &outcome, &formats).unwrap();
+        assert!(files.len() >= 2 && files.iter().all(|file| !file.content.is_empty()), "{}", path.display());
+        for (name, right, bound) in answers(&text) {
+            let found = result(&outcome, &name).unwrap_or_else(|| panic!("{}: no {name}", path.display()));
+            // Half a unit, and a rounding of the number read.
+            let error = (found - right).abs();
+            assert!(error <= bound * (1.0 + 1e-6), "{}: {name} is {found:e}, quoted {right:e}", path.display());
+        }
+    }
+}
+
+#[test]
+fn elastic_and_adhesive_scenes_quote_their_answers() {
+    for name in
+        ["hertz", "rail_wheel", "indentation_cone", "flat_punch", "pdms_lens", "wavy_lens", "measured_tip", "afm_tip"]
+    {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("configs/{name}.ron"));
+        let text = std::fs::read_to_string(path).unwrap();
+        assert!(answers(&text).len() >= 2, "{name}");
+    }
+}
+
+/// The numbers the README quotes from the book: 1.0 GPa and 6.8 mm.
+#[test]
+fn the_rail_and_the_wheel_of_the_book() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/rail_wheel.ron");
+    let outcome = compute(&SceneFile::load(&path).unwrap().setup, &[Format::Json]).unwrap();
+    assert!((result(&outcome, "peak_pressure_pa").unwrap() - 1.0e9).abs() < 0.05e9);
+    assert!((result(&outcome, "largest_contact_radius_m").unwrap() - 6.8e-3).abs() < 0.05e-3);
+    let yielding = outcome.warnings.iter().filter(|warning| warning.contains("first yield")).count();
+    assert_eq!(yielding, 1, "{:?}", outcome.warnings);
+}
+
+/// The wavy lens jumps four times on the way in and five times on the way out, at the same depths
+/// whatever the number of records.
+#[test]
+fn the_jumps_of_the_wavy_lens() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/wavy_lens.ron");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let jumps = |steps: usize| {
+        let text = text.replacen("title:", &format!("steps: {steps},\n    title:"), 1);
+        let setup = springbed::app::scene_file::setup(&path, &text).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let records = compute(&setup, &[]).unwrap().records;
+        let pairs: Vec<_> = records.windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let jumped = |pair: &&(springbed::physics::record::Record, springbed::physics::record::Record)| {
+            (pair.1.time - pair.0.time).abs() <= 0.0 && pair.0.normal.contact_radius != pair.1.normal.contact_radius
+        };
+        let depths = |entry: usize| -> Vec<f64> {
+            let of_entry = pairs.iter().filter(jumped).filter(|pair| pair.1.entry == entry);
+            of_entry.filter_map(|pair| pair.0.normal.indentation).collect()
+        };
+        (depths(0), depths(1), records.last().map(|record| record.normal.dissipated))
+    };
+    let (into, out, lost) = jumps(1000);
+    assert_eq!((into.len(), out.len()), (4, 5));
+    for steps in [1, 2, 10] {
+        let (same_in, same_out, same_loss) = jumps(steps);
+        assert_eq!((same_in.len(), same_out.len()), (4, 5), "{steps} records");
+        let apart = into.iter().chain(&out).zip(same_in.iter().chain(&same_out)).map(|(x, y)| (x - y).abs());
+        assert!(apart.fold(0.0, f64::max) < 1e-15 * 1e-5, "{steps} records");
+        // Differences of energies a hundred times as large.
+        assert!((same_loss.unwrap() / lost.unwrap() - 1.0).abs() < 1e-13, "{steps} records");
+    }
+}
