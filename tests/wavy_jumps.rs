@@ -66,8 +66,8 @@ impl Lens {
     fn jumps_out(&self, from: f64) -> Vec<f64> {
         let step = self.wavelength / 2000.0;
         let (mut jumps, mut least, mut rising) = (Vec::new(), self.depth(from), false);
-        for k in 1..(from / step) as u32 {
-            let d = self.depth(from - step * f64::from(k));
+        let radii = std::iter::successors(Some(from - step), |a| Some(a - step)).take_while(|&a| a > 0.0);
+        for d in radii.map(|a| self.depth(a)) {
             if d > least && !rising {
                 jumps.push(least);
             }

@@ -1,0 +1,86 @@
+//! One state, one curve, many scenes: `cargo bench --bench states`.
+#![expect(clippy::unwrap_used, reason = "a benchmark of known good inputs")]
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use rayon::prelude::*;
+use springbed::app::scene_file::setup;
+use springbed::physics::adhesion::line::EdgeLine;
+use springbed::physics::quantity::Length;
+use springbed::physics::quasistatic::{Attraction, QuasiStatic};
+use springbed::physics::setup::Setup;
+use springbed::physics::shape::Paraboloid;
+use springbed::physics::simulation::{Wanted, run};
+use std::hint::black_box;
+use std::path::Path;
+
+const MODULUS: f64 = 6.4e6;
+const WORK: f64 = 0.042;
+
+fn lens() -> Paraboloid {
+    Paraboloid { radius: Length::new(2.5e-3).unwrap() }
+}
+
+fn contact(lens: &Paraboloid, work: f64) -> QuasiStatic<'_> {
+    QuasiStatic::new(lens, MODULUS, Attraction::Line(EdgeLine::new(lens, MODULUS, work)))
+}
+
+/// Depth given, force and radius wanted, from bodies that just touch.
+fn one_state(c: &mut Criterion) {
+    let mut group = c.benchmark_group("state");
+    let lens = lens();
+    for (name, work) in [("hertz", 0.0), ("jkr", WORK)] {
+        group.bench_function(BenchmarkId::from_parameter(name), |b| {
+            b.iter(|| {
+                let mut contact = contact(&lens, work);
+                contact.indent(black_box(1e-5)).unwrap();
+                contact.present().balance
+            });
+        });
+        let mut present = contact(&lens, work);
+        let mut d = 1e-5;
+        group.bench_function(BenchmarkId::new("next depth", name), |b| {
+            b.iter(|| {
+                d = 3e-5 - d;
+                present.indent(black_box(d)).unwrap();
+                present.present().balance
+            });
+        });
+    }
+}
+
+/// A scene of the library: 500 records in, 500 out.
+fn scene(radius: usize, steps: usize) -> Setup {
+    let text = format!(
+        "(shape: Paraboloid(radius: {:e}), bodies: (Elastic(young: 4.8e6, poisson: 0.5), Rigid), \
+         adhesion: Jkr(work: 0.042), steps: {steps}, \
+         history: [Indent(to: 2e-5, over: 10), Retract(speed: 1e-6)])",
+        2.5e-3 * (1.0 + 1e-6 * radius as f64)
+    );
+    setup(Path::new("lens.ron"), &text).unwrap()
+}
+
+fn one_curve(c: &mut Criterion) {
+    let setup = scene(0, 500);
+    c.bench_function("jkr curve of 1000 records", |b| b.iter(|| run(black_box(&setup), Wanted::NOTHING).unwrap()));
+}
+
+/// 10 000 curves of 100 records on one and on two threads.
+fn many_scenes(c: &mut Criterion) {
+    let scenes: Vec<Setup> = (0..10_000).map(|radius| scene(radius, 50)).collect();
+    let mut group = c.benchmark_group("scenes");
+    group.sample_size(10).throughput(Throughput::Elements(10_000));
+    for threads in [1, 2] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        group.bench_function(BenchmarkId::new("threads", threads), |b| {
+            b.iter(|| pool.install(|| scenes.par_iter().map(pull_off).sum::<f64>()));
+        });
+    }
+}
+
+fn pull_off(setup: &Setup) -> f64 {
+    let outcome = run(setup, Wanted::NOTHING).unwrap();
+    outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::min)
+}
+
+criterion_group!(benches, one_state, one_curve, many_scenes);
+criterion_main!(benches);
