@@ -234,6 +234,8 @@ impl Shape {
             Self::WavyParaboloid(_) => "WavyParaboloid",
             Self::Ellipsoid(_) => "Ellipsoid",
             Self::Table(_) => "Table",
+            Self::RoughLine(_) => "RoughLine",
+            Self::HeightMap(..) => "HeightMap",
         }
     }
 
