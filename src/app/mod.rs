@@ -8,6 +8,7 @@ pub mod table_file;
 pub mod write;
 pub mod console;
 pub mod progress;
+pub mod machine;
 #[cfg(feature = "plot")]
 pub mod figure;
 pub mod export;

@@ -12,3 +12,7 @@ pub mod case;
 pub mod cases;
 pub mod validity;
 pub mod comparison;
+pub mod ting;
+pub mod clock;
+pub mod usual;
+pub mod work_precision;

@@ -3,12 +3,14 @@
 mod check;
 mod compare;
 mod explain;
+mod report;
 mod run;
 mod verify;
 
 use super::console::{Colour, Console, Failure, Voice};
 use super::run::Format;
 use super::{starters, write};
+use crate::check::work_precision::Effort;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -140,7 +142,6 @@ fn prepared(common: &Common) -> Result<(), Failure> {
 }
 
 fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Failure> {
-    let later = |name: &str| Err(Failure::Failed(format!("`springbed {name}` is not there yet")));
     match command {
         Command::Run { scenes } => run::run(&scenes, common, console),
         Command::Check { scenes } => check::run(&scenes, common, console),
@@ -151,6 +152,9 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
             verify::run(filter.as_deref().unwrap_or(""), form, console)
         }
         Command::Compare { scene } => compare::run(&scene, common, console),
-        Command::Report { .. } => later("report"),
+        Command::Report { topic, scene, thorough } => {
+            let effort = if thorough { Effort::Thorough } else { Effort::Brief };
+            report::run((topic, scene.as_deref()), effort, common, console)
+        }
     }
 }

@@ -5,6 +5,7 @@ mod json;
 mod summary;
 mod tables;
 mod verdicts;
+pub mod work_precision;
 
 #[cfg(feature = "plot")]
 mod figures;

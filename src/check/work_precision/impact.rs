@@ -1,0 +1,67 @@
+//! A Hertz impact: contact time.
+
+use super::{Answer, Effort, Method, Setting, Study};
+use crate::check::usual;
+use crate::physics::impact::{Driven, Elastic, Impact, conservative};
+use crate::physics::material::Relaxation;
+use crate::physics::quantity::Length;
+use crate::physics::shape::Paraboloid;
+use crate::physics::viscoelastic::Spectrum;
+use std::sync::Arc;
+
+/// Mass and speed one; R = E* = 1.
+const IMPACT: Impact = Impact { mass: 1.0, speed: 1.0 };
+
+/// Contact time of a ball, 2.943275184324705 x₀/v.
+pub(super) fn hertz(effort: Effort) -> Option<Study> {
+    let depth = (15.0f64 / 16.0).powf(0.4);
+    let mut methods = vec![Method::new("energy integral", Setting::FREE, || {
+        let ball = ball()?;
+        Some(move || {
+            let rebound = conservative(&IMPACT, &Elastic { profile: &ball, modulus: 1.0 }).ok()?;
+            Some(Answer { values: vec![rebound.contact_time?], ..Answer::default() })
+        })
+    })];
+    let finest = if effort == Effort::Brief { 4 } else { 6 };
+    methods.extend((0..finest).map(|k| driven(50 << (2 * k), 25 << k)));
+    methods.extend(effort.decades(1, 6).map(move |steps| verlet(steps, depth)));
+    Some(Study {
+        case: "impact",
+        about: "a ball that hits an elastic half-space: contact time",
+        quantity: "contact time",
+        reference: "2.943275184324705 x₀/v (Johnson 1985, eq. 11.23)",
+        orders: &[1.0, 2.0],
+        exact: Answer { values: vec![2.943_275_184_324_705 * depth], ..Answer::default() },
+        methods,
+    })
+}
+
+fn ball() -> Option<Paraboloid> {
+    Some(Paraboloid { radius: Length::new(1.0).ok()? })
+}
+
+/// The bed driven by the mass, `steps` per x₀/v.
+fn driven(springs: usize, steps: u32) -> Method {
+    let setting = Setting { springs: Some(springs), steps: Some(steps as usize), grid: None };
+    Method::new("springs driven by the mass", setting, move || {
+        let elastic = Relaxation { equilibrium: 1.0, terms: Vec::new(), viscosity: 0.0 };
+        let spectrum = Arc::new(Spectrum::new(&elastic));
+        let driven = Driven { spectrum, profile: Arc::new(ball()?), springs, steps: f64::from(steps) };
+        Some(move || {
+            let values = vec![driven.rebound(&IMPACT).ok()?.contact_time?];
+            Some(Answer { values, bytes: 10 * size_of::<f64>() * springs, ..Answer::default() })
+        })
+    })
+}
+
+/// The way of particle codes, `steps` per contact.
+fn verlet(steps: usize, depth: f64) -> Method {
+    #[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
+    let step = 2.943 * depth / steps as f64;
+    Method::new("velocity Verlet on Hertz's law", Setting::steps(steps), move || {
+        Some(move || {
+            let time = usual::verlet_contact_time(4.0 / 3.0, IMPACT.mass, IMPACT.speed, std::hint::black_box(step));
+            Some(Answer { values: vec![time], bytes: 3 * size_of::<f64>(), ..Answer::default() })
+        })
+    })
+}
