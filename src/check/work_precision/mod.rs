@@ -230,7 +230,7 @@ mod tests {
     }
 
     fn cheap(setting: Setting) -> bool {
-        setting.grid.is_none_or(|n| n <= 64)
+        setting.grid.is_none_or(|n| n <= 128)
             && setting.springs.is_none_or(|n| n <= 10_000)
             && setting.steps.is_none_or(|n| n <= 10_000)
     }
