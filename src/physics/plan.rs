@@ -18,9 +18,11 @@ pub fn of(setup: &Setup) -> Plan {
     part("friction", scene.friction.is_some());
     part("springs", scene.springs.is_some());
     let springs = scene.springs.map_or(0, std::num::NonZeroUsize::get);
-    let (solver, reason) = match scene.springs {
-        None => ("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated".to_owned()),
-        Some(count) => ("springs", format!("`springs: {count}` asks for the classical bed")),
+    let (solver, reason) = match (scene.springs, &setup.relaxation) {
+        (None, None) => ("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated".to_owned()),
+        (None, Some(_)) => ("continuous bed", "the bodies remember: strips of springs with a common past, exact in time for a depth that goes in straight pieces; no spring is allocated".to_owned()),
+        (Some(count), None) => ("springs", format!("`springs: {count}` asks for the classical bed")),
+        (Some(count), Some(_)) => ("viscoelastic springs", format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released")),
     };
     Plan { solver, reason, used, left_out, springs, state_bytes: size_of::<QuasiStatic<'_>>() + 16 * springs }
 }

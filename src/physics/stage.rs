@@ -52,6 +52,15 @@ impl Path {
     }
 }
 
+/// How much of a history a stage is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// A whole entry.
+    Entry,
+    /// One row of a table.
+    Row,
+}
+
 /// A part of the history in which everything moves along one path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stage {
@@ -67,6 +76,8 @@ pub struct Stage {
     pub over: f64,
     /// Number of records, at equal times.
     pub records: usize,
+    /// How much of the history it is.
+    pub extent: Extent,
 }
 
 /// Two records closer than this part of a stage are one.
@@ -108,6 +119,7 @@ fn of_entry(number: usize, entry: &Entry, steps: Option<usize>) -> Option<Stage>
         tangential: Path::Stay,
         over: 0.0,
         records: steps.unwrap_or(RECORDS_PER_RAMP),
+        extent: Extent::Entry,
     };
     let stage = match entry {
         Entry::Indent(indent) => Stage { normal: Path::To(indent.to.si()), over: indent.over.si(), ..ramp },
@@ -164,6 +176,7 @@ fn of_motion(number: usize, motion: &Motion) -> Vec<Stage> {
         tangential: motion.slide.as_ref().map_or(Path::Stay, |slide| Path::To(slide[row])),
         over: if row == 0 { motion.time[0].max(0.0) } else { motion.time[row] - motion.time[row - 1] },
         records: 1,
+        extent: Extent::Row,
     };
     (0..values.len()).map(stage).collect()
 }

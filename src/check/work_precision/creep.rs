@@ -74,8 +74,8 @@ fn integral(spectrum: &Arc<Spectrum>, profile: &Arc<Paraboloid>) -> Option<Answe
 }
 
 fn driven(mut bed: Memory, accuracy: f64) -> Option<Answer> {
-    press(&mut bed, &Ramp { from: 0.0, rate: FORCE / RISE, accuracy }, &[RISE]).ok()?;
-    let states = press(&mut bed, &Ramp { from: FORCE, rate: 0.0, accuracy }, &RECORDS).ok()?;
+    press(&mut bed, &Ramp { from: 0.0, rate: FORCE / RISE, accuracy, scale: FORCE }, &[RISE]).ok()?;
+    let states = press(&mut bed, &Ramp { from: FORCE, rate: 0.0, accuracy, scale: FORCE }, &RECORDS).ok()?;
     let values = states.iter().map(|state| state.contact_radius).collect();
     Some(Answer { values, bytes: 0, ..Answer::default() })
 }

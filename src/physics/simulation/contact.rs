@@ -6,6 +6,7 @@ use crate::physics::bed::SpringBed;
 use crate::physics::friction::FrictionError;
 use crate::physics::quasistatic::{Jump, QuasiStatic};
 use crate::physics::record::Normal;
+use crate::physics::stage::{Extent, Path};
 use crate::physics::viscoelastic::memory::BedError;
 
 /// Why a contact cannot follow what is prescribed.
@@ -20,39 +21,101 @@ pub enum ContactError {
     /// The contact grows out of a rough line.
     #[error(transparent)]
     Line(#[from] super::rough::LineTooShort),
+    /// A jump of the depth against a dashpot.
+    #[error(
+        "a jump to the depth {to:e} m would need an infinite force, for the viscosity lets nothing give at once: expected time_s of the first row above zero, or no viscosity"
+    )]
+    Jump {
+        /// Depth after the jump [m].
+        to: f64,
+    },
     /// No state of the tangential contact.
     #[error(transparent)]
     Friction(#[from] FrictionError),
 }
 
-/// A sudden change on the way, with the state on both sides.
+/// When something happens during a stage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Moment {
+    /// As the prescribed quantity passes this value.
+    Value(f64),
+    /// At this time [s] since the beginning of the stage.
+    Time(f64),
+}
+
+/// What happens between two records, a sudden change or a turn, with the state on both sides.
 #[derive(Debug, Clone, Copy)]
 pub struct Event {
-    /// Value of the prescribed quantity.
-    pub at: f64,
+    /// When.
+    pub at: Moment,
     /// State just before.
     pub before: Normal,
     /// State just after.
     pub after: Normal,
 }
 
+/// A stage as the contact sees it: all of it is known when it begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drive {
+    /// What is prescribed.
+    pub control: Control,
+    /// How it moves; never until the bodies part, which is a depth by then.
+    pub path: Path,
+    /// Duration [s]; zero for a jump.
+    pub over: f64,
+    /// Whether the stage is one of many of a table.
+    pub extent: Extent,
+}
+
 /// A normal contact that can be driven by depth or force.
 pub trait NormalContact {
-    /// Moves linearly to the value `to` of the prescribed quantity in the time `over` [s]; returns
-    /// the jumps on the way.
+    /// Begins a stage, for a contact in which the way between records counts.
     ///
     /// # Errors
     /// The contact cannot follow.
-    fn advance(&mut self, control: Control, to: f64, over: f64) -> Result<Vec<Event>, ContactError>;
+    fn begin(&mut self, _drive: &Drive) -> Result<(), ContactError> {
+        Ok(())
+    }
+
+    /// Moves to the value `to` of the prescribed quantity, at the time `until` [s] since the beginning
+    /// of the stage; returns what happens on the way.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn advance(&mut self, control: Control, to: f64, until: f64) -> Result<Vec<Event>, ContactError>;
 
     /// Present state.
     fn state(&self) -> Normal;
 
-    /// Depth [m] at which a retraction from here parts the bodies, if it is known beforehand.
+    /// Depth [m] at which a retraction from here at the speed `speed` [m/s] parts the bodies.
     ///
     /// # Errors
     /// The contact cannot follow.
-    fn last_depth(&self) -> Result<f64, ContactError>;
+    fn last_depth(&self, speed: f64) -> Result<f64, ContactError>;
+
+    /// Parts the bodies at the last depth of a retraction; returns the jump.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn part(&mut self) -> Result<Vec<Event>, ContactError> {
+        let last = self.state().indentation.unwrap_or(0.0);
+        self.advance(Control::Indentation, last.next_down(), 0.0)
+    }
+
+    /// Error of the present force [N], where the contact can tell; else a bound is known beforehand.
+    fn force_error(&self) -> Option<f64> {
+        None
+    }
+
+    /// Bytes of state, where they are only known from the run.
+    fn bytes(&self) -> usize {
+        0
+    }
+
+    /// Number of springs.
+    fn springs(&self) -> usize {
+        0
+    }
 
     /// Pressure at the radius r [Pa]; `None` where it is singular.
     fn pressure(&self, r: f64) -> Option<f64>;
@@ -115,7 +178,7 @@ impl<'p> Direct<'p> {
     fn turn_events(&mut self, from: f64, to: f64, events: &mut Vec<Event>) -> Result<(), ContactError> {
         for balance in self.contact.force_turns(from, to)? {
             let state = self.normal(&balance, self.contact.energy_at(&balance));
-            events.push(Event { at: balance.indentation, before: state, after: state });
+            events.push(Event { at: Moment::Value(balance.indentation), before: state, after: state });
         }
         Ok(())
     }
@@ -127,12 +190,12 @@ impl<'p> Direct<'p> {
         let indentation = if jump.control == Control::Indentation { at } else { f64::NAN };
         let parted = Balance { contact_radius: 0.0, reach: 0.0, indentation, force: 0.0 };
         let after = self.normal(&jump.after.unwrap_or(parted), jump.stored.1);
-        Event { at, before, after }
+        Event { at: Moment::Value(at), before, after }
     }
 }
 
 impl NormalContact for Direct<'_> {
-    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, ContactError> {
+    fn advance(&mut self, control: Control, to: f64, _until: f64) -> Result<Vec<Event>, ContactError> {
         let from = self.contact.present().balance.reach;
         match control {
             Control::Force => Ok(self.contact.press(to)?.iter().map(|jump| self.event(jump)).collect()),
@@ -147,7 +210,7 @@ impl NormalContact for Direct<'_> {
         self.normal(&self.contact.present().balance, self.contact.energy())
     }
 
-    fn last_depth(&self) -> Result<f64, ContactError> {
+    fn last_depth(&self, _speed: f64) -> Result<f64, ContactError> {
         Ok(self.contact.last_depth()?)
     }
 
@@ -194,7 +257,7 @@ impl Springs {
 }
 
 impl NormalContact for Springs {
-    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, ContactError> {
+    fn advance(&mut self, control: Control, to: f64, _until: f64) -> Result<Vec<Event>, ContactError> {
         self.parted = !self.bed.follow(control, to) && to < 0.0;
         Ok(Vec::new())
     }
@@ -212,7 +275,7 @@ impl NormalContact for Springs {
         }
     }
 
-    fn last_depth(&self) -> Result<f64, ContactError> {
+    fn last_depth(&self, _speed: f64) -> Result<f64, ContactError> {
         Ok(self.last_depth)
     }
 

@@ -2,11 +2,12 @@
 
 mod contact;
 mod fields;
+mod relaxing;
 mod results;
 mod rough;
 mod shear;
 
-pub use contact::{ContactError, Direct, Event, NormalContact, Springs};
+pub use contact::{ContactError, Direct, Drive, Event, Moment, NormalContact, Springs};
 pub use rough::LineTooShort;
 pub use shear::TangentialContact;
 
@@ -80,21 +81,13 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
     if let Some(surface) = &setup.surface {
         return rough::run(setup, surface, done);
     }
-    let plan = plan::of(setup);
-    let direct = direct(setup)?;
-    let mut run = match setup.scene.springs {
-        None => {
-            let path = wanted.fretting.then(Vec::new);
-            let tangential = shear::of(setup, None, path)?;
-            follow(setup, Contact { normal: Box::new(direct), tangential }, wanted)?
-        }
-        Some(springs) => {
-            let (bed, reach) = springs_under(setup, springs, direct)?;
-            let tangential = shear::of(setup, Some((springs, reach)), None)?;
-            follow(setup, Contact { normal: Box::new(bed), tangential }, wanted)?
-        }
-    };
-    let error_estimate = error_estimate(setup);
+    let mut plan = plan::of(setup);
+    let mut run = follow(setup, contact(setup, wanted)?, wanted)?;
+    let mut error_estimate = error_estimate(setup);
+    if setup.relaxation.is_some() {
+        (plan.state_bytes, plan.springs) = (run.bytes, run.contact.springs());
+        error_estimate = relaxing::error_estimate(setup, &run);
+    }
     let stresses = if wanted.stresses { run.stresses(setup) } else { Vec::new() };
     let results = results::named(setup, &run.records, &run.fields);
     Ok(Outcome {
@@ -107,6 +100,24 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
         plan,
         ensemble: None,
     })
+}
+
+/// The contact of a scene, bodies just touching.
+fn contact(setup: &Setup, wanted: Wanted) -> Result<Contact<'_>, SimulationError> {
+    if let Some(relaxation) = &setup.relaxation {
+        if setup.scene.friction.is_some() {
+            return Err(SimulationError::Refused("friction of a Viscoelastic body cannot be followed yet".to_owned()));
+        }
+        return Ok(Contact { normal: relaxing::contact(setup, relaxation), tangential: None });
+    }
+    let direct = direct(setup)?;
+    let Some(springs) = setup.scene.springs else {
+        let path = wanted.fretting.then(Vec::new);
+        return Ok(Contact { normal: Box::new(direct), tangential: shear::of(setup, None, path)? });
+    };
+    let (bed, reach) = springs_under(setup, springs, direct)?;
+    let tangential = shear::of(setup, Some((springs, reach)), None)?;
+    Ok(Contact { normal: Box::new(bed), tangential })
 }
 
 /// The direct path of a scene, bodies just touching.
@@ -142,7 +153,7 @@ fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: Direct<'_>) -> Re
         }
         None => 0.0,
     };
-    let parting = direct.last_depth().unwrap_or(0.0);
+    let parting = direct.last_depth(0.0).unwrap_or(0.0);
     let run = follow(setup, Contact { normal: Box::new(direct), tangential: None }, Wanted::NOTHING)?;
     let largest = run.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let reach = SpringBed::reach_for(setup.profile.as_ref(), largest);
@@ -167,12 +178,19 @@ fn error_estimate(setup: &Setup) -> ErrorEstimate {
     }
 }
 
-/// Where a step leads: the prescribed quantity, the tangential displacement [m] and the time [s].
+/// Where a step leads: the prescribed quantity, the tangential displacement [m], and the time as the
+/// beginning of the stage and what has passed since [s].
 #[derive(Debug, Clone, Copy)]
 struct Aim {
     prescribed: f64,
     slide: f64,
-    time: f64,
+    since: (f64, f64),
+}
+
+impl Aim {
+    fn time(&self) -> f64 {
+        self.since.0 + self.since.1
+    }
 }
 
 /// A history being followed.
@@ -192,6 +210,10 @@ struct Run<'p> {
     wanted: Wanted,
     notes: Vec<String>,
     loaded: Option<Normal>,
+    /// Largest error of the force at the ends of the stages [N].
+    force_error: f64,
+    /// Largest state [bytes].
+    bytes: usize,
 }
 
 fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
@@ -210,6 +232,8 @@ fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run
         wanted,
         notes: Vec::new(),
         loaded: None,
+        force_error: 0.0,
+        bytes: 0,
     };
     run.push(run.contact.state(), 0.0);
     for (number, stage) in stages.iter().enumerate() {
@@ -231,14 +255,16 @@ impl Run<'_> {
         let (from, slide, start) = (self.prescribed(), self.slide, self.time);
         let (normal, over) = self.resolved(stage)?;
         self.speed = if let Path::To(to) = stage.tangential { (to - slide).abs() / over } else { 0.0 };
+        self.contact.begin(&Drive { control: self.control, path: normal, over, extent: stage.extent })?;
         for part in stage.parts() {
             let aim = Aim {
                 prescribed: normal.at(from, (part, over)),
                 slide: stage.tangential.at(slide, (part, over)),
-                time: start + part * over,
+                since: (start, part * over),
             };
             self.advance(aim)?;
         }
+        self.observe();
         if let Path::UntilParted { .. } = stage.normal {
             self.part()?;
         }
@@ -253,7 +279,7 @@ impl Run<'_> {
                 .push(format!("history[{}]: the bodies have parted already; there is nothing to retract", stage.entry));
             return Ok((Path::Stay, 0.0));
         }
-        let to = self.contact.last_depth()?;
+        let to = self.contact.last_depth(speed)?;
         Ok((Path::To(to), (self.prescribed() - to).abs() / speed))
     }
 
@@ -273,7 +299,7 @@ impl Run<'_> {
     /// the depths the normal one has gone through; the record of both is last.
     fn advance(&mut self, to: Aim) -> Result<(), ContactError> {
         let (from, since) = (self.prescribed(), self.time);
-        let (value, over) = (to.prescribed, to.time - since);
+        let (value, over) = (to.prescribed, to.time() - since);
         let was_joined = self.contact.joined();
         if value < from {
             self.look_deepest();
@@ -281,21 +307,26 @@ impl Run<'_> {
         if (value - from).abs() > 0.0 {
             self.tangential.iter_mut().for_each(|tangential| tangential.let_go());
         }
-        for event in self.contact.advance(self.control, value, over)? {
-            let part =
-                if (value - from).abs() > 0.0 { ((event.at - from) / (value - from)).clamp(0.0, 1.0) } else { 0.0 };
-            let at = since + part * over;
+        for event in self.contact.advance(self.control, value, to.since.1)? {
+            let at = match event.at {
+                Moment::Time(elapsed) => to.since.0 + elapsed,
+                Moment::Value(passed) if (value - from).abs() > 0.0 => {
+                    since + ((passed - from) / (value - from)).clamp(0.0, 1.0) * over
+                }
+                Moment::Value(_) => since,
+            };
             self.push(event.before, at);
             self.push(event.after, at);
         }
         if was_joined && !self.contact.joined() && self.control == Control::Force && value < 0.0 {
             self.notes.push(format!(
                 "history[{}]: the prescribed force passes pull-off at t = {:e} s: the bodies part and stay apart",
-                self.entry, to.time
+                self.entry,
+                to.time()
             ));
         }
         self.shear(from, to)?;
-        self.push(self.contact.state(), to.time);
+        self.push(self.contact.state(), to.time());
         Ok(())
     }
 
@@ -313,12 +344,17 @@ impl Run<'_> {
 
     /// The instant in which a retracted contact parts: a hair below the last stable depth.
     fn part(&mut self) -> Result<(), ContactError> {
-        let last = self.prescribed();
-        let events = self.contact.advance(Control::Indentation, last.next_down(), 0.0)?;
-        for event in events {
+        for event in self.contact.part()? {
             self.push(event.after, self.time);
         }
         Ok(())
+    }
+
+    /// Notes the error and the size of the contact at the end of a stage.
+    fn observe(&mut self) {
+        let error = self.contact.force_error().unwrap_or(0.0);
+        self.force_error = self.force_error.max(error);
+        self.bytes = self.bytes.max(self.contact.bytes());
     }
 
     fn push(&mut self, normal: Normal, time: f64) {

@@ -62,7 +62,7 @@ fn least_gap_at_ends(profile: &dyn Profile, line: &RoughLine, points: usize) -> 
 }
 
 impl NormalContact for RoughContact {
-    fn advance(&mut self, control: Control, to: f64, _over: f64) -> Result<Vec<Event>, ContactError> {
+    fn advance(&mut self, control: Control, to: f64, _until: f64) -> Result<Vec<Event>, ContactError> {
         let touch = self.bed.first_touch();
         (self.state, self.depth) = match control {
             Control::Indentation => (self.bed.at_indentation(touch + to), to),
@@ -88,7 +88,7 @@ impl NormalContact for RoughContact {
         }
     }
 
-    fn last_depth(&self) -> Result<f64, ContactError> {
+    fn last_depth(&self, _speed: f64) -> Result<f64, ContactError> {
         Ok(0.0)
     }
 

@@ -4,8 +4,9 @@ use super::layout::Layout;
 use super::lazy::Lazy;
 use super::ledger::Ledger;
 use super::memory::{BedError, Memory};
+use super::pressing::Pressing;
+pub use super::pressing::Ramp;
 use super::spectrum::Spectrum;
-use crate::physics::root;
 use crate::physics::shape::Profile;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -26,7 +27,7 @@ pub struct State {
 }
 
 /// A bed that can be moved at constant speed, and asked what would be if it were.
-pub trait Bed {
+pub trait Bed: Clone {
     /// State after a motion at constant `speed` [m/s] for `duration` [s], taken back.
     ///
     /// # Errors
@@ -37,7 +38,24 @@ pub trait Bed {
     ///
     /// # Errors
     /// As [`state_after`](Self::state_after).
-    fn force_after(&mut self, speed: f64, duration: f64) -> Result<f64, BedError>;
+    fn force_after(&mut self, speed: f64, duration: f64) -> Result<f64, BedError> {
+        Ok(self.glance(speed, duration)?.0)
+    }
+
+    /// Force [N] and contact radius [m] after a motion, taken back.
+    ///
+    /// # Errors
+    /// As [`state_after`](Self::state_after).
+    fn glance(&mut self, speed: f64, duration: f64) -> Result<(f64, f64), BedError>;
+
+    /// Moves to the depth `to` [m] in `duration` [s], and lands on it to the last bit.
+    ///
+    /// # Errors
+    /// As [`state_after`](Self::state_after).
+    fn reach(&mut self, to: f64, duration: f64) -> Result<(), BedError>;
+
+    /// The springs' material.
+    fn spectrum(&self) -> &Spectrum;
 
     /// Moves at constant `speed` [m/s] for `duration` [s].
     ///
@@ -54,8 +72,16 @@ impl Bed for Memory {
         Ok(self.after(speed, duration)?.state())
     }
 
-    fn force_after(&mut self, speed: f64, duration: f64) -> Result<f64, BedError> {
-        Ok(Memory::force_after(self, speed, duration)?.0)
+    fn glance(&mut self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
+        Memory::force_after(self, speed, duration)
+    }
+
+    fn reach(&mut self, to: f64, duration: f64) -> Result<(), BedError> {
+        Memory::reach(self, to, duration)
+    }
+
+    fn spectrum(&self) -> &Spectrum {
+        &self.ground.spectrum
     }
 
     fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
@@ -132,9 +158,19 @@ impl Bed for Springs {
         Ok(self.bed.tried(speed, duration, |bed| state_of(bed, instantaneous)))
     }
 
-    fn force_after(&mut self, speed: f64, duration: f64) -> Result<f64, BedError> {
+    fn glance(&mut self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
         self.widen(self.bed.indentation() + speed * duration)?;
-        Ok(self.bed.tried(speed, duration, Lazy::force))
+        Ok(self.bed.tried(speed, duration, |bed| (bed.force(), bed.radius())))
+    }
+
+    fn reach(&mut self, to: f64, duration: f64) -> Result<(), BedError> {
+        self.widen(to)?;
+        self.bed.reach(to, duration);
+        Ok(())
+    }
+
+    fn spectrum(&self) -> &Spectrum {
+        self.bed.spectrum()
     }
 
     fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
@@ -203,79 +239,24 @@ pub fn oscillate(
     Ok(states)
 }
 
-/// A prescribed force that goes linearly with time.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ramp {
-    /// Force at the beginning [N].
-    pub from: f64,
-    /// Rate [N/s].
-    pub rate: f64,
-    /// Relative error of the force between the ends of the steps.
-    pub accuracy: f64,
-}
-
-/// States at `records` [s] of a bed under a prescribed force.
-///
-/// Straight pieces of d(t) that meet the force at their ends; a piece is shortened until the force in
-/// its middle is met to `accuracy` of the greater of the two end forces. So the force actually
-/// applied differs from the prescribed one by no more than that at any time.
+/// States at `records` [s] of a bed under a prescribed force, in the pieces of [`Pressing`].
 ///
 /// # Errors
 /// The contact would outgrow the profile.
 pub fn press(bed: &mut impl Bed, ramp: &Ramp, records: &[f64]) -> Result<Vec<State>, BedError> {
     let end = records.last().copied().unwrap_or(0.0);
-    let force = |t: f64| (ramp.from + ramp.rate * t).max(0.0);
-    let largest = force(0.0).max(force(end));
+    let mut pressing = Pressing::new(*ramp, end);
     let mut states = Vec::with_capacity(records.len());
-    let (mut now, mut step) = (0.0, end);
-    while now < end && states.len() < records.len() {
-        step = step.min(end - now);
-        let speed = speed_to(bed, force(now + step).max(1e-12 * largest), step)?;
-        let middle = bed.force_after(speed, 0.5 * step)? - force(now + 0.5 * step);
-        let error = middle.abs() / (ramp.accuracy * largest.max(f64::MIN_POSITIVE));
-        if error > 1.0 && step > 1e-18 * end {
-            step *= (0.8 / error.sqrt()).clamp(1e-3, 0.8);
-            continue;
+    let mut now = 0.0;
+    while let Some(piece) = pressing.next(bed)? {
+        while let Some(&t) = records.get(states.len()).filter(|&&t| t < piece.until) {
+            states.push(bed.state_after(piece.speed, t - now)?);
         }
-        let last = now + step >= end * (1.0 - 1e-15);
-        while let Some(&t) = records.get(states.len()).filter(|&&t| t <= now + step && !(last && t >= end)) {
-            states.push(bed.state_after(speed, t - now)?);
-        }
-        bed.advance(speed, step)?;
-        now += step;
-        step *= (0.8 / error.sqrt()).clamp(0.2, 5.0);
-        if last {
-            states.push(bed.state());
-        }
+        bed.advance(piece.speed, piece.until - now)?;
+        now = piece.until;
     }
+    states.resize(records.len(), bed.state());
     Ok(states)
-}
-
-/// The speed at which a motion of the given duration ends with the force `force` [N] > 0.
-fn speed_to(bed: &mut impl Bed, force: f64, duration: f64) -> Result<f64, BedError> {
-    let state = bed.state();
-    let mut failed = None;
-    let mut residual = |speed: f64| match bed.force_after(speed, duration) {
-        Ok(found) => found - force,
-        Err(error) => {
-            failed = Some(error);
-            f64::MAX
-        }
-    };
-    // A guess from the stiffness, widened until it brackets the root: the force grows with the speed.
-    let still = residual(0.0);
-    let near = (still.abs() / state.stiffness.max(1e-9 * force / state.indentation.abs().max(1e-30))) / duration;
-    let mut width = near.max(1e-12 * state.indentation.abs() / duration).max(1e-300).copysign(-still);
-    let mut inner = 0.0;
-    while (residual(width) > 0.0) == (still > 0.0) && width.abs() < 1e290 {
-        inner = width;
-        width *= 2.0;
-    }
-    let speed = root::brent(&mut residual, inner.min(width), inner.max(width)).unwrap_or(width);
-    match failed.filter(|_| speed.abs() <= 0.0) {
-        Some(error) => Err(error),
-        None => Ok(speed),
-    }
 }
 
 #[cfg(test)]
@@ -311,8 +292,10 @@ mod tests {
         let exact = Creep::new(spectrum.clone(), ball.clone());
         let layout = Layout::graded(ball.as_ref(), (1e-3, 0.1), 2000);
         let mut bed = Springs::new(spectrum, ball, layout);
-        let up = press(&mut bed, &Ramp { from: 0.0, rate: 1e-3, accuracy: 1e-5 }, &[0.25, 0.5, 1.0]).unwrap();
-        let held = press(&mut bed, &Ramp { from: 1e-3, rate: 0.0, accuracy: 1e-5 }, &[0.1, 1.0, 10.0]).unwrap();
+        let up =
+            press(&mut bed, &Ramp { from: 0.0, rate: 1e-3, accuracy: 1e-5, scale: 1e-3 }, &[0.25, 0.5, 1.0]).unwrap();
+        let held =
+            press(&mut bed, &Ramp { from: 1e-3, rate: 0.0, accuracy: 1e-5, scale: 1e-3 }, &[0.1, 1.0, 10.0]).unwrap();
         let top = exact.after(1e-3, 1.0);
         let expected = [0.25, 0.5, 1.0].map(|t| exact.after(1e-3 * t, t));
         let expected = expected.into_iter().chain([0.1, 1.0, 10.0].map(|t| top.after(1e-3, t)));
@@ -329,7 +312,7 @@ mod tests {
         let mut bed = Memory::new(solid(), ball);
         indent(&mut bed, 0.01, &[1.0]).unwrap();
         let force = bed.force();
-        let ramp = Ramp { from: force, rate: -0.5 * force, accuracy: 1e-4 };
+        let ramp = Ramp { from: force, rate: -0.5 * force, accuracy: 1e-4, scale: force };
         let seen = press(&mut bed, &ramp, &[0.5, 1.0, 1.5]).unwrap();
         for (state, part) in seen.iter().zip([0.75, 0.5, 0.25]) {
             assert!((state.force / force - part).abs() < 1e-4, "{} {part}", state.force / force);

@@ -178,6 +178,18 @@ impl Lazy {
         self.refresh();
     }
 
+    /// Moves to the depth `to` [m] in `duration` [s], and lands on it to the last bit.
+    pub fn reach(&mut self, to: f64, duration: f64) {
+        self.advance((to - self.now.depth) / duration, duration);
+        self.now.depth = to;
+    }
+
+    /// The springs' material.
+    #[must_use]
+    pub fn spectrum(&self) -> &Spectrum {
+        &self.spectrum
+    }
+
     fn touched_in(&self, spring: usize, motion: &Motion) -> Option<Event> {
         let (before, seen) = (self.spring(spring), self.seen(spring, motion));
         let Spring::Free(free) = &before else { return None };
@@ -315,6 +327,15 @@ impl Lazy {
         match self.spring(j) {
             Spring::Pressed(s) => self.spectrum.load(self.now.depth - self.layout.height[j], &s, self.now.speed),
             Spring::Free(_) => 0.0,
+        }
+    }
+
+    /// Displacement u [m] of the spring `j`.
+    #[must_use]
+    pub fn displacement(&self, j: usize) -> f64 {
+        match self.spring(j) {
+            Spring::Pressed(_) => self.now.depth - self.layout.height[j],
+            Spring::Free(free) => self.spectrum.recovered(&free, 0.0),
         }
     }
 

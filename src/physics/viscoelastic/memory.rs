@@ -9,7 +9,6 @@
 
 use super::ledger::Ledger;
 use super::opening::{Attraction, Tear, opening};
-use super::pressure;
 use super::spectrum::Spectrum;
 use super::spring::{Motion, Spring};
 use super::strip::{Detail, Ground, Past, Strip};
@@ -31,10 +30,10 @@ pub enum BedError {
 /// Bed without discretization in space or time.
 #[derive(Debug, Clone)]
 pub struct Memory {
-    ground: Ground,
-    strips: Vec<Strip>,
+    pub(super) ground: Ground,
+    pub(super) strips: Vec<Strip>,
     /// Number of strips pressed; they come first.
-    pressed: usize,
+    pub(super) pressed: usize,
     depth: f64,
     speed: f64,
     time: f64,
@@ -73,6 +72,16 @@ impl Memory {
     /// The contact would outgrow the profile.
     pub fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
         self.follow(&Motion { start: self.depth, speed, duration }, Detail::Energy)
+    }
+
+    /// Moves to the depth `to` [m] in `duration` [s], and lands on it to the last bit.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn reach(&mut self, to: f64, duration: f64) -> Result<(), BedError> {
+        self.advance((to - self.depth) / duration, duration)?;
+        self.depth = to;
+        Ok(())
     }
 
     /// The bed after a motion, this one left as it is.
@@ -261,16 +270,21 @@ impl Memory {
         spectrum.equilibrium() * self.displaced(self.depth, a) + elements + dashpot
     }
 
-    /// Relative error of the force, estimated: every sum against one made anew with panels of half the
-    /// width, and the rounding of as many operations as made it.
+    /// Relative error of the force, estimated: [`force_error`](Self::force_error) over the force.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
+        if self.pressed > 0 { self.force_error() / self.force().abs() } else { 0.0 }
+    }
+
+    /// Error of the force [N], estimated: every sum against one made anew with panels of half the
+    /// width, and the rounding of as many operations as made it.
+    #[must_use]
+    pub fn force_error(&self) -> f64 {
         let held = &self.strips[..self.pressed];
         let off: f64 = held.iter().map(|strip| (strip.checked_load(&self.ground) - strip.load()).abs()).sum();
         let elements: f64 = held.iter().map(|strip| strip.load().abs()).sum();
         let steady = self.ground.spectrum.equilibrium() * self.displaced(self.depth, self.radius());
-        let rounding = 512.0 * f64::EPSILON * (steady.abs() + elements);
-        if self.pressed > 0 { (off + rounding) / self.force().abs() } else { 0.0 }
+        off + 512.0 * f64::EPSILON * (steady.abs() + elements)
     }
 
     /// Contact radius [m].
@@ -307,15 +321,6 @@ impl Memory {
         let squares = squares + over * (self.displaced(self.depth, a) - over * a);
         let stored = spectrum.equilibrium() * squares + elements;
         Ledger { work: self.work, stored, dissipated: self.work - stored }
-    }
-
-    /// Pressure p(r) [Pa] at the radius `r` ≥ 0 [m]; zero outside the contact.
-    #[must_use]
-    pub fn pressure(&self, r: f64) -> f64 {
-        let held = &self.strips[..self.pressed];
-        let mut ends: Vec<f64> = held.iter().flat_map(|strip| strip.panel_ends(&self.ground)).collect();
-        ends.dedup();
-        pressure::inverse(&|x| self.line_load(x), &ends, r)
     }
 
     /// Line load q(x) [N/m] at the distance `x` from the axis.

@@ -16,11 +16,13 @@ pub mod lazy;
 pub mod ledger;
 pub mod memory;
 pub mod opening;
+pub mod pressing;
 pub mod pressure;
 mod secular;
 mod spectrum;
 pub mod spring;
 mod strip;
+mod surface;
 mod totals;
 
 pub use spectrum::{Mode, Spectrum, Term};

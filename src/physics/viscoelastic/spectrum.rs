@@ -154,6 +154,21 @@ impl Spectrum {
         if flow > 0.0 { flow.recip() } else { 0.0 }
     }
 
+    /// A time [s] in which nothing relaxes to the last bit: how long a jump is made to last.
+    #[must_use]
+    pub fn instant(&self) -> f64 {
+        let retarded = self.modes.first().map_or(f64::INFINITY, |mode| mode.time);
+        let shortest = self.shortest_time().min(retarded);
+        if shortest.is_finite() { 1e-20 * shortest } else { 1.0 }
+    }
+
+    /// The relaxation function this is the spectrum of.
+    #[must_use]
+    pub fn relaxation_function(&self) -> Relaxation {
+        let terms = self.terms.iter().map(|term| (term.modulus, term.time)).collect();
+        Relaxation { equilibrium: self.equilibrium, terms, viscosity: self.viscosity }
+    }
+
     /// Shortest relaxation time [s]; infinite for an elastic spring.
     #[must_use]
     pub fn shortest_time(&self) -> f64 {

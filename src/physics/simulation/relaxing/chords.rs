@@ -1,0 +1,53 @@
+//! A sine cut into chords.
+
+use std::f64::consts::TAU;
+
+/// Chords of d₀ + A sin 2πft; their ends do not depend on the records.
+///
+/// A chord over the angle α leaves its arc by A(1 − cos(α/2)) ≈ Aα²/8.
+#[derive(Debug, Clone, Copy)]
+pub struct Chords {
+    center: f64,
+    amplitude: f64,
+    frequency: f64,
+    /// End of the stage [s].
+    end: f64,
+    per_cycle: f64,
+    next: f64,
+}
+
+/// Fewest chords per cycle: the loop of a small amplitude is resolved too.
+const FEWEST: f64 = 256.0;
+/// Most chords per cycle.
+const MOST: f64 = 16384.0;
+
+impl Chords {
+    /// Chords that leave the sine by at most `accuracy` of the depth.
+    pub fn new(center: f64, (amplitude, frequency): (f64, f64), end: f64, accuracy: f64) -> Self {
+        let angle = (8.0 * accuracy * center.abs().max(amplitude) / amplitude).sqrt();
+        let per_cycle = 4.0 * (0.25 * (TAU / angle).clamp(FEWEST, MOST)).ceil();
+        Self { center, amplitude, frequency, end, per_cycle, next: 1.0 }
+    }
+
+    /// Depth [m] at the time `t` [s].
+    fn depth(&self, t: f64) -> f64 {
+        self.center + self.amplitude * (TAU * (self.frequency * t).fract()).sin()
+    }
+}
+
+impl Iterator for Chords {
+    type Item = (f64, f64);
+
+    /// Depth [m] and time [s] of the end of the next chord.
+    fn next(&mut self) -> Option<(f64, f64)> {
+        let width = 1.0 / (self.per_cycle * self.frequency);
+        let since = (self.next - 1.0) * width;
+        if since >= self.end * (1.0 - 1e-12) {
+            return None;
+        }
+        let until = self.next * width;
+        let until = if until >= self.end * (1.0 - 1e-12) { self.end } else { until };
+        self.next += 1.0;
+        Some((self.depth(until), until))
+    }
+}
