@@ -96,3 +96,58 @@ fn bodies_that_never_press_cannot_be_compared() {
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("the bodies never press on each other"));
 }
+
+const ROUGH: &str = "spectrum: SelfAffine(hurst: 0.8, rms: \"1 um\", long: \"100 um\", short: \"4 um\"), length: \"100 um\", points: 4096";
+
+fn pressed(shape: &str) -> String {
+    scene(shape, "").replace("Indent(to: \"1 um\"", "Press(to: \"0.3 N\"")
+}
+
+/// Rough shapes are compared under the force of the scene: stiffness agrees to tens of per cent, the share in contact is the half-space's.
+#[cfg(feature = "half-space")]
+#[test]
+fn a_rough_surface_by_its_line_and_by_itself() {
+    let (value, rows) = rows(&pressed(&format!("RoughLine({ROUGH}, seeds: 3)")));
+    assert_eq!(value["reference"], "half-space on 512² pixels, the finest grid");
+    // Measured over H and seeds: prefactors within 15 %, single surfaces scatter by as much.
+    for points in [1024, 65536] {
+        assert!(error(&rows, "springs", ("springs", points), "stiffness_error").abs() < 0.3);
+    }
+    // The same surface on the next coarser grid.
+    assert!(error(&rows, "half-space", ("grid", 256), "stiffness_error").abs() < 0.02);
+    let share = value["state"]["area_fraction"].as_f64().unwrap();
+    assert!(share > 0.0 && share < 0.2, "{share}");
+}
+
+/// A surface too fine for the half-space is not tried, and the note says what it would take.
+#[cfg(feature = "half-space")]
+#[test]
+fn a_surface_too_large_is_refused_before_it_is_tried() {
+    for (short, points, words) in [("0.1 um", 4096, "needs 2000² pixels"), ("0.5 nm", 1_000_000, "bytes")] {
+        let fine = ROUGH.replace("4 um", short).replace("4096", &points.to_string());
+        let (_, output) = compare(&pressed(&format!("RoughLine({fine})")), &[]);
+        let said = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success() && said.contains("note: half-space: ") && said.contains(words), "{said}");
+    }
+}
+
+/// `explain` tells where the contact stays in one piece: everywhere under a ball; under a wavy ball up to 3.127e-2 m (R = 1, h = 0.01,
+/// λ = 0.25), the number found from the gap of the solution.
+#[test]
+fn explain_tells_where_the_contact_is_in_one_piece() {
+    let explained = |shape: &str, depth: &str| {
+        let folder = TempDir::new().unwrap();
+        let path = folder.path().join("scene.ron");
+        std::fs::write(&path, scene(shape, "").replace("1 um", depth)).unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_springbed")).arg("explain").arg(&path).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let ball = explained("Paraboloid(radius: 1)", "1 um");
+    assert!(ball.contains("connectivity    g(x) grows everywhere: one round contact"), "{ball}");
+    let wavy = explained("WavyParaboloid(radius: 1, amplitude: 0.01, wavelength: 0.25)", "20 mm");
+    assert!(
+        wavy.contains("exact mapping, up to d = 3.127")
+            && wavy.contains("as a cylinder on a half-plane (R = 1.000e0 m)"),
+        "{wavy}"
+    );
+}

@@ -11,6 +11,7 @@ pub mod agreement;
 pub mod case;
 pub mod cases;
 pub mod validity;
+pub mod one_piece;
 pub mod comparison;
 pub mod ting;
 pub mod clock;

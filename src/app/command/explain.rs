@@ -5,6 +5,7 @@ use crate::app::console::{Console, Failure};
 use crate::app::export::with_prefix;
 use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
+use crate::check::one_piece;
 use crate::physics::record::Outcome;
 use crate::physics::setup::Setup;
 use std::fmt::Write;
@@ -39,6 +40,9 @@ fn text(setup: &Setup, outcome: &Outcome) -> String {
     line("accuracy asked", &format!("{:e}", setup.accuracy()));
     let estimate = &outcome.error_estimate;
     line("error expected", &format!("{:.0e} ({})", estimate.relative, estimate.basis));
+    for words in one_piece::in_words(setup, outcome) {
+        line("connectivity", &words);
+    }
     if outcome.warnings.is_empty() {
         line("warnings", "none");
     }
@@ -69,6 +73,7 @@ fn json(setup: &Setup, outcome: &Outcome) -> Result<String, Failure> {
         "plan": outcome.plan,
         "accuracy": setup.accuracy(),
         "error_estimate": outcome.error_estimate,
+        "connectivity": one_piece::in_words(setup, outcome),
         "warnings": outcome.warnings,
     });
     serde_json::to_string_pretty(&value).map_err(Failure::failed)

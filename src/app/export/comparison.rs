@@ -1,7 +1,7 @@
 //! A comparison of methods as table, CSV and JSON.
 
 use super::with_prefix;
-use crate::check::comparison::{Comparison, Row};
+use crate::check::comparison::{Comparison, Row, State};
 use std::fmt::Write;
 
 /// The comparison as an aligned table.
@@ -14,21 +14,17 @@ pub fn comparison_text(title: &str, comparison: &Comparison) -> String {
     if !title.is_empty() {
         line(title.to_owned());
     }
-    let state = &comparison.state;
-    let peak = state.peak_pressure_pa.map_or("singular".to_owned(), |pressure| with_prefix(pressure, "Pa"));
-    line(format!(
-        "  at d = {}: F = {}, a = {}, largest pressure {peak}",
-        with_prefix(state.indentation_m, "m"),
-        with_prefix(state.force_n, "N"),
-        with_prefix(state.contact_radius_m, "m"),
-    ));
+    line(format!("  {}", state_in_words(&comparison.state)));
     line(format!("  errors relative to: {}", comparison.reference));
+    let is_rough = comparison.state.contact_radius_m.is_none();
+    let names = if is_rough { ROUGH } else { SMOOTH };
+    let [first, second, third, last] = names;
     line(format!(
-        "  {:<12}{:>10}{:>12}{:>12}{:>12}{:>12}{:>11}{:>12}",
-        "method", "fineness", "force", "radius", "pressure", "time", "memory", "iterations"
+        "  {:<12}{:>10}{first:>13}{second:>12}{third:>12}{:>12}{:>11}{last:>12}",
+        "method", "fineness", "time", "memory"
     ));
     for row in &comparison.rows {
-        line(cells(row));
+        line(if is_rough { rough_cells(row) } else { cells(row) });
     }
     for note in &comparison.notes {
         line(format!("  note: {note}"));
@@ -36,18 +32,40 @@ pub fn comparison_text(title: &str, comparison: &Comparison) -> String {
     text
 }
 
+const SMOOTH: [&str; 4] = ["force", "radius", "pressure", "iterations"];
+const ROUGH: [&str; 4] = ["indentation", "stiffness", "pressure", "area share"];
+
+/// The state compared.
+fn state_in_words(state: &State) -> String {
+    let mut words =
+        vec![format!("at d = {}: F = {}", with_prefix(state.indentation_m, "m"), with_prefix(state.force_n, "N"))];
+    let mut add = |name: &str, value: Option<f64>, unit: &str| {
+        words.extend(value.map(|value| format!("{name} {}", with_prefix(value, unit))));
+    };
+    add("a =", state.contact_radius_m, "m");
+    add("k =", state.stiffness_n_per_m, "N/m");
+    add("largest pressure", state.peak_pressure_pa, "Pa");
+    words.extend(state.area_fraction.map(|share| format!("contact on {:.2} % of the area", 100.0 * share)));
+    words.join(", ")
+}
+
 fn cells(row: &Row) -> String {
-    let error = |error: Option<f64>| error.map_or("–".to_owned(), |error| format!("{error:+.1e}"));
+    let iterations = row.iterations.map_or_else(String::new, |count| count.to_string());
+    aligned(row, [row.force_error, row.radius_error, row.pressure_error], &iterations)
+}
+
+fn rough_cells(row: &Row) -> String {
+    let share = row.state.area_fraction.map_or_else(String::new, |share| format!("{:.2} %", 100.0 * share));
+    aligned(row, [row.indentation_error, row.stiffness_error, row.pressure_error], &share)
+}
+
+fn aligned(row: &Row, errors: [Option<f64>; 3], last: &str) -> String {
+    let [first, second, third] = errors.map(|error| error.map_or("–".to_owned(), |error| format!("{error:+.1e}")));
+    let (time, memory) = (short(row.time_s, "s"), short(row.bytes as f64, "B"));
     format!(
-        "  {:<12}{:>10}{:>12}{:>12}{:>12}{:>12}{:>11}{:>12}",
+        "  {:<12}{:>10}{first:>13}{second:>12}{third:>12}{time:>12}{memory:>11}{last:>12}",
         row.method.name(),
         fineness(row),
-        error(row.force_error),
-        error(row.radius_error),
-        error(row.pressure_error),
-        short(row.time_s, "s"),
-        short(row.bytes as f64, "B"),
-        row.iterations.map_or_else(String::new, |count| count.to_string()),
     )
 }
 
@@ -84,6 +102,11 @@ pub fn comparison_table(comparison: &Comparison) -> Result<String, csv::Error> {
         "force_n",
         "contact_radius_m",
         "peak_pressure_pa",
+        "indentation_error",
+        "stiffness_error",
+        "indentation_m",
+        "stiffness_n_per_m",
+        "area_fraction",
     ])?;
     for row in &comparison.rows {
         writer.write_record(record(row))?;
@@ -105,8 +128,13 @@ fn record(row: &Row) -> Vec<String> {
         row.bytes.to_string(),
         count(row.iterations),
         number(Some(row.state.force_n)),
-        number(Some(row.state.contact_radius_m)),
+        number(row.state.contact_radius_m),
         number(row.state.peak_pressure_pa),
+        number(row.indentation_error),
+        number(row.stiffness_error),
+        number(Some(row.state.indentation_m)),
+        number(row.state.stiffness_n_per_m),
+        number(row.state.area_fraction),
     ]
 }
 

@@ -4,7 +4,7 @@ use super::methods::Scenario;
 use super::{Measured, State, timed};
 use crate::check::elliptic::EllipticHertz;
 use crate::check::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Solution, Start, solve};
-use crate::physics::shape::{Profile, Rim, Shape};
+use crate::physics::shape::Shape;
 use ndarray::Array2;
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ pub(super) fn measured(scenario: &Scenario<'_>, grid: usize) -> Result<Measured,
     let solution = solution.map_err(|error| format!("half-space on {grid}² pixels: {error}"))?;
     let state = State {
         force_n: solution.force(),
-        contact_radius_m: radius(&scenario.setup.scene.shape, &solution),
+        contact_radius_m: Some(radius(&scenario.setup.scene.shape, &solution)),
         peak_pressure_pa: scenario.peak_at.map(|_| solution.peak_pressure()),
         ..scenario.most
     };
@@ -41,7 +41,7 @@ fn solved(scenario: &Scenario<'_>, grid: usize) -> Result<Solution, HalfSpaceErr
 
 /// Semi-axes of the contact along x and y [m]; the true ones of an ellipsoid.
 fn semi_axes(scenario: &Scenario<'_>) -> [f64; 2] {
-    let round = [scenario.most.contact_radius_m; 2];
+    let round = [scenario.most.contact_radius_m.unwrap_or(0.0); 2];
     let Shape::Ellipsoid(ellipsoid) = &scenario.setup.scene.shape else { return round };
     let radii = [ellipsoid.radius_x.si(), ellipsoid.radius_y.si()];
     let exact = EllipticHertz::at_indentation(radii, 1.0, scenario.most.indentation_m);
@@ -56,12 +56,7 @@ fn height(scenario: &Scenario<'_>, x: f64, y: f64) -> f64 {
     if let Shape::Ellipsoid(ellipsoid) = &scenario.setup.scene.shape {
         return 0.5 * (x * x / ellipsoid.radius_x.si() + y * y / ellipsoid.radius_y.si());
     }
-    let profile: &dyn Profile = scenario.setup.profile.as_ref();
-    let r = x.hypot(y);
-    match profile.rim() {
-        Rim::Wall(end) | Rim::End(end) if r > end => f64::INFINITY,
-        _ => profile.height(r),
-    }
+    super::rough_full::smooth(scenario.setup.profile.as_ref(), x.hypot(y))
 }
 
 /// Contact radius [m]: of Hertzian pressures from their second moments, else from the area.

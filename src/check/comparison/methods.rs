@@ -83,7 +83,7 @@ impl<'s> Scenario<'s> {
         let normal = contact.state();
         Ok(State {
             force_n: normal.force,
-            contact_radius_m: normal.contact_radius.unwrap_or(f64::NAN),
+            contact_radius_m: normal.contact_radius,
             peak_pressure_pa: self.peak_at.and_then(|r| contact.pressure(r)),
             ..self.most
         })
@@ -102,12 +102,12 @@ impl<'s> Scenario<'s> {
             Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
             _ => 0.0,
         };
-        let reach = SpringBed::reach_for(profile, self.most.contact_radius_m);
+        let reach = SpringBed::reach_for(profile, self.most.contact_radius_m.unwrap_or(0.0));
         let mut bed = SpringBed::new(profile, (springs, reach), self.setup.pair.normal, work);
         bed.indent(self.most.indentation_m);
         State {
             force_n: bed.force(),
-            contact_radius_m: bed.contact_radius(),
+            contact_radius_m: Some(bed.contact_radius()),
             peak_pressure_pa: self.peak_at.map(|r| bed.pressure(r)),
             ..self.most
         }

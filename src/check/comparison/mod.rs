@@ -4,6 +4,9 @@
 mod full;
 mod methods;
 mod reference;
+mod rough;
+#[cfg(feature = "half-space")]
+mod rough_full;
 
 use crate::physics::record::Record;
 use crate::physics::setup::Setup;
@@ -18,6 +21,8 @@ const SPRINGS: [usize; 6] = [32, 128, 512, 2048, 8192, 32768];
 const GRIDS: [usize; 6] = [32, 64, 128, 256, 512, 1024];
 #[cfg(not(feature = "half-space"))]
 const GRIDS: [usize; 0] = [];
+/// What is said where the solver is left out.
+const NO_HALF_SPACE: &str = "the program was built without the half-space solver";
 /// Repeats end after this time [s]: what is slower is measured once.
 const ENOUGH: f64 = 0.05;
 /// Most repeats of a quick computation; the least time counts.
@@ -48,16 +53,23 @@ impl Method {
 }
 
 /// The state that all methods compute.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct State {
     /// Indentation [m].
     pub indentation_m: f64,
     /// Normal force [N].
     pub force_n: f64,
-    /// Contact radius [m]; of a contact that is not a circle, of the circle of the same area.
-    pub contact_radius_m: f64,
+    /// Contact radius [m]; of a contact that is not a circle, of the circle of the same area; `None` of rough shapes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_radius_m: Option<f64>,
     /// Largest pressure [Pa]; `None` where it is singular.
     pub peak_pressure_pa: Option<f64>,
+    /// Stiffness [N/m], of rough shapes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_n_per_m: Option<f64>,
+    /// Real over nominal contact area, of the half-space under rough shapes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub area_fraction: Option<f64>,
 }
 
 /// One method at one fineness. Errors are relative to the reference; `None` where there is nothing to compare, and in
@@ -78,6 +90,12 @@ pub struct Row {
     pub radius_error: Option<f64>,
     /// Relative error of the largest pressure.
     pub pressure_error: Option<f64>,
+    /// Relative error of the indentation under the force, of rough shapes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub indentation_error: Option<f64>,
+    /// Relative error of the stiffness, of rough shapes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_error: Option<f64>,
     /// Time from the shape to the answer [s], the least of several runs.
     pub time_s: f64,
     /// Bytes of state.
@@ -111,9 +129,6 @@ pub enum ComparisonError {
     /// The bodies never press on each other.
     #[error("there is nothing to compare: the bodies never press on each other in this scene")]
     NoContact,
-    /// Rough shapes.
-    #[error("rough shapes cannot be compared yet")]
-    Rough,
 }
 
 /// What a method gave.
@@ -133,14 +148,15 @@ struct Measured {
 /// # Errors
 /// The scene cannot be run, or the bodies never press on each other.
 pub fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
-    if setup.surface.is_some() {
-        return Err(ComparisonError::Rough);
-    }
     let mut setup = setup.clone();
     setup.scene.springs = None;
     let outcome = simulation::run(&setup, Wanted::NOTHING)?;
     let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force));
     let most = most.filter(|record| record.normal.force > 0.0).ok_or(ComparisonError::NoContact)?;
+    if let Some(surface) = &setup.surface {
+        let force = most.normal.force;
+        return Ok(rough::compare(&rough::Rough { setup: &setup, surface, force }, done));
+    }
     let scenario = methods::Scenario::of(&setup, most);
     let mut notes = notes(&setup, &scenario);
     let mut rows = Vec::new();
@@ -180,6 +196,8 @@ fn row((method, springs, grid): Fineness, measured: &Measured) -> Row {
         force_error: None,
         radius_error: None,
         pressure_error: None,
+        indentation_error: None,
+        stiffness_error: None,
         time_s: measured.time,
         bytes: measured.bytes,
         iterations: measured.iterations,
@@ -205,7 +223,7 @@ fn notes(setup: &Setup, scenario: &methods::Scenario<'_>) -> Vec<String> {
         notes.push("friction: compared is the normal contact, which friction does not change here".to_owned());
     }
     if !cfg!(feature = "half-space") {
-        notes.push("the program was built without the half-space solver".to_owned());
+        notes.push(NO_HALF_SPACE.to_owned());
     }
     notes.extend(scenario.note());
     notes
@@ -232,7 +250,7 @@ fn state_of(record: &Record) -> State {
     State {
         indentation_m: record.normal.indentation.unwrap_or(f64::NAN),
         force_n: record.normal.force,
-        contact_radius_m: record.normal.contact_radius.unwrap_or(f64::NAN),
-        peak_pressure_pa: None,
+        contact_radius_m: record.normal.contact_radius,
+        ..State::default()
     }
 }

@@ -29,7 +29,8 @@ pub(super) fn of(scenario: &Scenario<'_>, rows: &mut [Row]) -> (String, State) {
         let error = |value: f64, right: f64| Some(value / right - 1.0).filter(|error| error.is_finite());
         if own != Some(at) {
             row.force_error = error(row.state.force_n, state.force_n);
-            row.radius_error = error(row.state.contact_radius_m, state.contact_radius_m);
+            let radii = row.state.contact_radius_m.zip(state.contact_radius_m);
+            row.radius_error = radii.and_then(|(value, right)| error(value, right));
         }
         if own_pressure != Some(at) {
             let pressures = row.state.peak_pressure_pa.zip(state.peak_pressure_pa);
@@ -65,8 +66,9 @@ fn closed_form(scenario: &Scenario<'_>) -> Option<(&'static str, State)> {
         let state = State {
             indentation_m: d,
             force_n: exact.force,
-            contact_radius_m: (exact.semi_axes[0] * exact.semi_axes[1]).sqrt(),
+            contact_radius_m: Some((exact.semi_axes[0] * exact.semi_axes[1]).sqrt()),
             peak_pressure_pa: Some(exact.peak_pressure),
+            ..State::default()
         };
         return Some(("closed form (elliptic Hertz contact)", state));
     }
@@ -83,8 +85,9 @@ fn closed_form(scenario: &Scenario<'_>) -> Option<(&'static str, State)> {
     let state = State {
         indentation_m: d,
         force_n: modulus * contact.force,
-        contact_radius_m: contact.radius,
+        contact_radius_m: Some(contact.radius),
         peak_pressure_pa,
+        ..State::default()
     };
     Some(("closed form", state))
 }
@@ -139,6 +142,6 @@ fn jkr_ball(shape: &Shape, (modulus, work): (f64, f64), d: f64) -> Option<(&'sta
     let wide = (radius * d.max(0.0)).sqrt() + 8.0 * least;
     let a = root::brent(|a| a * a / radius - stretch(a) - d, least, wide).ok()?;
     let force = 4.0 * modulus * a.powi(3) / (3.0 * radius) - (8.0 * PI * modulus * work).sqrt() * a * a.sqrt();
-    let state = State { indentation_m: d, force_n: force, contact_radius_m: a, peak_pressure_pa: None };
+    let state = State { indentation_m: d, force_n: force, contact_radius_m: Some(a), ..State::default() };
     Some(("closed form (Johnson, Kendall & Roberts)", state))
 }

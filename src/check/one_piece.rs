@@ -1,0 +1,123 @@
+//! Where the contact of a scene stays in one piece, in words.
+
+use super::theory::{Verdict, WavyParabola, exact_ranges, first_fall};
+use crate::physics::reach;
+use crate::physics::record::Outcome;
+use crate::physics::setup::Setup;
+use crate::physics::shape::{Profile, Rim, Shape};
+use std::f64::consts::{FRAC_PI_4, TAU};
+
+/// Contact radii looked at, per largest contact radius of the scene.
+const FARTHER: f64 = 1.5;
+/// Features of a profile over which it is looked at, at least.
+const FEATURES: f64 = 6.0;
+/// Radii of the scan.
+const STEPS: u32 = 600;
+/// Ranges told.
+const RANGES: usize = 4;
+
+/// What is known about the contact of a scene staying in one piece; empty for rough shapes, whose contact never does.
+#[must_use]
+pub fn in_words(setup: &Setup, outcome: &Outcome) -> Vec<String> {
+    if setup.surface.is_some() {
+        return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
+    }
+    let profile = setup.profile.as_ref();
+    let radii = outcome.records.iter().filter_map(|record| record.normal.contact_radius);
+    let limit = limit(profile, radii.fold(0.0, f64::max));
+    let mut lines = round(profile, setup.pair.normal, limit);
+    lines.extend(plane(setup, limit));
+    lines
+}
+
+/// Radius [m] up to which the profile is looked at.
+fn limit(profile: &dyn Profile, largest: f64) -> f64 {
+    let wanted = if largest > 0.0 { FARTHER * largest } else { profile.scale() };
+    let wanted = wanted.max(FEATURES * profile.feature().unwrap_or(0.0));
+    match profile.rim() {
+        Rim::Wall(end) | Rim::End(end) => wanted.min(end * (1.0 - 1e-9)),
+        Rim::None => wanted,
+    }
+}
+
+/// The round contact: where g stops growing, and the loads at which the mapping is exact.
+fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
+    let fall = profile.feature().and_then(|_| first_fall(|x| profile.reduced_slope(x), limit, STEPS));
+    let Some(fall) = fall else {
+        let (where_to, loads) = match profile.feature() {
+            None => ("everywhere".to_owned(), "at every load"),
+            Some(_) => (format!("up to {limit:.3e} m"), "at every load of the scene"),
+        };
+        return vec![format!("g(x) grows {where_to}: one round contact, the mapping is exact {loads}")];
+    };
+    let mut lines = vec![format!("g(x) stops growing at x = {fall:.4e} m")];
+    if let Some(bound) = reach::second_contact(profile) {
+        lines.push(format!(
+            "without adhesion one round contact, exact mapping, up to d = {:.4e} m, F = {:.4e} N; there a ring touches outside",
+            bound.depth,
+            2.0 * modulus * bound.load_integral
+        ));
+    }
+    for range in exact_ranges(profile, limit, STEPS).iter().filter(|range| range.radius.0 > fall).take(RANGES) {
+        let force = |n: f64| 2.0 * modulus * n;
+        lines.push(format!(
+            "one round contact again from F = {:.4e} N to {:.4e} N (contact radius {:.3e} m to {:.3e} m)",
+            force(range.load_integral.0),
+            force(range.load_integral.1),
+            range.radius.0,
+            range.radius.1
+        ));
+    }
+    lines
+}
+
+/// The same profile as a cylinder on a half-plane: the sufficient condition of Kudish et al. and the least loads.
+fn plane(setup: &Setup, limit: f64) -> Vec<String> {
+    let profile = setup.profile.as_ref();
+    let Some(radius) = mean_curvature_radius(&setup.scene.shape, profile, limit) else { return Vec::new() };
+    let slope = |x: f64| deviation_slope((&setup.scene.shape, profile), (radius, 1e-5 * limit), x);
+    let parabola = WavyParabola { modulus: setup.pair.normal, radius, slope: &slope };
+    // P = πE*c²/4R of the smooth parabola.
+    let load = |c: f64| FRAC_PI_4 * setup.pair.normal * c * c / radius;
+    let range = (load(0.02 * limit), load(limit / FARTHER));
+    let reach = 2.0 * limit;
+    let words = |wanted| match parabola.least_load(range, reach, wanted) {
+        Some(least) if least <= range.0 * (1.0 + 1e-9) => "at every load looked at".to_owned(),
+        Some(least) => format!("from {least:.4e} N/m on"),
+        None => "not at the largest load".to_owned(),
+    };
+    if let Err(error) = parabola.verdict(range.1, reach) {
+        return vec![format!("as a cylinder on a half-plane: {error}")];
+    }
+    vec![format!(
+        "as a cylinder on a half-plane (R = {radius:.3e} m), loads up to {:.3e} N/m: one contact {}; by the sufficient condition (Kudish et al. 2.18) {}",
+        range.1,
+        words(Verdict::InOnePiece),
+        words(Verdict::Sure)
+    )]
+}
+
+/// Slope of the profile less that of its parabola; a table is differenced over a step [m].
+fn deviation_slope((shape, profile): (&Shape, &dyn Profile), (radius, step): (f64, f64), x: f64) -> f64 {
+    if let Shape::WavyParaboloid(wavy) = shape {
+        let wave_number = TAU / wavy.wavelength.si();
+        return wavy.amplitude.si() * wave_number * (wave_number * x).sin();
+    }
+    let (low, high) = ((x.abs() - step).max(0.0), x.abs() + step);
+    ((profile.height(high) - profile.height(low)) / (high - low) - x.abs() / radius) * x.signum()
+}
+
+/// Radius of the parabola under a wavy or measured profile [m]; `None` for other shapes.
+fn mean_curvature_radius(shape: &Shape, profile: &dyn Profile, limit: f64) -> Option<f64> {
+    match shape {
+        Shape::WavyParaboloid(wavy) => Some(wavy.radius.si()),
+        Shape::Table(_) => {
+            // Least squares of f = r²/2R: R = Σr⁴ / 2Σr²f.
+            let places = (1..=STEPS).map(|k| limit * f64::from(k) / f64::from(STEPS));
+            let sums = places.map(|r| (r.powi(4), r * r * profile.height(r)));
+            let (fourth, mixed) = sums.fold((0.0, 0.0), |sum, term| (sum.0 + term.0, sum.1 + term.1));
+            Some(0.5 * fourth / mixed).filter(|radius| radius.is_finite() && *radius > 0.0)
+        }
+        _ => None,
+    }
+}
