@@ -78,6 +78,12 @@ pub fn products(setup: &Setup, file: &str, outcome: &Outcome, formats: &[Format]
         if !outcome.fields.is_empty() {
             products.push(Product { ending: ".pressure.csv", content: export::pressure_table(outcome)? });
         }
+        if let Some(impacts) = &outcome.impacts {
+            products.push(Product { ending: ".impacts.csv", content: export::impact_table(impacts)? });
+            if !impacts.incidence.is_empty() {
+                products.push(Product { ending: ".incidence.csv", content: export::incidence_table(impacts)? });
+            }
+        }
     }
     if let Some(ensemble) = outcome.ensemble.as_ref().filter(|_| formats.contains(&Format::Csv)) {
         products.push(Product { ending: ".ensemble.csv", content: export::ensemble_table(ensemble)? });

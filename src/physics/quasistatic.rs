@@ -69,6 +69,12 @@ impl<'p> QuasiStatic<'p> {
         Self { profile, modulus, stress, attraction, by_depth, by_force, s, present }
     }
 
+    /// The same bodies before any attraction has acted.
+    #[must_use]
+    pub fn apart(&self) -> Self {
+        Self::new(self.profile, self.modulus, self.attraction)
+    }
+
     /// Present state.
     #[must_use]
     pub fn present(&self) -> Present {
@@ -216,8 +222,13 @@ impl<'p> QuasiStatic<'p> {
     pub fn last_depth(&self) -> Result<f64, BranchError> {
         let mut probe = self.clone();
         let jumps = probe.indent(-f64::MAX)?;
-        let first_touch = self.attraction.value(Control::Indentation, self.attraction.start());
-        Ok(jumps.last().map_or(first_touch, |jump| jump.before.indentation))
+        Ok(jumps.last().map_or(self.first_touch(), |jump| jump.before.indentation))
+    }
+
+    /// Depth [m] at which the bodies, coming from afar, first act on each other.
+    #[must_use]
+    pub fn first_touch(&self) -> f64 {
+        self.attraction.value(Control::Indentation, self.attraction.start())
     }
 
     /// Stored energy of the present state.

@@ -1,6 +1,8 @@
 //! What a simulation gives back: records, fields, named results. No clock, no path, no thread count.
 
 use super::adhesion::line::Energy;
+use super::friction::oblique;
+use super::impact::Rebound;
 use super::rough::Scatter;
 use serde::Serialize;
 
@@ -132,6 +134,48 @@ pub struct Plan {
     pub state_bytes: usize,
 }
 
+/// One impact of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImpactRow {
+    /// Speed before [m/s], along the path.
+    pub speed: f64,
+    /// What comes of the normal motion.
+    pub rebound: Rebound,
+    /// Largest pressure [Pa], if there is a finite one.
+    pub peak_pressure: Option<f64>,
+    /// What comes of the tangential motion, if it is oblique.
+    pub oblique: Option<oblique::Rebound>,
+}
+
+impl ImpactRow {
+    /// Speed of the centre after the impact [m/s]; zero if the bodies stay together.
+    #[must_use]
+    pub fn rebound_speed(&self) -> f64 {
+        match &self.oblique {
+            None => self.rebound.restitution * self.speed,
+            Some(oblique) => oblique.flight.normal_speed.hypot(oblique.flight.tangential_speed),
+        }
+    }
+}
+
+/// An oblique impact at one angle of incidence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Incidence {
+    /// Angle of incidence from the normal [rad].
+    pub angle: f64,
+    /// What comes of it.
+    pub rebound: oblique::Rebound,
+}
+
+/// The impacts of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Impacts {
+    /// One per speed, in the order given.
+    pub rows: Vec<ImpactRow>,
+    /// The greatest speed at other angles of incidence; empty unless the scene's own is oblique.
+    pub incidence: Vec<Incidence>,
+}
+
 /// What came out of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
@@ -149,6 +193,8 @@ pub struct Outcome {
     pub warnings: Vec<String>,
     /// What was used.
     pub plan: Plan,
+    /// Impacts one by one, if the scene is one.
+    pub impacts: Option<Impacts>,
     /// Scatter over the members of an ensemble; the records are their means.
     pub ensemble: Option<Ensemble>,
 }

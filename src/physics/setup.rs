@@ -2,6 +2,7 @@
 
 use super::adhesion::Adhesion;
 use super::friction::{Friction, Strength, StrengthCurve};
+use super::history::impacts::{self, Parts};
 use super::history::rules::{self, Allowed};
 use super::history::{Entry, Motion};
 use super::material::{self, Pair, Relaxation};
@@ -67,6 +68,9 @@ impl Scene {
         problems.extend(rules::problems(&self.history, &motions, self.allowed()));
         let adhesion = self.adhesion.as_ref().zip(profile.as_deref());
         problems.extend(adhesion.and_then(|(adhesion, profile)| adhesion.problem_on(&self.shape, profile)));
+        if let Some((_, relaxation)) = &pair {
+            problems.extend(impacts::problems(&self.history, self.parts(relaxation.is_some())));
+        }
         if let Some((pair, relaxation)) = &pair {
             problems.extend(self.adhesion.iter().flat_map(|adhesion| adhesion.problems(relaxation.as_ref())));
             let (adhesion, relaxed) = (self.adhesion.as_ref(), relaxation.as_ref());
@@ -100,6 +104,10 @@ impl Scene {
         let side = surface.ok_or(None)?.length();
         let punch = Length::new(side).and_then(FlatPunch::of_width);
         punch.map(|punch| Arc::new(punch) as Arc<dyn Profile>).map_err(|error| problem(error.to_string()))
+    }
+
+    fn parts(&self, relaxes: bool) -> Parts<'_> {
+        Parts { shape: &self.shape, adhesion: self.adhesion.as_ref(), relaxes, springs: self.springs.is_some() }
     }
 
     fn allowed(&self) -> Allowed {

@@ -1,6 +1,7 @@
 //! CSV tables of records and fields.
 
-use crate::physics::record::{Ensemble, Outcome, Record};
+use crate::physics::friction::oblique::Rebound;
+use crate::physics::record::{Ensemble, ImpactRow, Impacts, Incidence, Outcome, Record};
 
 /// The records, one row each; columns of a part appear only if the scene has it.
 ///
@@ -80,6 +81,82 @@ pub fn pressure_table(outcome: &Outcome) -> Result<String, csv::Error> {
         }
     }
     text(writer)
+}
+
+/// Impacts, one row each.
+///
+/// # Errors
+/// The table cannot be put together (never for impacts of a simulation).
+pub fn impact_table(impacts: &Impacts) -> Result<String, csv::Error> {
+    let oblique = impacts.rows.iter().any(|row| row.oblique.is_some());
+    let mut header = vec![
+        "speed_m_per_s",
+        "restitution",
+        "rebound_speed_m_per_s",
+        "contact_time_s",
+        "greatest_depth_m",
+        "largest_force_n",
+        "peak_pressure_pa",
+        "sticks",
+        "dissipated_j",
+    ];
+    if oblique {
+        header.extend(OBLIQUE);
+    }
+    table(&header, impacts.rows.iter().map(impact_cells))
+}
+
+/// Columns of an oblique impact.
+const OBLIQUE: [&str; 7] = [
+    "rebound_angle_rad",
+    "rebound_spin_rad_per_s",
+    "tangential_restitution",
+    "impulse_ratio",
+    "local_incidence",
+    "local_rebound",
+    "friction_dissipated_j",
+];
+
+fn impact_cells(row: &ImpactRow) -> Vec<Option<f64>> {
+    let rebound = &row.rebound;
+    let mut cells = vec![
+        Some(row.speed),
+        Some(rebound.restitution),
+        Some(row.rebound_speed()),
+        rebound.contact_time,
+        Some(rebound.greatest_depth),
+        Some(rebound.greatest_force),
+        row.peak_pressure,
+        Some(f64::from(u8::from(rebound.sticks()))),
+        Some(rebound.lost),
+    ];
+    cells.extend(row.oblique.iter().flat_map(oblique_cells));
+    cells
+}
+
+fn oblique_cells(rebound: &Rebound) -> [Option<f64>; 7] {
+    let numbers = [
+        rebound.angle,
+        rebound.flight.spin,
+        rebound.tangential_restitution,
+        rebound.impulse_ratio,
+        rebound.psi.0,
+        rebound.psi.1,
+        rebound.dissipated,
+    ];
+    numbers.map(Some)
+}
+
+/// The impact of the scene at other angles of incidence, one row each.
+///
+/// # Errors
+/// The table cannot be put together (never for impacts of a simulation).
+pub fn incidence_table(impacts: &Impacts) -> Result<String, csv::Error> {
+    let header: Vec<&str> = std::iter::once("angle_rad").chain(OBLIQUE).collect();
+    let cells = |incidence: &Incidence| {
+        std::iter::once(Some(incidence.angle)).chain(oblique_cells(&incidence.rebound)).collect::<Vec<_>>()
+    };
+    table(&header, impacts.incidence.iter().map(cells))
 }
 
 fn table(header: &[&str], rows: impl Iterator<Item = Vec<Option<f64>>>) -> Result<String, csv::Error> {

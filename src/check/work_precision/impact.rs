@@ -2,9 +2,11 @@
 
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::usual;
-use crate::physics::impact::{Driven, Elastic, Impact, conservative};
+use crate::physics::adhesion::line::EdgeLine;
+use crate::physics::impact::{Driven, Impact, Passage};
 use crate::physics::material::Relaxation;
 use crate::physics::quantity::Length;
+use crate::physics::quasistatic::{Attraction, QuasiStatic};
 use crate::physics::shape::Paraboloid;
 use crate::physics::viscoelastic::Spectrum;
 use std::sync::Arc;
@@ -18,7 +20,8 @@ pub(super) fn hertz(effort: Effort) -> Option<Study> {
     let mut methods = vec![Method::new("energy integral", Setting::FREE, || {
         let ball = ball()?;
         Some(move || {
-            let rebound = conservative(&IMPACT, &Elastic { profile: &ball, modulus: 1.0 }).ok()?;
+            let contact = QuasiStatic::new(&ball, 1.0, Attraction::Line(EdgeLine::new(&ball, 1.0, 0.0)));
+            let rebound = Passage::new(&contact, IMPACT, 1e-6).ok()?.rebound();
             Some(Answer { values: vec![rebound.contact_time?], ..Answer::default() })
         })
     })];

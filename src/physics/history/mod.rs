@@ -1,5 +1,6 @@
 //! Load histories, as a scene names them.
 
+pub mod impacts;
 mod motion;
 pub mod rules;
 

@@ -115,6 +115,12 @@ fn pulled(entry: &Entry, motion: Option<&Motion>, allowed: Allowed, at: &str) ->
 }
 
 impl Impact {
+    /// Angle of incidence from the normal [rad].
+    #[must_use]
+    pub fn incidence(&self) -> f64 {
+        self.angle.map_or(0.0, |angle| angle.si())
+    }
+
     /// Whether it has an angle or a spin.
     #[must_use]
     pub fn is_oblique(&self) -> bool {

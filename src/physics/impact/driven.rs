@@ -47,8 +47,14 @@ impl Driven {
         let depth = self.depth_scale(impact);
         let radius = self.profile.edge(depth).ok_or(BedError::BeyondProfile { indentation: depth })?;
         let layout = Layout::graded(self.profile.as_ref(), (radius / 64.0, radius), self.springs);
-        let most =
-            Rebound { contact_time: None, greatest_depth: 0.0, greatest_force: 0.0, restitution: 0.0, lost: 0.0 };
+        let most = Rebound {
+            contact_time: None,
+            greatest_depth: 0.0,
+            greatest_force: 0.0,
+            restitution: 0.0,
+            lost: 0.0,
+            error: 0.0,
+        };
         let bed = Springs::new(self.spectrum.clone(), self.profile.clone(), layout);
         let mut flight = Flight { impact, bed, speed: impact.speed, time: 0.0, most };
         let longest = depth / impact.speed / self.steps;

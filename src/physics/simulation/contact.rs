@@ -4,6 +4,7 @@ use crate::physics::adhesion::equilibrium::{Balance, BranchError, Control};
 use crate::physics::adhesion::line::Energy;
 use crate::physics::bed::SpringBed;
 use crate::physics::friction::FrictionError;
+use crate::physics::impact::ImpactError;
 use crate::physics::quasistatic::{Jump, QuasiStatic};
 use crate::physics::record::Normal;
 use crate::physics::stage::{Extent, Path};
@@ -29,6 +30,9 @@ pub enum ContactError {
         /// Depth after the jump [m].
         to: f64,
     },
+    /// An impact leaves what can be followed.
+    #[error(transparent)]
+    Impact(#[from] ImpactError),
     /// No state of the tangential contact.
     #[error(transparent)]
     Friction(#[from] FrictionError),
@@ -149,6 +153,12 @@ impl<'p> Direct<'p> {
     #[must_use]
     pub fn new(contact: QuasiStatic<'p>, modulus: f64) -> Self {
         Self { contact, modulus, dissipated: 0.0 }
+    }
+
+    /// The contact itself.
+    #[must_use]
+    pub fn contact(&self) -> &QuasiStatic<'p> {
+        &self.contact
     }
 
     fn normal(&self, balance: &Balance, stored: Energy) -> Normal {

@@ -6,6 +6,7 @@ mod relaxing;
 mod results;
 mod rough;
 mod shear;
+mod strike;
 
 pub use contact::{ContactError, Direct, Drive, Event, Moment, NormalContact, Springs};
 pub use rough::LineTooShort;
@@ -81,6 +82,9 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
     if let Some(surface) = &setup.surface {
         return rough::run(setup, surface, done);
     }
+    if let Some(impact) = strike::of(setup) {
+        return strike::run(setup, impact, wanted);
+    }
     let mut plan = plan::of(setup);
     let mut run = follow(setup, contact(setup, wanted)?, wanted)?;
     let mut error_estimate = error_estimate(setup);
@@ -99,6 +103,7 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
         warnings: std::mem::take(&mut run.notes),
         plan,
         ensemble: None,
+        impacts: None,
     })
 }
 

@@ -139,6 +139,7 @@ pub(super) fn run(setup: &Setup, surface: &Surface, done: &(dyn Fn(f64) + Sync))
         warnings: vec![format!("{VALIDITY}; indentation counts from first touch")],
         plan: plan::of_rough(setup, surface),
         ensemble,
+        impacts: None,
     })
 }
 

@@ -4,10 +4,12 @@ mod between;
 mod branches;
 mod comparison;
 mod fields;
+mod impacts;
 mod rough;
 mod shape;
 
 use crate::app::figure::{Axis, Colour, Figure, Guide, Line, Panel, Series};
+use crate::physics::history::Entry;
 use crate::physics::record::{Outcome, Record};
 use crate::physics::scene::Plot;
 use crate::physics::setup::Setup;
@@ -20,7 +22,7 @@ use branches::{Branch, branches, jumps};
 #[must_use]
 pub fn figures(setup: &Setup, outcome: &Outcome) -> Figure {
     let wanted = setup.scene.plots.clone().unwrap_or_else(|| suiting(setup, outcome));
-    let panels = wanted.iter().flat_map(|plot| panels(*plot, setup, outcome));
+    let panels = wanted.iter().flat_map(|plot| panels(*plot, setup, outcome)).chain(oblique(setup, outcome));
     panels.fold(Figure::new(setup.scene.title.clone()), Figure::with)
 }
 
@@ -28,6 +30,14 @@ pub fn figures(setup: &Setup, outcome: &Outcome) -> Figure {
 fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
     if setup.surface.is_some() {
         return rough::SUITING.to_vec();
+    }
+    if let Some(impacts) = &outcome.impacts {
+        let oblique = !impacts.incidence.is_empty();
+        return match impacts.rows.len() {
+            1 if oblique => vec![Plot::Force],
+            1 => vec![Plot::Force, Plot::Pressure],
+            _ => vec![Plot::Restitution],
+        };
     }
     let mut plots = vec![Plot::Force, Plot::Radius];
     if outcome.records.iter().any(|record| record.tangential.is_some()) {
@@ -48,6 +58,10 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
     }
     let records = &outcome.records;
     match plot {
+        Plot::Force if outcome.impacts.is_some() => {
+            let loop_of = against_depth((setup, records), Axis::linear("force F", "N"), |record| record.normal.force);
+            impacts::over_time(records).into_iter().chain([loop_of]).collect()
+        }
         Plot::Force => force(setup, records),
         Plot::Radius => {
             let axis = Axis::linear("contact radius a", "m").from(0.0);
@@ -59,8 +73,17 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
         Plot::Shape => vec![shape::profile(setup, outcome)],
         Plot::Friction => vec![friction(records)],
         Plot::Moduli => setup.relaxation.as_ref().map(shape::moduli).into_iter().collect(),
-        Plot::Restitution => Vec::new(),
+        Plot::Restitution => outcome.impacts.iter().map(impacts::restitution).collect(),
     }
+}
+
+/// The angles of every oblique impact.
+fn oblique(setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
+    let angle = setup.scene.history.iter().find_map(|entry| match entry {
+        Entry::Impact(impact) => Some(impact.incidence()),
+        _ => None,
+    });
+    outcome.impacts.iter().flat_map(|found| impacts::incidence(angle.unwrap_or(0.0), found)).collect()
 }
 
 /// Force against indentation, and against time where the bodies remember.
