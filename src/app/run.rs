@@ -60,7 +60,7 @@ pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + 
             || formats.contains(&Format::Json)
             || figure && (setup.scene.plots.is_none() || plotted(crate::physics::scene::Plot::Pressure)),
         stresses: figure && plotted(crate::physics::scene::Plot::Stress),
-        fretting: false,
+        fretting: formats.contains(&Format::Csv) || figure,
     };
     let mut outcome = simulation::run_watched(setup, wanted, done)?;
     outcome.warnings.extend(validity::warnings(setup, &outcome));
@@ -84,6 +84,9 @@ pub fn products(setup: &Setup, file: &str, outcome: &Outcome, formats: &[Format]
                 products.push(Product { ending: ".incidence.csv", content: export::incidence_table(impacts)? });
             }
         }
+    }
+    if formats.contains(&Format::Csv) && !outcome.fretting.is_empty() {
+        products.push(Product { ending: ".fretting.csv", content: export::fretting_table(outcome)? });
     }
     if let Some(ensemble) = outcome.ensemble.as_ref().filter(|_| formats.contains(&Format::Csv)) {
         products.push(Product { ending: ".ensemble.csv", content: export::ensemble_table(ensemble)? });

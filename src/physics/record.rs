@@ -96,6 +96,17 @@ pub struct StressRow {
     pub shear: f64,
 }
 
+/// Energy lost to friction at one position, gathered over the whole history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrettingRow {
+    /// Distance from the axis [m]: of a spring x, and of the surface r.
+    pub position: f64,
+    /// Energy per length over x lost by the springs of both halves of the bed [J/m].
+    pub per_length: f64,
+    /// Energy per area lost at the surface [J/m²]; wear is proportional to it.
+    pub per_area: f64,
+}
+
 /// A named number or answer.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
@@ -185,6 +196,9 @@ pub struct Outcome {
     pub fields: Vec<Field>,
     /// Stresses on the axis at the largest force; empty if not asked for.
     pub stresses: Vec<StressRow>,
+    /// Where friction took its energy, from the axis outwards; empty if not asked for or not a matter
+    /// of the scene.
+    pub fretting: Vec<FrettingRow>,
     /// Named results in a fixed order.
     pub results: Vec<(&'static str, Value)>,
     /// Estimate of the error.

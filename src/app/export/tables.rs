@@ -1,7 +1,7 @@
 //! CSV tables of records and fields.
 
 use crate::physics::friction::oblique::Rebound;
-use crate::physics::record::{Ensemble, ImpactRow, Impacts, Incidence, Outcome, Record};
+use crate::physics::record::{Ensemble, FrettingRow, ImpactRow, Impacts, Incidence, Outcome, Record};
 
 /// The records, one row each; columns of a part appear only if the scene has it.
 ///
@@ -81,6 +81,16 @@ pub fn pressure_table(outcome: &Outcome) -> Result<String, csv::Error> {
         }
     }
     text(writer)
+}
+
+/// The fretting map: energy lost to friction over the distance from the axis.
+///
+/// # Errors
+/// The table cannot be put together (never for a map of a simulation).
+pub fn fretting_table(outcome: &Outcome) -> Result<String, csv::Error> {
+    let rows = outcome.fretting.iter();
+    let cells = |row: &FrettingRow| vec![Some(row.position), Some(row.per_area), Some(row.per_length)];
+    table(&["radius_m", "energy_j_per_m2", "spring_energy_j_per_m"], rows.map(cells))
 }
 
 /// Impacts, one row each.

@@ -87,6 +87,12 @@ impl<'a> WearMap<'a> {
         }
     }
 
+    /// The springs under the surface, at the same positions.
+    #[must_use]
+    pub fn springs(&self) -> &FrettingMap {
+        &self.springs
+    }
+
     /// Energy lost per area [J/m²] at each radius.
     pub fn energy(&mut self) -> &[f64] {
         let depth = self.springs.at.indentation;

@@ -2,6 +2,7 @@
 
 mod contact;
 mod fields;
+mod fretting;
 mod relaxing;
 mod results;
 mod rough;
@@ -93,11 +94,14 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
         error_estimate = relaxing::error_estimate(setup, &run);
     }
     let stresses = if wanted.stresses { run.stresses(setup) } else { Vec::new() };
+    let path = run.tangential.as_ref().map_or(&[][..], |tangential| tangential.path());
+    let fretting = fretting::map(setup, path);
     let results = results::named(setup, &run.records, &run.fields);
     Ok(Outcome {
         records: std::mem::take(&mut run.records),
         fields: std::mem::take(&mut run.fields),
         stresses,
+        fretting,
         results,
         error_estimate,
         warnings: std::mem::take(&mut run.notes),
@@ -117,7 +121,7 @@ fn contact(setup: &Setup, wanted: Wanted) -> Result<Contact<'_>, SimulationError
     }
     let direct = direct(setup)?;
     let Some(springs) = setup.scene.springs else {
-        let path = wanted.fretting.then(Vec::new);
+        let path = (wanted.fretting && fretting::is_fretting(setup)).then(Vec::new);
         return Ok(Contact { normal: Box::new(direct), tangential: shear::of(setup, None, path)? });
     };
     let (bed, reach) = springs_under(setup, springs, direct)?;

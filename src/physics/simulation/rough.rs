@@ -135,6 +135,7 @@ pub(super) fn run(setup: &Setup, surface: &Surface, done: &(dyn Fn(f64) + Sync))
         records,
         fields: Vec::new(),
         stresses: Vec::new(),
+        fretting: Vec::new(),
         error_estimate: estimate(),
         warnings: vec![format!("{VALIDITY}; indentation counts from first touch")],
         plan: plan::of_rough(setup, surface),

@@ -58,6 +58,7 @@ pub fn run(setup: &Setup, impact: &Impact, wanted: Wanted) -> Result<Outcome, Si
         records,
         fields: shown.field.into_iter().collect(),
         stresses: shown.stresses,
+        fretting: Vec::new(),
         error_estimate: error_estimate(setup, &impacts),
         warnings: Vec::new(),
         plan: plan::of(setup),
