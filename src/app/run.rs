@@ -3,6 +3,7 @@
 use super::export;
 use crate::check::validity;
 use crate::physics::record::Outcome;
+use crate::physics::scene::Plot;
 use crate::physics::setup::Setup;
 use crate::physics::simulation::{self, SimulationError, Wanted};
 
@@ -58,8 +59,8 @@ pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + 
     let wanted = Wanted {
         fields: formats.contains(&Format::Csv)
             || formats.contains(&Format::Json)
-            || figure && (setup.scene.plots.is_none() || plotted(crate::physics::scene::Plot::Pressure)),
-        stresses: figure && plotted(crate::physics::scene::Plot::Stress),
+            || figure && (setup.scene.plots.is_none() || plotted(Plot::Pressure) || plotted(Plot::Shear)),
+        stresses: figure && plotted(Plot::Stress),
         fretting: formats.contains(&Format::Csv) || figure,
     };
     let mut outcome = simulation::run_watched(setup, wanted, done)?;

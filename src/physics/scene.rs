@@ -62,6 +62,16 @@ pub enum Plot {
     Moduli,
     /// Tangential force against tangential displacement.
     Friction,
+    /// Radius of the contact and of its sticking part.
+    Stick,
+    /// Shear stress over the radius.
+    Shear,
+    /// Energy lost to friction over the radius, of a contact that is shaken.
+    Fretting,
+    /// Coefficient of sliding friction against the load, without adhesion.
+    Coefficient,
+    /// Area of a sheared adhesive contact against the sliding speed.
+    Area,
     /// Restitution against speed.
     Restitution,
 }
@@ -93,12 +103,26 @@ impl Scene {
             Plot::Moduli if !(relaxes(&self.bodies.0) || relaxes(&self.bodies.1)) => {
                 Some("expected a Viscoelastic body")
             }
-            Plot::Friction if self.friction.is_none() => Some("expected a friction"),
+            Plot::Friction | Plot::Stick | Plot::Shear if self.friction.is_none() => Some("expected a friction"),
+            Plot::Fretting if !matches!(self.friction, Some(Friction::Coulomb(_))) => {
+                Some("expected Coulomb friction and Shake or a Table with slide_m")
+            }
+            Plot::Coefficient if self.adhesion.is_some() || !self.slides_as_a_whole() => {
+                Some("expected CoulombOrowan or Pressure friction, and no adhesion")
+            }
+            Plot::Area if self.adhesion.is_none() || !self.slides_as_a_whole() => {
+                Some("expected Jkr adhesion and Pressure friction")
+            }
             Plot::Restitution if impact.is_none_or(|impact| impact.speed.len() < 2) => {
                 Some("expected an Impact with a list of at least two speeds")
             }
             _ => None,
         }
+    }
+
+    /// Whether the friction is one of gross sliding.
+    fn slides_as_a_whole(&self) -> bool {
+        matches!(self.friction, Some(Friction::CoulombOrowan(_) | Friction::Pressure(_)))
     }
 
     fn wrong_springs(&self) -> Option<Problem> {

@@ -105,12 +105,18 @@ impl StrengthCurve {
         Ok(Self { speeds, strengths })
     }
 
+    /// Least and greatest speed [m/s].
+    #[must_use]
+    pub fn range(&self) -> (f64, f64) {
+        (self.speeds[0], self.speeds[self.speeds.len() - 1])
+    }
+
     /// Shear strength [Pa] at the sliding speed `speed` [m/s].
     ///
     /// # Errors
     /// The speed is outside the table. An end of the table holds to rounding: a speed is a way over a time.
     pub fn at(&self, speed: f64) -> Result<f64, OutsideTable> {
-        let (least, most) = (self.speeds[0], self.speeds[self.speeds.len() - 1]);
+        let (least, most) = self.range();
         let slack = 1.0 + 8.0 * f64::EPSILON;
         if !(speed * slack >= least && speed <= most * slack) {
             return Err(OutsideTable { speed, least, most });

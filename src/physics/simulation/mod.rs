@@ -11,7 +11,7 @@ mod strike;
 
 pub use contact::{ContactError, Direct, Drive, Event, Moment, NormalContact, Springs};
 pub use rough::LineTooShort;
-pub use shear::TangentialContact;
+pub use shear::{TangentialContact, sheared};
 
 use super::adhesion::Adhesion;
 use super::adhesion::equilibrium::Control;
@@ -170,8 +170,13 @@ fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: Direct<'_>) -> Re
     Ok((Springs::new(bed, setup.pair.normal, parting), reach))
 }
 
-/// Where the error of a scene comes from.
+/// Where the error of a scene comes from: of its normal or its tangential contact, whichever is larger.
 fn error_estimate(setup: &Setup) -> ErrorEstimate {
+    let normal = normal_error(setup);
+    shear::error_estimate(setup).filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
+}
+
+fn normal_error(setup: &Setup) -> ErrorEstimate {
     match setup.scene.springs {
         None => ErrorEstimate {
             relative: 1e-11,

@@ -68,7 +68,8 @@ impl Range {
     }
 }
 
-fn shown(fields: &[Field]) -> Vec<&Field> {
+/// At most four: the largest contact and the last ones.
+pub fn shown(fields: &[Field]) -> Vec<&Field> {
     let largest = fields.iter().max_by(|x, y| x.contact_radius.total_cmp(&y.contact_radius));
     let mut shown: Vec<&Field> = largest.into_iter().collect();
     for field in fields.iter().rev() {

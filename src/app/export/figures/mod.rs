@@ -4,6 +4,7 @@ mod between;
 mod branches;
 mod comparison;
 mod fields;
+mod friction;
 mod impacts;
 mod rough;
 mod shape;
@@ -39,10 +40,10 @@ fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
             _ => vec![Plot::Restitution],
         };
     }
-    let mut plots = vec![Plot::Force, Plot::Radius];
     if outcome.records.iter().any(|record| record.tangential.is_some()) {
-        plots.push(Plot::Friction);
+        return friction::suiting(setup, outcome);
     }
+    let mut plots = vec![Plot::Force, Plot::Radius];
     if !outcome.fields.is_empty() {
         plots.push(Plot::Pressure);
     }
@@ -71,7 +72,12 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
         Plot::Stress => vec![fields::stress(outcome)],
         Plot::Energy => vec![energy(records)],
         Plot::Shape => vec![shape::profile(setup, outcome)],
-        Plot::Friction => vec![friction(records)],
+        Plot::Friction => vec![friction::loops(setup, records)],
+        Plot::Stick => vec![friction::stick(records)],
+        Plot::Shear => friction::stress(setup, outcome).into_iter().collect(),
+        Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
+        Plot::Coefficient => friction::coefficient(setup, outcome).into_iter().collect(),
+        Plot::Area => friction::area(setup, outcome).into_iter().collect(),
         Plot::Moduli => setup.relaxation.as_ref().map(shape::moduli).into_iter().collect(),
         Plot::Restitution => outcome.impacts.iter().map(impacts::restitution).collect(),
     }
@@ -131,11 +137,4 @@ fn energy(records: &[Record]) -> Panel {
     }
     let lost = |record: &Record| record.normal.dissipated + record.tangential.map_or(0.0, |state| state.dissipated);
     panel.with(Series::new("dissipated", records.iter().map(|record| (record.time, lost(record))).collect()))
-}
-
-fn friction(records: &[Record]) -> Panel {
-    let points =
-        records.iter().filter_map(|record| record.tangential.map(|state| (state.slide, state.force))).collect();
-    Panel::new(Axis::linear("tangential displacement u", "m"), Axis::linear("tangential force Fₓ", "N"))
-        .with(Series::new("", points).arrow())
 }

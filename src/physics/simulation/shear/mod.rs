@@ -12,7 +12,8 @@ use super::contact::{ContactError, NormalContact};
 use crate::physics::adhesion::equilibrium::Control;
 use crate::physics::friction::sliding::Pressed;
 use crate::physics::friction::{Coulomb, Friction, Grip, Position, chords};
-use crate::physics::record::{Normal, Tangential};
+use crate::physics::history::{Driven, Motion};
+use crate::physics::record::{ErrorEstimate, Normal, Tangential};
 use crate::physics::setup::Setup;
 use peeling::Peeling;
 use sliding::{Interface, Sliding};
@@ -84,7 +85,7 @@ pub fn of<'p>(
         (Some(friction), None) => return Ok(Some(Box::new(Sliding::new(Interface::new(setup, friction))))),
     };
     let (profile, grip) = (setup.profile.as_ref(), grip(setup, law));
-    let accuracy = setup.accuracy().clamp(1e-12, 1e-2);
+    let accuracy = accuracy(setup);
     Ok(Some(match springs {
         None => Box::new(sticking::Sticking::new((profile, grip), accuracy, kept)),
         Some(size) => {
@@ -92,6 +93,28 @@ pub fn of<'p>(
             Box::new(bed.map_err(|source| SimulationError::Refused(source.to_string()))?)
         }
     }))
+}
+
+/// How closely a curved path is followed, as a part of the depth.
+fn accuracy(setup: &Setup) -> f64 {
+    setup.accuracy().clamp(1e-12, 1e-2)
+}
+
+/// The error of the tangential contact, where it is not rounding.
+#[must_use]
+pub fn error_estimate(setup: &Setup) -> Option<ErrorEstimate> {
+    let Some(Friction::Coulomb(_)) = &setup.scene.friction else { return None };
+    if let Some(springs) = setup.scene.springs {
+        return Some(ErrorEstimate {
+            relative: 17.0 / 16.0 / springs.get() as f64,
+            basis: format!("bed of {springs} springs: the tangential force within half a cell of its variation"),
+        });
+    }
+    let curved = |motion: &Motion| motion.slide.is_some() && matches!(motion.control, Driven::Force(_));
+    setup.motions.iter().flatten().any(curved).then(|| ErrorEstimate {
+        relative: accuracy(setup),
+        basis: "memory of friction: the depth under a force is a curve, followed by chords to this part".to_owned(),
+    })
 }
 
 /// Moduli and friction of a scene.
