@@ -72,6 +72,15 @@ fn elastic_and_adhesive_scenes_quote_their_answers() {
     }
 }
 
+#[test]
+fn scenes_of_friction_quote_their_answers() {
+    for name in ["cattaneo_mindlin", "fretting_loop", "varied_load", "sheared_lens", "rubber_slider"] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("configs/{name}.ron"));
+        let text = std::fs::read_to_string(path).unwrap();
+        assert!(answers(&text).len() >= 2, "{name}");
+    }
+}
+
 /// The numbers the README quotes from the book: 1.0 GPa and 6.8 mm.
 #[test]
 fn the_rail_and_the_wheel_of_the_book() {

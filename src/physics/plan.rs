@@ -1,8 +1,10 @@
 //! Which parts a scene needs, decided once.
 
 use super::adhesion::Adhesion;
+use super::friction::peeling::ShearedAdhesion;
+use super::friction::{CoulombBed, Friction, TangentialMemory};
 use super::quasistatic::QuasiStatic;
-use super::record::Plan;
+use super::record::{Plan, Tangential};
 use super::setup::Setup;
 use super::surface::Surface;
 
@@ -15,16 +17,64 @@ pub fn of(setup: &Setup) -> Plan {
     part("adhesion of vanishing range (JKR)", matches!(scene.adhesion, Some(Adhesion::Jkr(_))));
     part("adhesion of finite range (Maugis–Dugdale)", matches!(scene.adhesion, Some(Adhesion::Maugis(_))));
     part("Prony elements", setup.relaxation.is_some());
-    part("friction", scene.friction.is_some());
-    part("springs", scene.springs.is_some());
     let springs = scene.springs.map_or(0, std::num::NonZeroUsize::get);
+    let rubbing = Rubbing::of(setup);
+    for kind in Rubbing::ALL {
+        part(kind.name(), rubbing == Some(kind));
+    }
+    part("springs", scene.springs.is_some());
     let (solver, reason) = match (scene.springs, &setup.relaxation) {
         (None, None) => ("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated".to_owned()),
         (None, Some(_)) => ("continuous bed", "the bodies remember: strips of springs with a common past, exact in time for a depth that goes in straight pieces; no spring is allocated".to_owned()),
         (Some(count), None) => ("springs", format!("`springs: {count}` asks for the classical bed")),
         (Some(count), Some(_)) => ("viscoelastic springs", format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released")),
     };
-    Plan { solver, reason, used, left_out, springs, state_bytes: size_of::<QuasiStatic<'_>>() + 16 * springs }
+    let tangential = rubbing.map_or(0, |kind| kind.bytes(springs));
+    let state_bytes = size_of::<QuasiStatic<'_>>() + 16 * springs + tangential;
+    Plan { solver, reason, used, left_out, springs, state_bytes }
+}
+
+/// The tangential parts a scene can need; it needs at most one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rubbing {
+    Memory,
+    Springs,
+    Sliding,
+    Peeling,
+}
+
+impl Rubbing {
+    const ALL: [Self; 4] = [Self::Memory, Self::Springs, Self::Sliding, Self::Peeling];
+
+    fn of(setup: &Setup) -> Option<Self> {
+        let scene = &setup.scene;
+        Some(match (scene.friction.as_ref()?, &scene.adhesion, scene.springs) {
+            (Friction::Coulomb(_), _, None) => Self::Memory,
+            (Friction::Coulomb(_), _, Some(_)) => Self::Springs,
+            (_, Some(_), _) => Self::Peeling,
+            (_, None, _) => Self::Sliding,
+        })
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Memory => "stick and slip by turning points",
+            Self::Springs => "stick and slip by springs",
+            Self::Sliding => "gross sliding on the pressure",
+            Self::Peeling => "peeling under shear",
+        }
+    }
+
+    fn bytes(self, springs: usize) -> usize {
+        match self {
+            // With as many turning points as fit into the first growths of the list.
+            Self::Memory => size_of::<TangentialMemory<'_>>() + 8 * TangentialMemory::BYTES_PER_TURN,
+            // Depth and slip in the bed; place, depth, slip, loss and way in the map.
+            Self::Springs => size_of::<CoulombBed>() + (16 + 40) * springs,
+            Self::Sliding => size_of::<Tangential>(),
+            Self::Peeling => size_of::<ShearedAdhesion<'_>>() + size_of::<Tangential>(),
+        }
+    }
 }
 
 /// The plan of a scene with a rough shape.

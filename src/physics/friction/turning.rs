@@ -107,6 +107,9 @@ pub struct TangentialMemory<'a> {
 }
 
 impl<'a> TangentialMemory<'a> {
+    /// Bytes of one turning point.
+    pub const BYTES_PER_TURN: usize = size_of::<Turn>();
+
     /// Bodies that just touch, without tangential load.
     #[must_use]
     pub fn new(profile: &'a dyn Profile, grip: Grip) -> Self {

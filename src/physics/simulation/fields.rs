@@ -29,7 +29,9 @@ pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Opti
         Some(pressed) => (pressed.contact_radius, pressed.contact_radius),
         None => (contact.state().contact_radius?, contact.reach()),
     };
-    let radii = radii(a, reach);
+    let mut radii = radii(a, reach);
+    radii.extend(about_stick(tangential, a));
+    radii.sort_by(f64::total_cmp);
     let shear = tangential.map_or_else(|| vec![None; radii.len()], |part| part.stress(contact, &radii));
     let row = |(radius, shear): (f64, Option<f64>)| {
         let (pressure, displacement) = match &pressed {
@@ -44,6 +46,13 @@ pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Opti
         None => contact.stress_intensity(),
     };
     Some(Field { label, time, contact_radius: a, stress_intensity, rows })
+}
+
+/// Radii on both sides of the border of stick, where the shear stress has a corner.
+fn about_stick(tangential: Option<&dyn TangentialContact>, a: f64) -> Vec<f64> {
+    let border = tangential.map(|part| part.state().stick_radius).filter(|&c| c > 0.0 && c < a);
+    let beside = |c: f64| [-2e-2, -8e-3, -2e-3, -2e-4, 2e-4].map(|part| (1.0 + part) * c);
+    border.map_or_else(Vec::new, |c| beside(c).into_iter().filter(|&r| r < a).collect())
 }
 
 /// Adds the field at the largest depth to those at the ends of the entries; where it is one of them, its
