@@ -130,3 +130,80 @@ fn a_line_too_short_for_its_ball_is_refused() {
         "{said}"
     );
 }
+
+fn plane(shape: &str, more: &str, history: &str) -> String {
+    format!("(shape: {shape}, bodies: (Elastic(young: \"2 MPa\", poisson: 0.5), Rigid), {more} history: [{history}])")
+}
+
+/// Westergaard 1939: p̄ = p* sin²(πa/λ), p* = πE*Δ/λ; the work is the stored energy, that of full contact p*Δ/4 per area; a force
+/// that a depth needed gives the depth again.
+#[test]
+fn a_wave_on_the_half_plane_is_westergaards() {
+    let wave = "PlaneWave(amplitude: \"1 um\", wavelength: \"100 um\", width: \"1 cm\")";
+    let (folder, _) = run(&plane(wave, "", "Indent(to: \"1 um\", over: 1)"), None, &[]);
+    let records = table(folder.path(), ".csv");
+    let (depth, force) = (column(&records, "indentation_m"), column(&records, "force_n"));
+    let (radius, energy) = (column(&records, "contact_radius_m"), column(&records, "stored_j"));
+    let full = std::f64::consts::PI * (2e6 / 0.75) * 0.01 * 1e-6;
+    for k in 1..100 {
+        let share = (std::f64::consts::PI * radius[k] / 1e-4).sin().powi(2);
+        assert!((force[k] / (full * share) - 1.0).abs() < 1e-12, "{k}");
+    }
+    assert!((force[100] / full - 1.0).abs() < 1e-12 && (energy[100] / (full * 1e-6 / 4.0) - 1.0).abs() < 1e-12);
+    // Simpson's rule over pairs of steps away from both ends, where F(d) is smooth: fourth order, 1e-6 at a tenth of the range.
+    let simpson: f64 = (20..80).step_by(2).map(|k| (force[k] + 4.0 * force[k + 1] + force[k + 2]) * 1e-8 / 3.0).sum();
+    assert!((simpson / (energy[80] - energy[20]) - 1.0).abs() < 1e-6);
+    let (back, _) = run(&plane(wave, "", &format!("Press(to: {:e}, over: 1)", force[60])), None, &[]);
+    let found = *column(&table(back.path(), ".csv"), "indentation_m").last().unwrap();
+    assert!((found / depth[60] - 1.0).abs() < 1e-12);
+}
+
+/// Gross sliding: Coulomb alone is μF; a cap makes it less; slopes beyond 0.44 and 1.33 are told with their number.
+#[test]
+fn a_wave_slides_by_its_friction_and_warns_of_its_slope() {
+    let sliding = |friction: &str| {
+        let wave = "PlaneWave(amplitude: \"1 um\", wavelength: \"100 um\")";
+        let (_, said) = run(&plane(wave, friction, "Press(to: 1, over: 1)"), None, &["--json", "--format", "csv"]);
+        let value: serde_json::Value = serde_json::from_str(&said).unwrap();
+        value["results"]["gross_sliding_force_n"].as_f64().unwrap()
+    };
+    assert!((sliding("friction: Coulomb(coefficient: 0.5),") - 0.5).abs() < 1e-12);
+    let capped = sliding("friction: CoulombOrowan(coefficient: 0.5, shear_limit: \"10 kPa\"),");
+    // The cap on the whole contact of half width a is the most it can carry, and nearly all of it is at the cap.
+    let full = std::f64::consts::PI * (2e6 / 0.75) * 1e-6;
+    let most = 2.0 * 1e4 * 1e-4 / std::f64::consts::PI * (1.0 / full).sqrt().asin();
+    assert!(capped > 0.95 * most && capped < most, "{capped} {most}");
+    for (amplitude, words) in [("20 um", "0.89 is above 0.44"), ("40 um", "1.78 is far outside")] {
+        let wave = format!("PlaneWave(amplitude: \"{amplitude}\", wavelength: \"100 um\")");
+        let (folder, _) = run(&plane(&wave, "", "Press(to: 1, over: 1)"), None, &[]);
+        assert!(table(folder.path(), ".json").contains(words), "{words}");
+    }
+}
+
+/// Without waves the wavy parabola is Hertz' cylinder: c² = 4PR/(πE*), d = (P/πE*)(1 + 2 ln(2D/c)) (Johnson 1985, ch. 4).
+#[test]
+fn a_parabola_without_waves_is_the_cylinder_of_hertz() {
+    let smooth = "PlaneWavy(radius: \"10 mm\", waves: [], datum: \"0.1\")".replace("\"0.1\"", "0.1");
+    let (folder, said) = run(&plane(&smooth, "", "Press(to: 100, over: 1)"), None, &[]);
+    assert!(said.contains("in one piece            yes"), "{said}");
+    let records = table(folder.path(), ".csv");
+    let unit = 100.0 / (std::f64::consts::PI * 2e6 / 0.75);
+    let half = (4.0 * unit * 0.01_f64).sqrt();
+    let last = |name: &str| *column(&records, name).last().unwrap();
+    assert!((last("contact_radius_m") / half - 1.0).abs() < 1e-12);
+    assert!((last("indentation_m") / (unit * (1.0 + 2.0 * (0.2 / half).ln())) - 1.0).abs() < 1e-12);
+    // U = ½(Pd − ∫ph), ∫ph = (P/2R)⟨x²⟩ = Pc²/8R.
+    let energy = 50.0 * (last("indentation_m") - half * half / 0.08);
+    assert!((last("stored_j") / energy - 1.0).abs() < 1e-12);
+}
+
+/// Fine waves break the contact: the run says so and gives no state that it does not know.
+#[test]
+fn a_leaking_seal_is_told() {
+    let seal =
+        "PlaneWavy(radius: \"5 mm\", waves: [(amplitude: \"0.2 um\", wavelength: \"13.468 um\")], datum: \"10 mm\")";
+    let (folder, said) = run(&plane(seal, "steps: 4,", "Press(to: 100, over: 1)"), None, &[]);
+    assert!(said.contains("in one piece            no"), "{said}");
+    assert!(table(folder.path(), ".json").contains("it leaks"));
+    assert_eq!(table(folder.path(), ".csv").lines().count(), 2);
+}

@@ -1,10 +1,11 @@
 //! Where the contact of a scene stays in one piece, in words.
 
-use super::theory::{Verdict, WavyParabola, exact_ranges, first_fall};
+use super::theory::{PlaneContact, Verdict, WavyParabola, Westergaard, exact_ranges, first_fall};
+use crate::physics::history::Entry;
 use crate::physics::reach;
 use crate::physics::record::Outcome;
 use crate::physics::setup::Setup;
-use crate::physics::shape::{Profile, Rim, Shape};
+use crate::physics::shape::{PlaneWave, PlaneWavy, Profile, Rim, Shape};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// Contact radii looked at, per largest contact radius of the scene.
@@ -22,12 +23,68 @@ pub fn in_words(setup: &Setup, outcome: &Outcome) -> Vec<String> {
     if setup.surface.is_some() {
         return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
     }
+    match &setup.scene.shape {
+        Shape::PlaneWave(wave) => return vec![flattened(setup, wave)],
+        Shape::PlaneWavy(wavy) => return sealed(setup, wavy, outcome),
+        _ => {}
+    }
     let profile = setup.profile.as_ref();
     let radii = outcome.records.iter().filter_map(|record| record.normal.contact_radius);
     let limit = limit(profile, radii.fold(0.0, f64::max));
     let mut lines = round(profile, setup.pair.normal, limit);
     lines.extend(plane(setup, limit));
     lines
+}
+
+/// When a wave is in full contact.
+fn flattened(setup: &Setup, wave: &PlaneWave) -> String {
+    let (modulus, amplitude, wavelength) = (setup.pair.normal, wave.amplitude.si(), wave.wavelength.si());
+    let full = Westergaard { modulus, amplitude, wavelength }.full_contact_pressure();
+    let force = full * wavelength * wave.width();
+    format!("one contact per period; full contact from a mean pressure of {full:.4e} Pa, {force:.4e} N per period")
+}
+
+/// Loads of a wavy section at which its contact is in one piece, up to that of the scene.
+fn sealed(setup: &Setup, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
+    let largest = largest_force(setup, outcome) / wavy.width();
+    let slope = |x: f64| wavy.ripple_slope(x);
+    let parabola = WavyParabola { modulus: setup.pair.normal, radius: wavy.radius.si(), slope: &slope };
+    let contact = |load: f64| parabola.symmetric(load).ok().flatten();
+    let least = |sure: fn(&PlaneContact) -> bool| least_load(|load| contact(load).is_some_and(|c| sure(&c)), largest);
+    let Some(whole) = least(|_| true) else {
+        return vec![format!("not in one piece under the largest load of the scene, {largest:.4e} N/m: it leaks")];
+    };
+    let from = |load: f64| if load > 0.0 { format!("from {load:.4e} N/m") } else { "at every load".to_owned() };
+    let sure = least(PlaneContact::surely_connected).map_or("not".to_owned(), from);
+    vec![
+        format!("in one piece {} up to the largest load of the scene, {largest:.4e} N/m", from(whole)),
+        format!("by the sufficient condition alone (Kudish et al. 2.18): {sure}"),
+    ]
+}
+
+/// The largest force of the scene [N], whether its contact was in one piece or not.
+fn largest_force(setup: &Setup, outcome: &Outcome) -> f64 {
+    let found = outcome.records.iter().map(|record| record.normal.force);
+    let pressed = setup.scene.history.iter().map(|entry| match entry {
+        Entry::Press(press) => press.to.si(),
+        _ => 0.0,
+    });
+    found.chain(pressed).fold(0.0, f64::max)
+}
+
+/// The least load from which on, up to the largest, a condition holds, to a thousandth; `None` if it does not at the largest.
+fn least_load(whole: impl Fn(f64) -> bool, largest: f64) -> Option<f64> {
+    let load = |k: i32| largest * 0.8_f64.powi(k);
+    if !whole(largest) {
+        return None;
+    }
+    let Some(fails) = (1..60).find(|&k| !whole(load(k))) else { return Some(0.0) };
+    let (mut low, mut high) = (load(fails), load(fails - 1));
+    while high > 1.001 * low {
+        let middle = (low * high).sqrt();
+        *(if whole(middle) { &mut high } else { &mut low }) = middle;
+    }
+    Some(high)
 }
 
 /// Radius [m] up to which the profile is looked at.

@@ -8,8 +8,7 @@ use crate::physics::record::{Normal, Outcome};
 use crate::physics::setup::Setup;
 use crate::physics::shape::{Profile, Shape, Sphere};
 use crate::physics::stress::Loading;
-use crate::physics::surface::Surface;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, SQRT_2};
 
 /// Slope of the indenter at the edge beyond which the half-space is doubtful; the error grows with
 /// the square of the slope.
@@ -23,7 +22,12 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 #[must_use]
 pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
     if let Some(surface) = &setup.surface {
-        return rough(surface);
+        return small(surface.roughness().rms_slope);
+    }
+    match &setup.scene.shape {
+        Shape::PlaneWave(wave) => return small(SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si()),
+        Shape::PlaneWavy(wavy) => return small(wavy.rms_slope()),
+        _ => {}
     }
     let states = outcome.records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
     let Some((a, largest)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
@@ -34,8 +38,8 @@ pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
 }
 
 /// Slopes beyond the linear theory, with numbers.
-fn rough(surface: &Surface) -> Vec<String> {
-    match slope_verdict(surface.roughness().rms_slope) {
+fn small(rms_slope: f64) -> Vec<String> {
+    match slope_verdict(rms_slope) {
         SmallSlope::Valid => Vec::new(),
         steep => vec![steep.to_string()],
     }

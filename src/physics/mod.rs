@@ -9,6 +9,7 @@ pub mod root;
 pub mod quadrature;
 pub mod special;
 pub mod rough;
+pub mod plane;
 pub mod shape;
 pub mod material;
 pub mod viscoelastic;

@@ -3,9 +3,11 @@
 use super::adhesion::Adhesion;
 use super::friction::peeling::ShearedAdhesion;
 use super::friction::{CoulombBed, Friction, TangentialMemory};
+use super::plane::PlaneContact;
 use super::quasistatic::QuasiStatic;
 use super::record::{Plan, Tangential};
 use super::setup::Setup;
+use super::shape::Shape;
 use super::surface::Surface;
 
 /// The plan of a scene.
@@ -98,4 +100,20 @@ pub fn of_rough(setup: &Setup, surface: &Surface) -> Plan {
         // Gaps, forces and energies of the members that run at a time are no more than those of all.
         state_bytes: 24 * surface.points,
     }
+}
+
+/// The plan of a scene with a plane shape.
+#[must_use]
+pub fn of_plane(setup: &Setup) -> Plan {
+    let (mut used, mut left_out) = (vec!["half-plane"], vec!["one-dimensional profile g(x)", "springs"]);
+    let mut part = |name, wanted: bool| if wanted { used.push(name) } else { left_out.push(name) };
+    part("gross sliding", setup.scene.friction.is_some());
+    let (solver, reason) = match setup.scene.shape {
+        Shape::PlaneWave(_) => ("Westergaard", "one period of a wave on the half-plane has a closed form"),
+        _ => (
+            "Chebyshev series",
+            "a contact in one piece on the half-plane: pressure and ends from the series of the slope",
+        ),
+    };
+    Plan { solver, reason: reason.to_owned(), used, left_out, springs: 0, state_bytes: size_of::<PlaneContact>() }
 }

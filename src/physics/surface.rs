@@ -1,5 +1,6 @@
 //! What lies on the smooth profile of a scene: roughness, made ready.
 
+use super::friction::Friction;
 use super::history::Entry;
 use super::material::Body;
 use super::problem::Problem;
@@ -75,9 +76,16 @@ pub fn of(scene: &Scene, tables: &dyn Tables) -> Result<Option<Surface>, Vec<Pro
             });
             ("HeightMap", map.map(of_map).map_err(|what| vec![Problem::new("shape", what)]))
         }
+        Shape::PlaneWave(_) | Shape::PlaneWavy(_) => {
+            let problems = plane_misfits(scene);
+            return if problems.is_empty() { Ok(None) } else { Err(problems) };
+        }
         _ => return Ok(None),
     };
-    let mut problems = misfits(scene, name);
+    let mut problems = misfits(scene, &format!("the rough shape {name}"));
+    if let Some(friction) = &scene.friction {
+        problems.push(refused("friction", friction.name(), &format!("the rough shape {name}")));
+    }
     let surface = made.map_err(|found| problems.extend(found)).ok();
     if problems.is_empty() { Ok(surface) } else { Err(problems) }
 }
@@ -139,30 +147,50 @@ fn of_map(map: HeightMap) -> Surface {
     Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] }
 }
 
-/// Parts of a scene that cannot be computed on a rough shape.
-fn misfits(scene: &Scene, name: &str) -> Vec<Problem> {
+fn refused(path: &str, part: &str, shape: &str) -> Problem {
+    Problem::new(path, format!("{part} cannot be computed on {shape}: expected none"))
+}
+
+/// Parts of a scene that can be computed on neither rough nor plane shapes.
+fn misfits(scene: &Scene, shape: &str) -> Vec<Problem> {
     let mut problems = Vec::new();
-    let mut refuse = |path: String, part: &str| {
-        problems
-            .push(Problem::new(path, format!("{part} cannot be computed on the rough shape {name}: expected none")));
-    };
     if let Some(adhesion) = &scene.adhesion {
-        refuse("adhesion".to_owned(), adhesion.name());
-    }
-    if let Some(friction) = &scene.friction {
-        refuse("friction".to_owned(), friction.name());
+        problems.push(refused("adhesion", adhesion.name(), shape));
     }
     if scene.springs.is_some() {
-        refuse("springs".to_owned(), "a number of springs other than its own points");
+        problems.push(refused("springs", "a number of springs", shape));
     }
     for (path, body) in [("bodies.0", &scene.bodies.0), ("bodies.1", &scene.bodies.1)] {
         if matches!(body, Body::Viscoelastic(_)) {
-            refuse(path.to_owned(), "a viscoelastic body");
+            problems.push(refused(path, "a viscoelastic body", shape));
         }
     }
     let impacts = scene.history.iter().position(|entry| matches!(entry, Entry::Impact(_)));
-    if let Some(index) = impacts {
-        refuse(format!("history[{index}]"), "Impact");
+    problems.extend(impacts.map(|index| refused(&format!("history[{index}]"), "Impact", shape)));
+    problems
+}
+
+/// Parts of a scene that cannot be computed on a plane shape.
+fn plane_misfits(scene: &Scene) -> Vec<Problem> {
+    let (shape, by_force) = match &scene.shape {
+        Shape::PlaneWavy(_) => ("PlaneWavy", true),
+        _ => ("PlaneWave", false),
+    };
+    let mut problems = misfits(scene, shape);
+    match &scene.friction {
+        Some(friction @ Friction::Pressure(_)) => problems.push(refused("friction", friction.name(), shape)),
+        Some(friction) if by_force => problems.push(refused("friction", friction.name(), shape)),
+        _ => {}
+    }
+    for (index, entry) in scene.history.iter().enumerate() {
+        let right = match entry {
+            Entry::Slide(_) | Entry::Shake(_) => "none: the force of gross sliding is a result of the friction alone",
+            Entry::Press(_) | Entry::HoldForce(_) => continue,
+            _ if by_force => "Press(…) or HoldForce(…)",
+            _ => continue,
+        };
+        let what = format!("cannot be computed on {shape}: expected {right}");
+        problems.push(Problem::new(format!("history[{index}]"), what));
     }
     problems
 }

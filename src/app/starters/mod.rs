@@ -35,6 +35,8 @@ starters!(
     "rough",
     "ensemble",
     "height-map",
+    "westergaard",
+    "seal",
 );
 
 impl Starter {

@@ -7,6 +7,7 @@ mod ellipsoid;
 mod kernel;
 mod measured;
 mod paraboloid;
+mod plane;
 mod power;
 mod punch;
 mod rough_line;
@@ -18,6 +19,7 @@ mod wavy;
 pub use ellipsoid::Ellipsoid;
 pub use measured::Measured;
 pub use paraboloid::Paraboloid;
+pub use plane::{PlaneRipple, PlaneWave, PlaneWavy};
 pub use power::{Cone, Power};
 pub use punch::FlatPunch;
 pub use rough_line::{RoughShape, Seeds};
@@ -201,6 +203,10 @@ pub enum Shape {
     RoughLine(RoughShape),
     /// Heights of a measured or generated surface, a plain matrix or `.npy` [m], and the size of a pixel.
     HeightMap(PathBuf, Length),
+    /// Sinusoidal section, long across: one period.
+    PlaneWave(PlaneWave),
+    /// Wavy parabolic section, long across.
+    PlaneWavy(PlaneWavy),
 }
 
 /// Why a shape cannot be used.
@@ -235,6 +241,8 @@ impl Shape {
             Self::Ellipsoid(_) => "Ellipsoid",
             Self::Table(_) => "Table",
             Self::RoughLine(_) => "RoughLine",
+            Self::PlaneWave(_) => "PlaneWave",
+            Self::PlaneWavy(_) => "PlaneWavy",
             Self::HeightMap(..) => "HeightMap",
         }
     }
@@ -256,6 +264,12 @@ impl Shape {
     #[must_use]
     pub fn is_rough(&self) -> bool {
         matches!(self, Self::RoughLine(_) | Self::HeightMap(..))
+    }
+
+    /// Whether the shape is long across its section.
+    #[must_use]
+    pub fn is_plane(&self) -> bool {
+        matches!(self, Self::PlaneWave(_) | Self::PlaneWavy(_))
     }
 
     /// The profile, ready for evaluation, that of the smooth shape under a roughness; tables are read now.
@@ -280,6 +294,9 @@ impl Shape {
                 Some(base) => base.profile(tables)?,
                 None => Arc::new(FlatPunch::of_width(line.length)?),
             },
+            // The round shapes that stand where a radius is asked for; plane contacts do not use them.
+            Self::PlaneWave(wave) => Arc::new(FlatPunch::of_width(wave.wavelength)?),
+            Self::PlaneWavy(wavy) => Arc::new(Paraboloid { radius: wavy.radius }),
             Self::HeightMap(..) => return Err(ShapeError::NoProfile),
         })
     }

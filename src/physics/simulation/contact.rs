@@ -19,6 +19,9 @@ pub enum ContactError {
     /// The viscoelastic bed ends.
     #[error(transparent)]
     Bed(#[from] BedError),
+    /// The plane contact cannot follow.
+    #[error(transparent)]
+    Plane(#[from] super::plane::PlaneError),
     /// The contact grows out of a rough line.
     #[error(transparent)]
     Line(#[from] super::rough::LineTooShort),

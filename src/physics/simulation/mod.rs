@@ -4,12 +4,14 @@ mod contact;
 mod fields;
 mod fretting;
 mod relaxing;
+mod plane;
 mod results;
 mod rough;
 mod shear;
 mod strike;
 
 pub use contact::{ContactError, Direct, Drive, Event, Moment, NormalContact, Springs};
+pub use plane::PlaneError;
 pub use rough::LineTooShort;
 pub use shear::{TangentialContact, sheared};
 
@@ -82,6 +84,9 @@ pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
 pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
     if let Some(surface) = &setup.surface {
         return rough::run(setup, surface, done);
+    }
+    if let Some(outcome) = plane::run(setup, wanted) {
+        return outcome;
     }
     if let Some(impact) = strike::of(setup) {
         return strike::run(setup, impact, wanted);

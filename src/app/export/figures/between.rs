@@ -36,7 +36,7 @@ fn line(setup: &Setup) -> Option<EdgeLine<'_>> {
         Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
         Some(Adhesion::Maugis(_)) => return None,
     };
-    let direct = setup.relaxation.is_none() && setup.scene.springs.is_none();
+    let direct = setup.relaxation.is_none() && setup.scene.springs.is_none() && !setup.scene.shape.is_plane();
     direct.then(|| EdgeLine::new(setup.profile.as_ref(), setup.pair.normal, work))
 }
 

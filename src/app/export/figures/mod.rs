@@ -32,6 +32,9 @@ fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
     if setup.surface.is_some() {
         return rough::SUITING.to_vec();
     }
+    if setup.scene.shape.is_plane() {
+        return vec![Plot::Force, Plot::Radius, Plot::Pressure];
+    }
     if let Some(impacts) = &outcome.impacts {
         let oblique = !impacts.incidence.is_empty();
         return match impacts.rows.len() {
@@ -65,7 +68,8 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
         }
         Plot::Force => force(setup, records),
         Plot::Radius => {
-            let axis = Axis::linear("contact radius a", "m").from(0.0);
+            let name = if setup.scene.shape.is_plane() { "half width a" } else { "contact radius a" };
+            let axis = Axis::linear(name, "m").from(0.0);
             vec![against_depth((setup, records), axis, |record| record.normal.contact_radius.unwrap_or(f64::NAN))]
         }
         Plot::Pressure => vec![fields::pressure(outcome)],

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 /// A wave of amplitude Δ and wavelength λ pressed on an elastic half-plane (Westergaard 1939), force per width.
 ///
-/// The gap is Δ(1 − cos(2πx/λ)). Valid in plane strain, for small slopes ([`super::slope_verdict`]), without adhesion. Linear theory:
+/// The gap is Δ(1 − cos(2πx/λ)). Valid in plane strain, for small slopes (rms slope below 0.44), without adhesion. Linear theory:
 /// the same for a wavy body on a flat and a flat body on a wave, at rest and in gross sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Westergaard {

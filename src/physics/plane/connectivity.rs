@@ -150,6 +150,37 @@ impl WavyParabola<'_> {
         at(root::brent(excess, a.half_width, b.half_width).ok()?).ok()
     }
 
+    /// The contact of a symmetric profile under a load per width [N/m] if it is in one piece; its centre is the origin.
+    ///
+    /// # Errors
+    /// The roughness is not resolved.
+    pub fn symmetric(&self, load: f64) -> Result<Option<PlaneContact>, ConnectivityError> {
+        let hertz = 2.0 * (load * self.radius / (PI * self.modulus)).sqrt();
+        let (low, high) = (1e-3 * hertz, (hertz + 1.3 * self.radius * self.steepest(2.0 * hertz)) * (1.0 + 1e-9));
+        let cosines = self.resolving(high)?;
+        let widths = (0..=SYMMETRIC).map(|k| low * (high / low).powf(f64::from(k) / f64::from(SYMMETRIC)));
+        let excess = |c: f64| self.centred_load(c, &cosines) - load;
+        let loads: Vec<_> = widths.map(|c| (c, excess(c))).collect();
+        let crossings = loads.windows(2).filter(|pair| pair[0].1 <= 0.0 && pair[1].1 > 0.0);
+        let roots = crossings.filter_map(|pair| root::brent(excess, pair[0].0, pair[1].0).ok());
+        let mut contacts = roots.map(|c| self.centred(c, &cosines));
+        Ok(contacts.find(|contact| contact.presses_everywhere() && !self.touches_outside(contact, 3.0 * high)))
+    }
+
+    /// P = (πE*c/4)(c/R + ξ₁) of a contact about the origin [N/m] (Kudish et al. 2.13).
+    fn centred_load(&self, half_width: f64, cosines: &Cosines) -> f64 {
+        let first = 2.0 * cosines.mean(|u| (self.slope)(half_width * u) * u);
+        FRAC_PI_4 * self.modulus * half_width * (half_width / self.radius + first)
+    }
+
+    /// The contact about the origin of a symmetric profile.
+    fn centred(&self, half_width: f64, cosines: &Cosines) -> PlaneContact {
+        let series = cosines.series(|u| (self.slope)(half_width * u));
+        let parabola = half_width / self.radius;
+        let load = self.centred_load(half_width, cosines);
+        PlaneContact { centre: 0.0, half_width, load, scale: (0.5 * self.modulus, parabola), series }
+    }
+
     /// The contact under a load per width [N/m]: among the candidates the one that presses everywhere, else the widest.
     ///
     /// # Errors
@@ -253,6 +284,8 @@ const MOST_TERMS: usize = 1024;
 /// Half widths, and centres on either side of the origin, tried in search of the contact.
 const WIDTHS: u32 = 40;
 const CENTRES: i32 = 60;
+/// Half widths tried in search of a symmetric contact.
+const SYMMETRIC: u32 = 200;
 /// Loads tried in search of the least one.
 const LOADS: u32 = 40;
 
