@@ -47,6 +47,64 @@ fn the_same_scene_gives_the_same_bytes_on_any_number_of_threads() {
     }
 }
 
+/// Elastic and adhesive scenes at once, on one thread and on several, twice.
+#[test]
+fn many_scenes_give_the_same_bytes_on_any_number_of_threads() {
+    let run = |threads: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let names = ["hertz", "rail_wheel", "indentation_cone", "flat_punch", "pdms_lens", "wavy_lens", "measured_tip"];
+        let mut command = springbed();
+        command.args(["run", "--threads", threads, "--out"]).arg(folder.path());
+        let output = command.args(names.map(|name| format!("configs/{name}.ron"))).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        (files(folder.path()), output.stdout)
+    };
+    let first = run("1");
+    assert!(first.0.len() >= 21, "{:?}", first.0.keys());
+    for threads in ["1", "2", "7"] {
+        assert!(run(threads) == first, "{threads} threads");
+    }
+}
+
+/// Folders one may not write to, and names with spaces and accents.
+#[test]
+fn names_with_spaces_are_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("my lens (é).ron");
+    std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/hertz.ron"), &scene).unwrap();
+    let output =
+        springbed().arg("run").arg(&scene).arg("--out").arg(folder.path().join("new folder")).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(folder.path().join("new folder/my lens (é).csv").exists());
+}
+
+/// Work of adhesion zero is no adhesion, and the order of the bodies does not matter: to the bit.
+#[test]
+fn what_should_not_matter_does_not() {
+    let run = |text: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("scene.ron"), text).unwrap();
+        let mut command = springbed();
+        command.args(["run", "--format", "csv", "--out"]).arg(folder.path()).arg(folder.path().join("scene.ron"));
+        let output = command.output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let mut made = files(folder.path());
+        made.remove("scene.ron");
+        made
+    };
+    let (steel, glass) = ("Elastic(young: \"210 GPa\", poisson: 0.3)", "Elastic(young: \"70 GPa\", poisson: 0.22)");
+    let scene = |one: &str, other: &str, adhesion: &str| {
+        format!(
+            "(shape: Sphere(radius: \"3 mm\"), bodies: ({one}, {other}), {adhesion} \
+             history: [Press(to: \"20 N\", over: 1), Indent(to: \"1 um\", over: 1), Indent(to: 0, over: 1)])"
+        )
+    };
+    let plain = run(&scene(steel, glass, ""));
+    assert!(plain == run(&scene(glass, steel, "")));
+    assert!(plain == run(&scene(steel, glass, "adhesion: Jkr(work: 0),")));
+    assert!(plain != run(&scene(steel, glass, "adhesion: Jkr(work: 1e-3),")));
+}
+
 #[test]
 fn formats_quiet_and_json_do_what_they_say() {
     let (files, said) = hertz_with(&["--format", "csv", "--quiet"]);
@@ -87,6 +145,16 @@ fn a_folder_that_cannot_be_made_is_a_failed_run() {
     let output = springbed().args(["run", "configs/hertz.ron", "--out"]).arg(file.join("below")).output().unwrap();
     assert_eq!(output.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&output.stderr).contains("cannot be written"));
+}
+
+#[test]
+fn a_file_is_no_folder_to_write_into() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("file");
+    std::fs::write(&file, "").unwrap();
+    let output = springbed().args(["run", "configs/hertz.ron", "--out"]).arg(&file).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("it is a file, expected a folder"));
 }
 
 /// Stopped at any moment, a run leaves whole files or none.

@@ -65,6 +65,11 @@ pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + 
     };
     let mut outcome = simulation::run_watched(setup, wanted, done)?;
     outcome.warnings.extend(validity::warnings(setup, &outcome));
+    if let Some(estimate) =
+        validity::error_of_shape(setup).filter(|shape| shape.relative > outcome.error_estimate.relative)
+    {
+        outcome.error_estimate = estimate;
+    }
     Ok(outcome)
 }
 

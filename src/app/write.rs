@@ -35,6 +35,9 @@ pub fn write_all(folder: &Path, files: &[(String, &[u8])]) -> Result<Vec<PathBuf
         let path = path.to_owned();
         move |source| WriteError { path, source }
     };
+    if folder.is_file() {
+        return Err(error(folder)(io::Error::other("it is a file, expected a folder")));
+    }
     std::fs::create_dir_all(folder).map_err(error(folder))?;
     let mut written = Vec::new();
     for (name, content) in files {

@@ -4,7 +4,7 @@ use super::elliptic;
 use super::theory::{SmallSlope, slope_verdict};
 use crate::physics::adhesion::Adhesion;
 use crate::physics::material::Body;
-use crate::physics::record::{Normal, Outcome};
+use crate::physics::record::{ErrorEstimate, Normal, Outcome};
 use crate::physics::setup::Setup;
 use crate::physics::shape::{Profile, Shape, Sphere};
 use crate::physics::stress::Loading;
@@ -35,6 +35,15 @@ pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
     let found =
         [steep(profile, a), not_a_ball(setup, a), two_radii(setup), connected(setup, a), tabor(setup), coupled(setup)];
     found.into_iter().flatten().chain(first_yield(setup, (a, &largest))).collect()
+}
+
+/// The error of an ellipsoid's effective radius, where it is larger than that of the computation.
+#[must_use]
+pub fn error_of_shape(setup: &Setup) -> Option<ErrorEstimate> {
+    let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
+    let error = elliptic::mean_radius_error([ellipsoid.radius_x.si(), ellipsoid.radius_y.si()]).ok()?;
+    let basis = "effective radius of the ellipsoid, against the elliptic Hertz contact".to_owned();
+    (error.abs() > 1e-6).then(|| ErrorEstimate { relative: error.abs(), basis })
 }
 
 /// Slopes beyond the linear theory, with numbers.

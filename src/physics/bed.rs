@@ -112,24 +112,37 @@ impl SpringBed {
     }
 
     /// Moves to the force `to` [N]; `false` if the bodies part on the way.
+    ///
+    /// While springs join or part by themselves the machine keeps its force and does its work with it.
     pub fn press(&mut self, to: f64) -> bool {
+        let mut held = if self.attached == 0 { 0.0 } else { self.counted_force() };
         if self.attached == 0 && to >= 0.0 {
             self.indentation = self.indentation.max(self.reduced[0].max(0.0));
             self.join();
         }
         while let Some(depth) = self.next_to_join().filter(|&depth| depth <= self.depth_under(to)) {
-            self.move_under(self.force_at(depth).max(self.counted_force()).min(to));
+            let next = self.force_at(depth).max(held).min(to);
+            self.move_under((held, next));
+            held = next;
             self.join();
         }
         while let Some(depth) = self.next_to_part().filter(|&depth| depth > self.depth_under(to)) {
-            self.move_under(self.force_at(depth).min(self.counted_force()).max(to));
+            let next = self.force_at(depth).min(held).max(to);
+            self.move_under((held, next));
+            held = next;
             self.part();
         }
         if self.attached > 0 {
-            self.move_under(to);
+            self.move_under((held, to));
         }
         self.settle();
         self.attached > 0
+    }
+
+    /// Depth [m] below which a retraction from here leaves no spring in contact; 0 without adhesion.
+    #[must_use]
+    pub fn last_depth(&self) -> f64 {
+        self.threshold.iter().take(self.attached).copied().fold(0.0, f64::min)
     }
 
     /// Depth at which the outermost spring parts, if there is one.
@@ -169,8 +182,12 @@ impl SpringBed {
         self.work += 0.5 * (before + self.counted_force()) * path;
     }
 
-    fn move_under(&mut self, force: f64) {
-        self.move_to(self.depth_under(force));
+    /// Moves to the depth of the force `to` [N], the machine's force going from `from` to `to`.
+    fn move_under(&mut self, (from, to): (f64, f64)) {
+        let path = self.depth_under(to) - self.indentation;
+        self.indentation += path;
+        self.deflection += self.count() * path;
+        self.work += 0.5 * (from + to) * path;
     }
 
     fn depth_under(&self, force: f64) -> f64 {

@@ -255,6 +255,10 @@ impl<D: Dimension, R: Range> FromStr for Quantity<D, R> {
             ))
         })?;
         let Some(&(_, up, down)) = D::UNITS.iter().find(|u| same_unit(unit, u.0)) else {
+            if unit.starts_with(',') {
+                let right = text.replacen(',', ".", 1);
+                return Err(QuantityError(format!("\"{text}\" has a comma: expected a decimal point, \"{right}\"")));
+            }
             let fault = if unit.is_empty() { "has no unit".to_owned() } else { format!("has the unit \"{unit}\"") };
             return Err(QuantityError(format!("\"{text}\" {fault}: expected {} in one of {}", D::NAME, known())));
         };
@@ -358,6 +362,7 @@ mod tests {
         assert!(text("10".parse()).contains("has no unit: expected a length in one of m, km"));
         assert!(text("10 MPa".parse()).contains("has the unit \"MPa\": expected a length"));
         assert!(text("-1 mm".parse()).contains("\"-1 mm\" is out of range: expected a length, above zero"));
+        assert!(text("1,5 mm".parse()).contains("has a comma: expected a decimal point, \"1.5 mm\""));
         assert!(text("ten mm".parse()).contains("does not start with a number"));
         assert!(text(Length::new(f64::NAN)).contains("is not a number"));
         assert!(text("1e400 m".parse()).contains("is infinite"));

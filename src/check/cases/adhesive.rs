@@ -6,7 +6,7 @@ use crate::physics::adhesion::line::EdgeLine;
 use crate::physics::adhesion::range::RangeDisc;
 use crate::physics::quantity::{Length, Positive};
 use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::{Cone, Paraboloid, Profile};
+use crate::physics::shape::{Cone, FlatPunch, Paraboloid, Profile};
 use std::f64::consts::PI;
 
 const ROUNDING: &str = "a root to two units in the last place and sums of one sign; a hundred roundings allowed";
@@ -59,6 +59,22 @@ pub(super) const CASES: &[Case] = &[
         reason: ROUNDING,
         weak: "one slope",
         error: || cone().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "jkr/flat punch",
+        proof: Proof::Rounding,
+        bound: 1e-13,
+        reason: "F = −√(8πE*wb³), lost 2πwb² (Kendall 1971)",
+        weak: "one punch",
+        error: || flat_punch().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "jkr/edge stress",
+        proof: Proof::Rounding,
+        bound: 1e-13,
+        reason: "K_I = √(2E*w) at any load, from the edge load −q(a)/√(πa)",
+        weak: "the paraboloid only",
+        error: || edge_stress().unwrap_or(f64::NAN),
     },
     Case {
         name: "maugis/pull-off over λ",
@@ -160,6 +176,30 @@ fn cone() -> Option<f64> {
         (by_depth.indentation, -work / (modulus * slope)),
         (by_depth.force, -6.0 * unit),
     ]))
+}
+
+fn flat_punch() -> Option<f64> {
+    let (radius, work, modulus) = (0.3, 0.7, 3.0);
+    let punch = FlatPunch { radius: Length::new(radius).ok()? };
+    let line = EdgeLine::new(&punch, modulus, work);
+    let mut contact = QuasiStatic::new(&punch, modulus, Attraction::Line(line));
+    let touched = *contact.indent(0.0).ok()?.first()?;
+    let off = *contact.indent(-1e3).ok()?.first()?;
+    Some(worst(&[
+        (off.before.force, -(8.0 * PI * modulus * work * radius * radius * radius).sqrt()),
+        (touched.dissipated + off.dissipated, 2.0 * PI * work * radius * radius),
+    ]))
+}
+
+fn edge_stress() -> Option<f64> {
+    let ball = ball()?;
+    let mut contact = unit_jkr(&ball);
+    let mut pairs = Vec::new();
+    for d in [0.0, 1.0, -1.0] {
+        contact.indent(d).ok()?;
+        pairs.push((contact.stress_intensity(), 2f64.sqrt()));
+    }
+    Some(worst(&pairs))
 }
 
 /// With K = 1, R = 1 and πw = 1 the units are one and σ₀ = λ/2. References by golden section on the

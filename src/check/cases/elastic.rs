@@ -1,11 +1,13 @@
 //! Elastic contacts with closed answers.
 
 use crate::check::case::{Case, Proof, worst};
+use crate::check::elliptic;
 use crate::physics::adhesion::line::EdgeLine;
 use crate::physics::bed::{EdgeLocation, SpringBed};
 use crate::physics::quantity::{Length, Positive};
 use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::{Paraboloid, Power, Profile};
+use crate::physics::shape::{FlatPunch, Paraboloid, Power, Profile};
+use crate::physics::stress::Loading;
 use std::f64::consts::PI;
 
 const ROUNDING: &str = "closed forms, a dozen roundings";
@@ -42,6 +44,38 @@ pub(super) const CASES: &[Case] = &[
         reason: "F = 2n/(n+1) E*da; ∫p dA = F by quadrature with a root end",
         weak: "the pressure is checked through its integral",
         error: || power_law().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "punch/force, pressure and surface",
+        proof: Proof::Rounding,
+        bound: 1e-14,
+        reason: ROUNDING,
+        weak: "one radius; the property tests span the decades",
+        error: || flat_punch().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "stress/hertz on the axis",
+        proof: Proof::Rounding,
+        bound: 1e-12,
+        reason: "σ_zz and σ_xx as Popov 2010, eqs. 5.47 and 5.48; a quadrature over punches",
+        weak: "the axis only",
+        error: || stress_on_axis().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "stress/depth of the largest shear",
+        proof: Proof::Bound,
+        bound: 0.02,
+        reason: "the book's 0.49 a at ν = 0.33 has two digits",
+        weak: "a rounded book answer",
+        error: || depth_of_largest_shear().unwrap_or(f64::NAN),
+    },
+    Case {
+        name: "ellipsoid/mean radius",
+        proof: Proof::Rounding,
+        bound: 1e-12,
+        reason: "elliptic Hertz contact with thirty digits: −0.99 % and −5.08 % of the force at R₁/R₂ = 2 and 5",
+        weak: "says how wrong the effective radius is; nothing else is computed with it",
+        error: || ellipsoid().unwrap_or(f64::NAN),
     },
     Case {
         name: "bed/hertz envelope",
@@ -109,6 +143,47 @@ fn power_law() -> Option<f64> {
         pairs.push((crate::physics::quadrature::panel_with_root_ends(ring, a), state.force));
     }
     Some(worst(&pairs))
+}
+
+fn flat_punch() -> Option<f64> {
+    let (b, modulus, d) = (0.3, 2.0, 1e-3);
+    let punch = FlatPunch { radius: Length::new(b).ok()? };
+    let contact = indented(&punch, modulus, d)?;
+    Some(worst(&[
+        (contact.present().balance.force, 2.0 * modulus * b * d),
+        (contact.pressure(0.6 * b), modulus * d / (PI * 0.8 * b)),
+        (contact.surface(2.0 * b), d / 3.0),
+        (contact.energy().elastic, modulus * b * d * d),
+    ]))
+}
+
+/// A ball of R = 1 pressed to a = 0.1 with E* = 1: p₀ = 2a/π.
+fn loading(ball: &Paraboloid) -> Loading<'_> {
+    Loading { profile: ball, modulus: 1.0, poisson: 0.33, contact_radius: 0.1, edge_load: 0.0 }
+}
+
+fn stress_on_axis() -> Option<f64> {
+    let ball = Paraboloid { radius: Length::new(1.0).ok()? };
+    let peak = 0.2 / PI;
+    let at = |part: f64| {
+        let row = loading(&ball).on_axis(0.1 * part);
+        let spread = 0.5 / (1.0 + part * part);
+        let radial = -peak * (1.33 * (1.0 - part * (1.0 / part).atan()) - spread);
+        [(row.axial, -2.0 * peak * spread), (row.radial, radial)]
+    };
+    Some(worst(&[0.01, 0.1, 0.49, 1.0, 3.0].map(at).concat()))
+}
+
+fn depth_of_largest_shear() -> Option<f64> {
+    let ball = Paraboloid { radius: Length::new(1.0).ok()? };
+    let rows = (1..200).map(|k| loading(&ball).on_axis(1e-3 * f64::from(k)));
+    let deepest = rows.max_by(|x, y| x.shear.total_cmp(&y.shear))?;
+    Some(worst(&[(deepest.depth / 0.1, 0.49)]))
+}
+
+fn ellipsoid() -> Option<f64> {
+    let error = |ratio: f64| elliptic::mean_radius_error([1.0, ratio]).ok();
+    Some(worst(&[(error(2.0)?, -0.009_894_417_835_467_63), (error(5.0)?, -0.050_836_018_243_976_77)]))
 }
 
 /// The largest part of the proved envelope that a scan over the place of the edge uses.

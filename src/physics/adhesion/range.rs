@@ -94,18 +94,55 @@ impl<'p> RangeDisc<'p> {
         self.profile.height(c) + self.ratio() * c * (1.0 - FRAC_2_PI)
     }
 
+    /// The angle arccos(b/c) of a kink of the profile at b that the neck a < x < c holds or is near to.
+    ///
+    /// Above a kink g goes as √(x−b). Farther from it than its own width the neck does not feel that.
+    fn corner(&self, c: f64, phi: f64) -> Option<f64> {
+        let b = self.profile.kink().filter(|&b| b > 0.0 && b < c)?;
+        let a = c * phi.cos();
+        (c - b > 2.0 * (a - b)).then(|| ((c - b) * (c + b)).sqrt().atan2(b))
+    }
+
     /// ∫₀^φ k(c cos ψ, ψ) dψ with panels at the breaks of the profile.
     fn over_neck(&self, c: f64, phi: f64, mut kernel: impl FnMut(f64, f64) -> f64) -> f64 {
-        let mut breaks: Vec<f64> =
-            self.profile.breaks(c).into_iter().map(|x| (x / c).min(1.0).acos()).filter(|&at| at < phi).collect();
+        let angles = self.profile.breaks(c).into_iter().map(|x| (x / c).min(1.0).acos());
+        let mut breaks: Vec<f64> = angles.filter(|&at| at < phi).collect();
         breaks.reverse();
-        quadrature::panels(|psi| kernel(c * psi.cos(), psi), (0.0, phi), &breaks)
+        let mut at = |psi: f64| kernel(c * psi.cos(), psi);
+        let Some(corner) = self.corner(c, phi) else { return quadrature::panels(at, (0.0, phi), &breaks) };
+        // ψ = corner − u² takes the root at the kink away.
+        let to_u = |psi: f64| (corner - psi).max(0.0).sqrt();
+        let near: Vec<f64> = breaks.iter().rev().map(|&psi| to_u(psi)).collect();
+        let flank = quadrature::panels(|u| 2.0 * u * at(corner - u * u), (to_u(phi), corner.sqrt()), &near);
+        if phi > corner { flank + quadrature::panels(at, (corner, phi), &breaks) } else { flank }
     }
 
     /// Gap h(c) for a = c cos φ.
     fn gap(&self, c: f64, phi: f64) -> f64 {
-        let profile = self.over_neck(c, phi, |x, psi| self.profile.reduced_slope(x) * psi * c * psi.sin());
-        FRAC_2_PI * profile + FRAC_2_PI * self.ratio() * c * (phi * phi.sin() - versine(phi))
+        let profile = if self.corner(c, phi).is_some() {
+            let edge = self.profile.reduced(c * phi.cos());
+            self.over_neck(c, phi, |x, _| self.profile.reduced(x) - edge)
+        } else {
+            self.over_neck(c, phi, |x, psi| self.profile.reduced_slope(x) * psi * c * psi.sin())
+        };
+        FRAC_2_PI * profile + self.gap_of_attraction(c, phi)
+    }
+
+    /// What the attraction adds to the gap: (4σ₀/πE*)[√(c²−a²) arccos(a/c) − (c−a)].
+    fn gap_of_attraction(&self, c: f64, phi: f64) -> f64 {
+        FRAC_2_PI * self.ratio() * c * (phi * phi.sin() - versine(phi))
+    }
+
+    /// g(a) of the edge a = c cos φ; near a kink from the gap w/σ₀ instead of the radius.
+    ///
+    /// There g changes by 1e-8 of itself when a changes in its last digit. From ∫(g(x) − g(a)) dψ over the
+    /// neck, which the gap prescribes, g(a) follows to rounding.
+    fn edge_height(&self, c: f64, phi: f64) -> f64 {
+        if self.corner(c, phi).is_none() {
+            return self.profile.reduced(c * phi.cos());
+        }
+        let neck = self.over_neck(c, phi, |x, _| self.profile.reduced(x));
+        (neck - FRAC_PI_2 * (self.range() - self.gap_of_attraction(c, phi))) / phi
     }
 
     /// The neck angle φ = arccos(a/c) in contact.
@@ -131,9 +168,12 @@ impl<'p> RangeDisc<'p> {
     fn with_neck(&self, c: f64, phi: f64) -> Balance {
         let (sine, cosine) = phi.sin_cos();
         let a = c * cosine;
-        let indentation = self.profile.reduced(a) - self.ratio() * c * sine;
+        let edge = self.edge_height(c, phi);
+        let indentation = edge - self.ratio() * c * sine;
         let attraction = 2.0 * self.stress * c * c * (sine * cosine + phi);
-        let force = 2.0 * self.modulus * self.profile.load_integral(a) - attraction;
+        // Zero but for the rounding of g near a kink, which N has too and which cancels.
+        let rounding = a * (edge - self.profile.reduced(a));
+        let force = 2.0 * self.modulus * (self.profile.load_integral(a) + rounding) - attraction;
         Balance { contact_radius: a, reach: c, indentation, force }
     }
 

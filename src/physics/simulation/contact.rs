@@ -258,14 +258,13 @@ pub struct Springs {
     bed: SpringBed,
     modulus: f64,
     parted: bool,
-    last_depth: f64,
 }
 
 impl Springs {
-    /// A bed with the effective modulus E* [Pa] that a retraction parts at `last_depth` [m].
+    /// A bed with the effective modulus E* [Pa].
     #[must_use]
-    pub fn new(bed: SpringBed, modulus: f64, last_depth: f64) -> Self {
-        Self { bed, modulus, parted: false, last_depth }
+    pub fn new(bed: SpringBed, modulus: f64) -> Self {
+        Self { bed, modulus, parted: false }
     }
 }
 
@@ -289,7 +288,15 @@ impl NormalContact for Springs {
     }
 
     fn last_depth(&self, _speed: f64) -> Result<f64, ContactError> {
-        Ok(self.last_depth)
+        Ok(self.bed.last_depth())
+    }
+
+    fn part(&mut self) -> Result<Vec<Event>, ContactError> {
+        let before = self.state();
+        let last = before.indentation.unwrap_or(0.0);
+        self.advance(Control::Indentation, last.next_down(), 0.0)?;
+        let after = Normal { indentation: before.indentation, ..self.state() };
+        Ok(vec![Event { at: Moment::Value(last), before, after }])
     }
 
     fn pressure(&self, r: f64) -> Option<f64> {

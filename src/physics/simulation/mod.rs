@@ -1,6 +1,7 @@
 //! A scene run from its first touch to the end of its history.
 
 mod contact;
+mod error;
 mod fields;
 mod fretting;
 mod relaxing;
@@ -22,7 +23,7 @@ use super::adhesion::range::RangeDisc;
 use super::bed::SpringBed;
 use super::plan;
 use super::quasistatic::{Attraction, QuasiStatic};
-use super::record::{ErrorEstimate, Field, Normal, Outcome, Record};
+use super::record::{Field, Normal, Outcome, Record};
 use super::setup::Setup;
 use super::stage::{Path, Stage, stages};
 use shear::Step;
@@ -93,7 +94,7 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
     }
     let mut plan = plan::of(setup);
     let mut run = follow(setup, contact(setup, wanted)?, wanted)?;
-    let mut error_estimate = error_estimate(setup);
+    let mut error_estimate = error::estimate(setup, &run.records);
     if setup.relaxation.is_some() {
         (plan.state_bytes, plan.springs) = (run.bytes, run.contact.springs());
         error_estimate = relaxing::error_estimate(setup, &run);
@@ -167,34 +168,11 @@ fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: Direct<'_>) -> Re
         }
         None => 0.0,
     };
-    let parting = direct.last_depth(0.0).unwrap_or(0.0);
     let run = follow(setup, Contact { normal: Box::new(direct), tangential: None }, Wanted::NOTHING)?;
     let largest = run.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let reach = SpringBed::reach_for(setup.profile.as_ref(), largest);
     let bed = SpringBed::new(setup.profile.as_ref(), (springs.get(), reach), setup.pair.normal, work);
-    Ok((Springs::new(bed, setup.pair.normal, parting), reach))
-}
-
-/// Where the error of a scene comes from: of its normal or its tangential contact, whichever is larger.
-fn error_estimate(setup: &Setup) -> ErrorEstimate {
-    let normal = normal_error(setup);
-    shear::error_estimate(setup).filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
-}
-
-fn normal_error(setup: &Setup) -> ErrorEstimate {
-    match setup.scene.springs {
-        None => ErrorEstimate {
-            relative: 1e-11,
-            basis: "direct path: rounding, against closed forms over twelve decades".to_owned(),
-        },
-        Some(springs) => {
-            let count = springs.get() as f64;
-            ErrorEstimate {
-                relative: (17.0 / 16.0 * 2.0 / count).powi(2).max(1e-11),
-                basis: format!("bed of {springs} springs: second order in the spring width, constant at most 4"),
-            }
-        }
-    }
+    Ok((Springs::new(bed, setup.pair.normal), reach))
 }
 
 /// Where a step leads: the prescribed quantity, the tangential displacement [m], and the time as the
