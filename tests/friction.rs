@@ -7,10 +7,10 @@ use springbed::check::validity;
 use springbed::physics::adhesion::{Adhesion, Jkr};
 use springbed::physics::friction::{Coulomb, CoulombOrowan, Friction, PressureLaw, Strength};
 use springbed::physics::history::{Entry, Indent, Oscillate, Press, Retract, Slide};
-use springbed::physics::material::{Body, Elastic};
+use springbed::physics::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
 use springbed::physics::quantity::{
     Amplitude, Displacement, Duration, Force, Frequency, Length, Modulus, Poisson, Positive, Ratio, Speed, Stress,
-    WorkOfAdhesion,
+    Viscosity, WorkOfAdhesion,
 };
 use springbed::physics::record::{Outcome, Record};
 use springbed::physics::scene::Scene;
@@ -129,11 +129,12 @@ proptest! {
                 prop_assert!(force(record).abs() <= limit + 1e-14 * coefficient, "{} {limit}", force(record));
                 prop_assert!((force(record) + force(other)).abs() <= 0.0);
                 let state = record.tangential.unwrap();
-                prop_assert!(state.dissipated >= lost && state.stored >= 0.0);
+                let dissipated = state.dissipated.unwrap();
+                prop_assert!(dissipated >= lost && state.stored.unwrap() >= 0.0);
                 // Both radii are roots for a depth, found on two ways.
                 let radius = record.normal.contact_radius.unwrap();
                 prop_assert!(state.stick_radius <= radius * (1.0 + 4e-15), "{} {radius}", state.stick_radius);
-                lost = state.dissipated;
+                lost = dissipated;
             }
         }
     }
@@ -173,7 +174,7 @@ fn no_friction_and_no_slip_are_limits() {
         for hold in [indent(0.5), press(0.5)] {
             let history = || vec![hold.clone(), slide(0.01)];
             let smooth = last(&run(scene(shape.clone(), coulomb(0.0), history())));
-            assert!(force(&smooth).abs() <= 0.0 && smooth.tangential.unwrap().dissipated.abs() <= 0.0);
+            assert!(force(&smooth).abs() <= 0.0 && smooth.tangential.unwrap().dissipated.unwrap().abs() <= 0.0);
             let stuck = last(&run(scene(shape.clone(), coulomb(1e12), history())));
             let right = 2.0 * RATIO * stuck.normal.contact_radius.unwrap() * 0.01;
             // The annulus of depth u/m = 10⁻¹⁴ slips all the same.
@@ -290,6 +291,56 @@ fn a_sheared_contact_is_in_equilibrium_under_depth_and_force() {
     let released = last(&sheared(0.1, vec![press(1.0), slide(1.0), press(2.0), press(1.0)]));
     assert!((released.normal.contact_radius.unwrap() / rest.normal.contact_radius.unwrap() - 1.0).abs() < 1e-12);
     assert!(force(&released).abs() <= 0.0);
+}
+
+/// A body that relaxes by the terms given; E*(0) = 1 and G*/E* as for the rubber above.
+fn relaxing(equilibrium: f64, terms: &[(f64, f64)], friction: Friction, history: Vec<Entry>) -> Scene {
+    let term = |&(modulus, time): &(f64, f64)| Term {
+        modulus: Stress::new(0.25 * modulus).unwrap(),
+        time: Duration::new(time).unwrap(),
+    };
+    let shear = Shear {
+        equilibrium: Stress::new(0.25 * equilibrium).unwrap(),
+        terms: Terms::List(terms.iter().map(term).collect()),
+        viscosity: Viscosity::default(),
+    };
+    let body = Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear };
+    Scene { bodies: (Body::Viscoelastic(body), Body::Rigid), ..scene(ball(), friction, history) }
+}
+
+/// A Prony term without weight leaves the elastic contact, within the bound of the bed, μE*dΔx.
+#[test]
+fn a_term_of_no_weight_is_elastic() {
+    let history = || vec![indent(0.5), slide(0.1), indent(0.3), slide(-0.05), indent(0.6), slide(0.3), indent(-0.1)];
+    let relaxing = run(relaxing(1.0, &[(0.0, 0.3)], coulomb(0.3), history()));
+    let elastic = run(scene(ball(), coulomb(0.3), history()));
+    let ends = |outcome: &Outcome| -> Vec<Record> {
+        (0..7).map(|entry| *outcome.records.iter().rfind(|record| record.entry == entry).unwrap()).collect()
+    };
+    let width = 0.6f64.sqrt() / 1000.0;
+    for (soft, hard) in ends(&relaxing).iter().zip(&ends(&elastic)) {
+        let bound = 0.3 * hard.normal.indentation.unwrap().max(0.0) * width;
+        assert!((force(soft) - force(hard)).abs() <= bound + 1e-12, "{} {}", force(soft), force(hard));
+        assert!(soft.tangential.unwrap().dissipated.is_none());
+    }
+    assert!(force(&ends(&elastic)[5]) > 0.1, "the history does not load the contact");
+}
+
+/// In gross sliding F_x = μF(t) while F relaxes; the normal contact is another solver than the bed.
+#[test]
+fn gross_sliding_of_a_relaxing_body_follows_its_force() {
+    let history = vec![indent(0.5), slide(1.0), slide(2.0), slide(3.0), indent(0.4), slide(2.0)];
+    let outcome = run(relaxing(0.2, &[(0.8, 0.3)], coulomb(0.3), history));
+    let sliding = outcome.records.iter().filter(|record| [2, 3].contains(&record.entry));
+    let mut compared = 0;
+    for record in sliding {
+        let bound = 0.3 * 0.5 * 0.5f64.sqrt() / 1000.0;
+        assert!((force(record) - 0.3 * record.normal.force).abs() <= bound, "{}", force(record));
+        assert!(record.tangential.unwrap().stick_radius <= 0.0);
+        compared += 1;
+    }
+    assert!(compared >= 10);
+    assert!(force(&last(&outcome)) < 0.0, "sliding back pulls forwards");
 }
 
 /// Steel on rubber breaks elastic similarity: the scene says by how much.

@@ -27,6 +27,7 @@ pub fn of(setup: &Setup) -> Plan {
     part("springs", scene.springs.is_some());
     let (solver, reason) = match (scene.springs, &setup.relaxation) {
         (None, None) => ("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated".to_owned()),
+        (None, Some(_)) if rubbing.is_some() => ("continuous bed", "the bodies remember: strips of springs with a common past for the normal contact, and beside it a bed of springs for the tangential one; exact in time".to_owned()),
         (None, Some(_)) => ("continuous bed", "the bodies remember: strips of springs with a common past, exact in time for a depth that goes in straight pieces; no spring is allocated".to_owned()),
         (Some(count), None) => ("springs", format!("`springs: {count}` asks for the classical bed")),
         (Some(count), Some(_)) => ("viscoelastic springs", format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released")),
@@ -41,16 +42,18 @@ pub fn of(setup: &Setup) -> Plan {
 enum Rubbing {
     Memory,
     Springs,
+    Relaxing,
     Sliding,
     Peeling,
 }
 
 impl Rubbing {
-    const ALL: [Self; 4] = [Self::Memory, Self::Springs, Self::Sliding, Self::Peeling];
+    const ALL: [Self; 5] = [Self::Memory, Self::Springs, Self::Relaxing, Self::Sliding, Self::Peeling];
 
     fn of(setup: &Setup) -> Option<Self> {
         let scene = &setup.scene;
         Some(match (scene.friction.as_ref()?, &scene.adhesion, scene.springs) {
+            (Friction::Coulomb(_), ..) if setup.relaxation.is_some() => Self::Relaxing,
             (Friction::Coulomb(_), _, None) => Self::Memory,
             (Friction::Coulomb(_), _, Some(_)) => Self::Springs,
             (_, Some(_), _) => Self::Peeling,
@@ -62,6 +65,7 @@ impl Rubbing {
         match self {
             Self::Memory => "stick and slip by turning points",
             Self::Springs => "stick and slip by springs",
+            Self::Relaxing => "stick and slip by relaxing springs",
             Self::Sliding => "gross sliding on the pressure",
             Self::Peeling => "peeling under shear",
         }
@@ -73,6 +77,8 @@ impl Rubbing {
             Self::Memory => size_of::<TangentialMemory<'_>>() + 8 * TangentialMemory::BYTES_PER_TURN,
             // Depth and slip in the bed; place, depth, slip, loss and way in the map.
             Self::Springs => size_of::<CoulombBed>() + (16 + 40) * springs,
+            // Known from the run.
+            Self::Relaxing => 0,
             Self::Sliding => size_of::<Tangential>(),
             Self::Peeling => size_of::<ShearedAdhesion<'_>>() + size_of::<Tangential>(),
         }

@@ -47,10 +47,10 @@ pub struct Tangential {
     pub stick_radius: f64,
     /// Tangential stiffness dF_x/du_x [N/m] while the slide goes on.
     pub stiffness: f64,
-    /// Elastic energy of the tangential deformation [J].
-    pub stored: f64,
-    /// Energy lost to friction so far [J].
-    pub dissipated: f64,
+    /// Elastic energy of the tangential deformation [J], if it is known.
+    pub stored: Option<f64>,
+    /// Energy lost to friction so far [J], if it is told apart from other losses.
+    pub dissipated: Option<f64>,
     /// Area of a sheared adhesive contact over its area without shear, A/A_JKR.
     pub area_ratio: Option<f64>,
 }

@@ -5,7 +5,7 @@ use super::friction::{Friction, Strength, StrengthCurve};
 use super::history::impacts::{self, Parts};
 use super::history::rules::{self, Allowed};
 use super::history::{Entry, Motion};
-use super::material::{self, Pair, Relaxation};
+use super::material::{self, Body, Pair, Relaxation};
 use super::problem::Problem;
 use super::quantity::Length;
 use super::reach::{self, Bound};
@@ -110,9 +110,15 @@ impl Scene {
         Parts { shape: &self.shape, adhesion: self.adhesion.as_ref(), relaxes, springs: self.springs.is_some() }
     }
 
+    fn relaxes(&self) -> bool {
+        let relaxes = |body: &Body| matches!(body, Body::Viscoelastic(_));
+        relaxes(&self.bodies.0) || relaxes(&self.bodies.1)
+    }
+
     fn allowed(&self) -> Allowed {
         Allowed {
             friction: self.friction.as_ref().map(Friction::name),
+            relaxing: self.relaxes().then_some("Viscoelastic"),
             adhesion: self.adhesion.as_ref().map(Adhesion::name),
             steps: self.steps.map(NonZeroUsize::get),
         }

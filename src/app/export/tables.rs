@@ -39,7 +39,8 @@ fn cells(record: &Record, sheared: bool) -> Vec<Option<f64>> {
     ];
     if sheared {
         let part = |of: fn(&crate::physics::record::Tangential) -> f64| record.tangential.as_ref().map(of);
-        row.extend([part(|t| t.slide), part(|t| t.force), part(|t| t.stick_radius), part(|t| t.dissipated)]);
+        row.extend([part(|t| t.slide), part(|t| t.force), part(|t| t.stick_radius)]);
+        row.push(record.tangential.and_then(|state| state.dissipated));
     }
     row
 }

@@ -106,6 +106,25 @@ impl RelaxingBed {
         self.speeds = (speed, slide);
     }
 
+    /// Number of springs.
+    #[must_use]
+    pub fn springs(&self) -> usize {
+        self.springs.len()
+    }
+
+    /// Bytes of the springs: each with its place, and the loads of its elements twice.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let elements = 2 * self.spectrum.terms().len() * size_of::<f64>();
+        self.springs.len() * (size_of::<(Spring, Tangential)>() + 2 * size_of::<f64>() + elements)
+    }
+
+    /// Present depth [m].
+    #[must_use]
+    pub fn depth(&self) -> f64 {
+        self.depth
+    }
+
     /// Normal and tangential force [N].
     #[must_use]
     pub fn forces(&self) -> (f64, f64) {
@@ -285,11 +304,12 @@ mod tests {
 
         /// No error of the step: motions cut in three give the same; friction never passes μF.
         #[test]
-        fn steps_do_not_matter(history in motions(), which in 0usize..3) {
+        fn steps_do_not_matter(history in motions(), which in 0usize..4) {
             let kinds = [
                 spectrum(0.2, &[(0.8, 0.3)], 0.0),
                 spectrum(0.0, &[(0.5, 0.05), (0.5, 2.0)], 0.0),
                 spectrum(0.1, &[(1.0, 0.01), (0.5, 0.4), (0.3, 30.0)], 0.0),
+                spectrum(0.5, &[(0.5, 0.3)], 0.05),
             ];
             let (mut whole, mut cut) = (bed(&kinds[which], GRIP), bed(&kinds[which], GRIP));
             for motion in history {

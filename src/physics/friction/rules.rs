@@ -37,8 +37,11 @@ impl Friction {
     }
 
     fn relaxing(&self) -> Option<Problem> {
+        if let Self::Coulomb(_) = self {
+            return None;
+        }
         let message = format!(
-            "{} with a Viscoelastic body cannot be computed: expected Elastic or Rigid bodies, or no friction",
+            "{} with a Viscoelastic body cannot be computed: expected Coulomb(coefficient: …), Elastic or Rigid bodies, or no friction",
             self.name()
         );
         Some(Problem::new("friction", message))

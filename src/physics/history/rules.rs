@@ -9,6 +9,8 @@ use crate::physics::problem::Problem;
 pub struct Allowed {
     /// The name of the friction law, if there is one.
     pub friction: Option<&'static str>,
+    /// What relaxes, if one of the bodies does.
+    pub relaxing: Option<&'static str>,
     /// The name of the model of adhesion, if there is one.
     pub adhesion: Option<&'static str>,
     /// Records per entry, if the scene says how many.
@@ -33,6 +35,7 @@ pub fn problems(history: &[Entry], motions: &[Option<Motion>], allowed: Allowed)
     for (index, (entry, motion)) in history.iter().zip(motions).enumerate() {
         let at = format!("history[{index}]");
         found.extend(tangential(entry, motion.as_ref(), allowed, &at));
+        found.extend(curved(entry, motion.as_ref(), allowed, &at));
         found.extend(pulled(entry, motion.as_ref(), allowed, &at));
         found.extend(of_impact(entry, (&at, history.len()), allowed));
         found.extend(nothing_to_part(history, index, allowed));
@@ -80,6 +83,23 @@ fn tangential(entry: &Entry, motion: Option<&Motion>, allowed: Allowed, at: &str
             ),
         )),
     }
+}
+
+/// Friction of bodies that relax is exact where depth and slide are straight in time.
+fn curved(entry: &Entry, motion: Option<&Motion>, allowed: Allowed, at: &str) -> Option<Problem> {
+    let (law, body) = allowed.friction.filter(|law| *law == "Coulomb").zip(allowed.relaxing)?;
+    let driven = motion.map(|motion| &motion.control);
+    let name = match (entry, driven) {
+        (Entry::Press(_) | Entry::HoldForce(_) | Entry::Oscillate(_) | Entry::Shake(_), _) => name(entry),
+        (Entry::Table(_), Some(Driven::Force(_))) => "Table with force_n",
+        _ => return None,
+    };
+    Some(Problem::new(
+        at,
+        format!(
+            "{name} with {law} friction of a {body} body cannot be computed, for depth or slide is a curve in time: expected Indent, Hold, Slide, Retract or a Table with indentation_m"
+        ),
+    ))
 }
 
 /// Every `Slide` must go at a speed the table of the shear strength holds.

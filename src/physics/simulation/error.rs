@@ -8,10 +8,15 @@ use crate::physics::record::{ErrorEstimate, Normal, Record};
 use crate::physics::setup::Setup;
 use std::num::NonZeroUsize;
 
-/// Where the error of a scene comes from: of its normal or its tangential contact, whichever is larger.
+/// Where the error of an elastic scene comes from.
 #[must_use]
 pub fn estimate(setup: &Setup, records: &[Record]) -> ErrorEstimate {
-    let normal = normal_error(setup, records);
+    with_friction(setup, normal_error(setup, records))
+}
+
+/// The error of the normal contact or of the tangential one, whichever is larger.
+#[must_use]
+pub fn with_friction(setup: &Setup, normal: ErrorEstimate) -> ErrorEstimate {
     shear::error_estimate(setup).filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
 }
 

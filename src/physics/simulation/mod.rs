@@ -96,8 +96,9 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
     let mut run = follow(setup, contact(setup, wanted)?, wanted)?;
     let mut error_estimate = error::estimate(setup, &run.records);
     if setup.relaxation.is_some() {
-        (plan.state_bytes, plan.springs) = (run.bytes, run.contact.springs());
-        error_estimate = relaxing::error_estimate(setup, &run);
+        let own = run.tangential.as_ref().map_or((0, 0), |tangential| (tangential.bytes(), tangential.springs()));
+        (plan.state_bytes, plan.springs) = (run.bytes + own.0, run.contact.springs() + own.1);
+        error_estimate = error::with_friction(setup, relaxing::error_estimate(setup, &run));
     }
     let stresses = if wanted.stresses { run.stresses(setup) } else { Vec::new() };
     let path = run.tangential.as_ref().map_or(&[][..], |tangential| tangential.path());
@@ -120,10 +121,8 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
 /// The contact of a scene, bodies just touching.
 fn contact(setup: &Setup, wanted: Wanted) -> Result<Contact<'_>, SimulationError> {
     if let Some(relaxation) = &setup.relaxation {
-        if setup.scene.friction.is_some() {
-            return Err(SimulationError::Refused("friction of a Viscoelastic body cannot be followed yet".to_owned()));
-        }
-        return Ok(Contact { normal: relaxing::contact(setup, relaxation), tangential: None });
+        let tangential = shear::of(setup, None, None)?;
+        return Ok(Contact { normal: relaxing::contact(setup, relaxation), tangential });
     }
     let direct = direct(setup)?;
     let Some(springs) = setup.scene.springs else {
@@ -322,17 +321,18 @@ impl Run<'_> {
                 to.time()
             ));
         }
-        self.shear(from, to)?;
+        self.shear(from, to, over)?;
         self.push(self.contact.state(), to.time());
         Ok(())
     }
 
     /// The tangential part of a step; where it begins suddenly, that is a record too.
-    fn shear(&mut self, from: f64, to: Aim) -> Result<(), ContactError> {
+    fn shear(&mut self, from: f64, to: Aim, over: f64) -> Result<(), ContactError> {
         let slide = (std::mem::replace(&mut self.slide, to.slide), to.slide);
         let Some(tangential) = &mut self.tangential else { return Ok(()) };
         let prescribed = (from, to.prescribed);
-        let step = Step { contact: self.contact.as_ref(), control: self.control, prescribed, slide, speed: self.speed };
+        let step =
+            Step { contact: self.contact.as_ref(), control: self.control, prescribed, slide, speed: self.speed, over };
         let Some(onset) = tangential.advance(&step)? else { return Ok(()) };
         let normal = tangential.normal(self.contact.state());
         self.records.push(Record { entry: self.entry, time: self.time, normal, tangential: Some(onset) });

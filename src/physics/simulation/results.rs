@@ -79,13 +79,13 @@ fn rubbing(setup: &Setup, records: &[Record]) -> Vec<(&'static str, Value)> {
     let force = records.iter().filter_map(|record| Some(record.tangential?.force.abs()));
     let mut results = vec![
         ("largest_tangential_force_n", force.fold(0.0, f64::max)),
-        ("friction_dissipated_j", last.dissipated),
         ("final_slide_m", last.slide),
         ("final_tangential_force_n", last.force),
         ("final_stick_radius_m", last.stick_radius),
         ("final_tangential_stiffness_n_per_m", last.stiffness),
-        ("final_stored_tangential_j", last.stored),
     ];
+    results.extend(last.stored.map(|energy| ("final_stored_tangential_j", energy)));
+    results.extend(last.dissipated.map(|energy| ("friction_dissipated_j", energy)));
     results.extend(per_cycle(setup, records).map(|lost| ("dissipated_per_cycle_j", lost)));
     results.extend(coefficient(setup, records).map(|ratio| ("friction_coefficient", ratio)));
     let numbers = results.into_iter().map(|(name, value)| (name, Value::Number(value)));
@@ -130,7 +130,7 @@ fn per_cycle(setup: &Setup, records: &[Record]) -> Option<f64> {
     let shaken = records.iter().filter(|record| record.entry == entry).filter_map(|record| record.tangential);
     let shaken: Vec<Tangential> = shaken.collect();
     let turns = |three: &&[Tangential]| (three[1].slide - three[0].slide) * (three[2].slide - three[1].slide) < 0.0;
-    let lost: Vec<f64> = shaken.windows(3).filter(turns).map(|three| three[1].dissipated).collect();
+    let lost: Vec<f64> = shaken.windows(3).filter(turns).filter_map(|three| three[1].dissipated).collect();
     match lost[..] {
         [.., first, _, last] => Some(last - first),
         _ => None,

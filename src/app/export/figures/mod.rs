@@ -139,6 +139,8 @@ fn energy(records: &[Record]) -> Panel {
     if records.iter().any(|record| record.normal.stored.surface.abs() > 0.0) {
         panel = panel.with(Series::new("surface", of(|record| record.normal.stored.surface)));
     }
-    let lost = |record: &Record| record.normal.dissipated + record.tangential.map_or(0.0, |state| state.dissipated);
+    let lost = |record: &Record| {
+        record.normal.dissipated + record.tangential.and_then(|state| state.dissipated).unwrap_or(0.0)
+    };
     panel.with(Series::new("dissipated", records.iter().map(|record| (record.time, lost(record))).collect()))
 }

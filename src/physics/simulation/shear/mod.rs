@@ -1,6 +1,7 @@
 //! The tangential part of a run: what slides, sticks and rubs while the normal contact moves.
 
 mod peeling;
+mod relaxing;
 mod sliding;
 mod springs;
 mod sticking;
@@ -31,6 +32,8 @@ pub struct Step<'c> {
     pub slide: (f64, f64),
     /// Sliding speed [m/s].
     pub speed: f64,
+    /// Duration [s].
+    pub over: f64,
 }
 
 /// A tangential contact on top of a normal one.
@@ -60,6 +63,16 @@ pub trait TangentialContact {
         None
     }
 
+    /// Bytes of state, where the plan cannot know them.
+    fn bytes(&self) -> usize {
+        0
+    }
+
+    /// Number of springs of its own.
+    fn springs(&self) -> usize {
+        0
+    }
+
     /// The straight steps taken so far, if they were kept.
     fn path(&self) -> &[Position] {
         &[]
@@ -85,6 +98,10 @@ pub fn of<'p>(
         (Some(friction), None) => return Ok(Some(Box::new(Sliding::new(Interface::new(setup, friction))))),
     };
     let (profile, grip) = (setup.profile.as_ref(), grip(setup, law));
+    if let Some(relaxation) = &setup.relaxation {
+        let bed = relaxing::Relaxing::new(setup, relaxation, grip);
+        return Ok(Some(Box::new(bed.map_err(|source| SimulationError::Refused(source.to_string()))?)));
+    }
     let accuracy = accuracy(setup);
     Ok(Some(match springs {
         None => Box::new(sticking::Sticking::new((profile, grip), accuracy, kept)),
@@ -104,7 +121,8 @@ fn accuracy(setup: &Setup) -> f64 {
 #[must_use]
 pub fn error_estimate(setup: &Setup) -> Option<ErrorEstimate> {
     let Some(Friction::Coulomb(_)) = &setup.scene.friction else { return None };
-    if let Some(springs) = setup.scene.springs {
+    let bed = setup.relaxation.as_ref().map(|_| relaxing::springs(setup)).or(setup.scene.springs);
+    if let Some(springs) = bed {
         return Some(ErrorEstimate {
             relative: 17.0 / 16.0 / springs.get() as f64,
             basis: format!("bed of {springs} springs: the tangential force within half a cell of its variation"),

@@ -113,12 +113,12 @@ impl TangentialContact for Peeling<'_> {
     }
 
     fn state(&self) -> Tangential {
-        let (slide, stick_radius, dissipated) = (self.slide, self.stick_radius, self.dissipated);
-        let at_rest = Tangential { slide, stick_radius, dissipated, ..Tangential::default() };
+        let (slide, stick_radius, dissipated) = (self.slide, self.stick_radius, Some(self.dissipated));
+        let at_rest = Tangential { slide, stick_radius, dissipated, stored: Some(0.0), ..Tangential::default() };
         let Some(Present { state, side, rest, .. }) = self.present else { return at_rest };
         Tangential {
             force: side * state.tangential_force,
-            stored: 0.5 * state.tangential_force * state.slide,
+            stored: Some(0.5 * state.tangential_force * state.slide),
             area_ratio: Some((state.contact_radius / rest).powi(2)),
             ..at_rest
         }

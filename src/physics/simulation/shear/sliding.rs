@@ -57,7 +57,8 @@ impl<'p> Sliding<'p> {
     /// Bodies that just touch.
     #[must_use]
     pub fn new(interface: Interface<'p>) -> Self {
-        Self { interface, law: None, state: Tangential::default(), limit: 0.0 }
+        let state = Tangential { stored: Some(0.0), dissipated: Some(0.0), ..Tangential::default() };
+        Self { interface, law: None, state, limit: 0.0 }
     }
 
     /// Slides on from the slide it has to `to` [m].
@@ -92,7 +93,7 @@ impl TangentialContact for Sliding<'_> {
         let begins = (before - self.state.force).abs() > 0.0;
         let onset = begins.then_some(self.state);
         self.state.slide = step.slide.1;
-        self.state.dissipated += self.limit * way.abs();
+        *self.state.dissipated.get_or_insert(0.0) += self.limit * way.abs();
         Ok(onset)
     }
 

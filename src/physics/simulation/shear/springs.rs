@@ -69,8 +69,8 @@ impl TangentialContact for Springs {
             force: self.force,
             stick_radius,
             stiffness: 2.0 * self.grip.tangential_modulus * stick_radius,
-            stored: self.grip.tangential_modulus * self.width * squares,
-            dissipated: self.width * self.map.energy().iter().sum::<f64>(),
+            stored: Some(self.grip.tangential_modulus * self.width * squares),
+            dissipated: Some(self.width * self.map.energy().iter().sum::<f64>()),
             area_ratio: None,
         }
     }

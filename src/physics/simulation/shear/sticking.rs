@@ -38,8 +38,8 @@ impl TangentialContact for Sticking<'_> {
             force: state.tangential_force,
             stick_radius: state.stick_radius,
             stiffness: state.stiffness,
-            stored: self.memory.stored(),
-            dissipated: state.dissipated,
+            stored: Some(self.memory.stored()),
+            dissipated: Some(state.dissipated),
             area_ratio: None,
         }
     }
