@@ -1,6 +1,6 @@
 //! VALIDATION.md says what the cases are.
 
-#![cfg(feature = "cli")]
+#![cfg(all(feature = "cli", feature = "half-space"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use springbed::app::export::validation;

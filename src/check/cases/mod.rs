@@ -3,6 +3,9 @@
 mod adhesive;
 mod elastic;
 mod friction;
+#[cfg(feature = "half-space")]
+mod half_space;
+mod rough;
 mod shapes;
 
 use super::case::{Case, Verdict};
@@ -11,7 +14,11 @@ use rayon::prelude::*;
 /// Every case.
 #[must_use]
 pub fn all() -> Vec<Case> {
-    [elastic::CASES, shapes::CASES, adhesive::CASES, friction::CASES].concat()
+    #[cfg(feature = "half-space")]
+    let half_space = half_space::CASES;
+    #[cfg(not(feature = "half-space"))]
+    let half_space: &[Case] = &[];
+    [elastic::CASES, shapes::CASES, adhesive::CASES, friction::CASES, rough::CASES, half_space].concat()
 }
 
 /// The cases whose name contains `filter`, in upper or lower case.
