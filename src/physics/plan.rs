@@ -3,6 +3,7 @@
 use super::adhesion::Adhesion;
 use super::friction::peeling::ShearedAdhesion;
 use super::friction::{CoulombBed, Friction, TangentialMemory};
+use super::history::Entry;
 use super::plane::PlaneContact;
 use super::quasistatic::QuasiStatic;
 use super::record::{Plan, Tangential};
@@ -25,16 +26,44 @@ pub fn of(setup: &Setup) -> Plan {
         part(kind.name(), rubbing == Some(kind));
     }
     part("springs", scene.springs.is_some());
-    let (solver, reason) = match (scene.springs, &setup.relaxation) {
+    let (solver, reason) =
+        if matches!(scene.history[..], [Entry::Impact(_)]) { of_impact(setup) } else { of_history(setup) };
+    let tangential = rubbing.map_or(0, |kind| kind.bytes(springs));
+    let state_bytes = size_of::<QuasiStatic<'_>>() + 16 * springs + tangential;
+    Plan { solver, reason, used, left_out, springs, state_bytes }
+}
+
+/// How an impact is followed, and why so.
+fn of_impact(setup: &Setup) -> (&'static str, String) {
+    let (solver, how) = match setup.relaxation {
+        None => (
+            "energy of the direct path",
+            "elastic bodies give back what they take, so that the speed follows from the energy at each depth, jumps of an adhesive contact included; the time is an integral over the depth, no step is taken",
+        ),
+        Some(_) => (
+            "driven continuous bed",
+            "the bodies remember: m d̈ = −F in steps of high order; the contact grows once and shrinks once, its force follows from the memory integrals of the motion; no spring is allocated",
+        ),
+    };
+    let oblique = setup.scene.history.iter().any(|entry| matches!(entry, Entry::Impact(impact) if impact.is_oblique()));
+    let slip = "; along the surface the Coulomb bed is driven by its memory of turning points, which does not act back on the normal motion";
+    let sticks = match &setup.scene.adhesion {
+        Some(Adhesion::Jkr(jkr)) if jkr.edge.is_some() => {
+            "; a closing edge attaches at geometric touch, an opening one holds by the law of the scene"
+        }
+        _ => "",
+    };
+    (solver, format!("{how}{sticks}{}", if oblique { slip } else { "" }))
+}
+
+fn of_history(setup: &Setup) -> (&'static str, String) {
+    match (setup.scene.springs, &setup.relaxation) {
         (None, None) => ("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated".to_owned()),
         (None, Some(_)) if rubbing.is_some() => ("continuous bed", "the bodies remember: strips of springs with a common past for the normal contact, and beside it a bed of springs for the tangential one; exact in time".to_owned()),
         (None, Some(_)) => ("continuous bed", "the bodies remember: strips of springs with a common past, exact in time for a depth that goes in straight pieces; no spring is allocated".to_owned()),
         (Some(count), None) => ("springs", format!("`springs: {count}` asks for the classical bed")),
         (Some(count), Some(_)) => ("viscoelastic springs", format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released")),
-    };
-    let tangential = rubbing.map_or(0, |kind| kind.bytes(springs));
-    let state_bytes = size_of::<QuasiStatic<'_>>() + 16 * springs + tangential;
-    Plan { solver, reason, used, left_out, springs, state_bytes }
+    }
 }
 
 /// The tangential parts a scene can need; it needs at most one.

@@ -26,7 +26,9 @@ pub enum Beyond {
 }
 
 impl Bound {
-    fn in_words(&self) -> String {
+    /// The bound in words.
+    #[must_use]
+    pub fn in_words(&self) -> String {
         let depth = self.depth;
         match self.beyond {
             Beyond::End => {

@@ -109,7 +109,7 @@ pub fn impact_table(impacts: &Impacts) -> Result<String, csv::Error> {
         "largest_force_n",
         "peak_pressure_pa",
         "sticks",
-        "dissipated_j",
+        "lost_j",
     ];
     if oblique {
         header.extend(OBLIQUE);

@@ -5,6 +5,7 @@ mod elastic;
 mod friction;
 #[cfg(feature = "half-space")]
 mod half_space;
+mod impact;
 mod rough;
 mod shapes;
 
@@ -18,7 +19,7 @@ pub fn all() -> Vec<Case> {
     let half_space = half_space::CASES;
     #[cfg(not(feature = "half-space"))]
     let half_space: &[Case] = &[];
-    [elastic::CASES, shapes::CASES, adhesive::CASES, friction::CASES, rough::CASES, half_space].concat()
+    [elastic::CASES, shapes::CASES, adhesive::CASES, friction::CASES, impact::CASES, rough::CASES, half_space].concat()
 }
 
 /// The cases whose name contains `filter`, in upper or lower case.

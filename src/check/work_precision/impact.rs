@@ -26,7 +26,7 @@ pub(super) fn hertz(effort: Effort) -> Option<Study> {
         })
     })];
     let finest = if effort == Effort::Brief { 4 } else { 6 };
-    methods.extend((0..finest).map(|k| driven(50 << (2 * k), 25 << k)));
+    methods.extend((0..finest).map(|k| driven(10f64.powi(-2 * k - 1))));
     methods.extend(effort.decades(1, 6).map(move |steps| verlet(steps, depth)));
     Some(Study {
         case: "impact",
@@ -43,16 +43,18 @@ fn ball() -> Option<Paraboloid> {
     Some(Paraboloid { radius: Length::new(1.0).ok()? })
 }
 
-/// The bed driven by the mass, `steps` per x₀/v.
-fn driven(springs: usize, steps: u32) -> Method {
-    let setting = Setting { springs: Some(springs), steps: Some(steps as usize), grid: None };
-    Method::new("springs driven by the mass", setting, move || {
+/// The bed driven by the mass, aiming at `accuracy`; its steps are those it took.
+fn driven(accuracy: f64) -> Method {
+    let model = || {
         let elastic = Relaxation { equilibrium: 1.0, terms: Vec::new(), viscosity: 0.0 };
-        let spectrum = Arc::new(Spectrum::new(&elastic));
-        let driven = Driven { spectrum, profile: Arc::new(ball()?), springs, steps: f64::from(steps) };
+        Some(Driven { spectrum: Arc::new(Spectrum::new(&elastic)), profile: Arc::new(ball()?), attraction: None })
+    };
+    let steps = model().and_then(|model| model.flight(&IMPACT, accuracy).ok()).map_or(0, |flight| flight.steps());
+    Method::new("bed driven by the mass", Setting::steps(steps), move || {
+        let model = model()?;
         Some(move || {
-            let values = vec![driven.rebound(&IMPACT).ok()?.contact_time?];
-            Some(Answer { values, bytes: 10 * size_of::<f64>() * springs, ..Answer::default() })
+            let flight = model.flight(&IMPACT, accuracy).ok()?;
+            Some(Answer { values: vec![flight.rebound().contact_time?], bytes: flight.bytes(), ..Answer::default() })
         })
     })
 }

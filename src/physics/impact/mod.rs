@@ -7,7 +7,7 @@
 mod driven;
 mod passage;
 
-pub use driven::Driven;
+pub use driven::{Driven, Flight};
 pub use passage::Passage;
 
 use super::adhesion::equilibrium::BranchError;
@@ -42,7 +42,8 @@ pub struct Rebound {
     pub greatest_force: f64,
     /// Restitution coefficient e = rebound speed/v, zero if the bodies stay together.
     pub restitution: f64,
-    /// Energy turned into heat by the end of the contact, or until the mass rests on its way out [J].
+    /// Kinetic energy not given back [J]: turned into heat, or kept by bodies that stay together or by a surface
+    /// that still creeps back.
     pub lost: f64,
     /// Estimate of the relative error of what stands above.
     pub error: f64,
@@ -53,6 +54,17 @@ impl Rebound {
     #[must_use]
     pub fn sticks(&self) -> bool {
         self.contact_time.is_none()
+    }
+
+    /// Largest difference of restitution, and relative ones of contact time, depth and force.
+    fn difference(&self, other: &Self) -> f64 {
+        let relative = |x: f64, y: f64| (x - y).abs() / x.abs().max(y.abs()).max(f64::MIN_POSITIVE);
+        let times = self.contact_time.zip(other.contact_time).map_or(0.0, |(x, y)| relative(x, y));
+        (self.restitution - other.restitution)
+            .abs()
+            .max(times)
+            .max(relative(self.greatest_depth, other.greatest_depth))
+            .max(relative(self.greatest_force, other.greatest_force))
     }
 }
 
@@ -90,4 +102,7 @@ pub enum ImpactError {
     /// The viscoelastic bed ends.
     #[error(transparent)]
     Bed(#[from] BedError),
+    /// The motion takes more steps than there are.
+    #[error("the impact comes to no end: the shortest and the longest time of the bed are too far apart for its steps")]
+    NoEnd,
 }

@@ -75,9 +75,15 @@ impl<'p> Passage<'p> {
             greatest_depth: deepest,
             greatest_force: self.deepest().map_or(0.0, |contact| contact.present().balance.force),
             restitution,
-            lost: self.lost,
+            lost: if self.left.is_some() { self.lost } else { self.impact.energy() },
             error: (error / duration.max(f64::MIN_POSITIVE)).max(ROUNDING),
         }
+    }
+
+    /// Bytes of its state.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.legs.iter().map(|leg| size_of::<Leg<'_>>() + size_of::<f64>() * leg.clock.len()).sum()
     }
 
     /// The contact at the greatest depth.

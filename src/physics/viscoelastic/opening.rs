@@ -42,7 +42,8 @@ impl Attraction {
     }
 
     /// Line load √(2πa E_c w_eff) [N/m] that an edge at `a`, opening at the speed `v`, withstands.
-    fn strength(&self, a: f64, v: f64) -> f64 {
+    #[must_use]
+    pub fn strength(&self, a: f64, v: f64) -> f64 {
         let enhanced = self.rate.map_or(1.0, |(speed, exponent)| 1.0 + (v / speed).powf(exponent));
         (TAU * a * self.modulus * self.work * enhanced).sqrt()
     }

@@ -1,17 +1,19 @@
 //! Scenes whose history is one impact.
 
+mod elastic;
 mod oblique;
+mod relaxing;
 mod results;
 
-use super::contact::{ContactError, Direct, NormalContact};
-use super::{SimulationError, Wanted, direct, fields};
+use super::contact::ContactError;
+use super::{SimulationError, Wanted};
 use crate::physics::history::{Entry, Impact};
-use crate::physics::impact::{self, ImpactError, Moment, Passage};
+use crate::physics::impact::{self, ImpactError, Moment};
 use crate::physics::plan;
-use crate::physics::record::{ErrorEstimate, Field, ImpactRow, Impacts, Normal, Outcome, Record, StressRow};
+use crate::physics::reach;
+use crate::physics::record::{ErrorEstimate, Field, ImpactRow, Impacts, Normal, Outcome, Plan, Record, StressRow};
 use crate::physics::setup::Setup;
 use rayon::prelude::*;
-use std::num::NonZeroUsize;
 
 /// Records of an impact unless the scene says otherwise.
 const RECORDS: usize = 200;
@@ -28,6 +30,7 @@ struct Followed {
     moments: Vec<Moment>,
     field: Option<Field>,
     stresses: Vec<StressRow>,
+    bytes: usize,
 }
 
 /// Runs the impact of a scene.
@@ -39,9 +42,6 @@ struct Followed {
 /// # Errors
 /// The contact would leave its profile, or cannot be followed.
 pub fn run(setup: &Setup, impact: &Impact, wanted: Wanted) -> Result<Outcome, SimulationError> {
-    if setup.relaxation.is_some() {
-        return Err(SimulationError::Refused("Impact of a Viscoelastic body cannot be computed yet".to_owned()));
-    }
     let fastest = impact.speed.iter().map(|speed| speed.si()).fold(0.0, f64::max);
     let one = |&speed: &f64| follow(setup, impact, (speed, (speed >= fastest).then_some(wanted)));
     let speeds: Vec<f64> = impact.speed.iter().map(|speed| speed.si()).collect();
@@ -61,7 +61,7 @@ pub fn run(setup: &Setup, impact: &Impact, wanted: Wanted) -> Result<Outcome, Si
         fretting: Vec::new(),
         error_estimate: error_estimate(setup, &impacts),
         warnings: Vec::new(),
-        plan: plan::of(setup),
+        plan: Plan { state_bytes: shown.bytes, ..plan::of(setup) },
         ensemble: None,
         impacts: Some(impacts),
     })
@@ -69,34 +69,32 @@ pub fn run(setup: &Setup, impact: &Impact, wanted: Wanted) -> Result<Outcome, Si
 
 /// Follows the impact at one speed; records and fields only where `wanted`.
 fn follow(setup: &Setup, impact: &Impact, (speed, wanted): (f64, Option<Wanted>)) -> Result<Followed, SimulationError> {
-    let failed = |source: ImpactError| SimulationError::Contact { entry: 0, source: ContactError::Impact(source) };
     let oblique = oblique::of(setup, impact, speed)?;
     let normal = impact::Impact { mass: impact.mass.si(), speed: speed * impact.incidence().cos() };
-    let contact = direct(setup)?;
-    let passage = Passage::new(contact.contact(), normal, setup.accuracy()).map_err(failed)?;
-    let deepest = passage.deepest().map(|contact| Direct::new(contact, setup.pair.normal));
-    let row = ImpactRow { speed, rebound: passage.rebound(), oblique, peak_pressure: deepest.as_ref().and_then(peak) };
-    let records = setup.scene.steps.map_or(RECORDS, NonZeroUsize::get);
-    let moments = if wanted.is_some() { passage.moments(records) } else { Vec::new() };
-    let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
-    let time = moments.iter().max_by(|x, y| x.depth.total_cmp(&y.depth)).map_or(0.0, |moment| moment.time);
-    let field = field.and_then(|contact| fields::field((contact, None), "greatest depth".to_owned(), time));
-    let stressed = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses));
-    let stresses = stressed.map_or_else(Vec::new, |contact| fields::stresses(setup, &contact.state()));
-    Ok(Followed { row, moments, field, stresses })
+    let followed = match &setup.relaxation {
+        None => elastic::follow(setup, normal, wanted),
+        Some(relaxation) => relaxing::follow(setup, relaxation, (normal, wanted)),
+    }?;
+    within_bounds(setup, followed.row.rebound.greatest_depth)?;
+    Ok(Followed { row: ImpactRow { speed, oblique, ..followed.row }, ..followed })
 }
 
-/// Radii at which the largest pressure is looked for.
-const LOOKS: u32 = 32;
-
-/// Largest pressure [Pa], unless a sharp edge or tip has an infinite one.
-fn peak(contact: &Direct<'_>) -> Option<f64> {
-    if contact.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
-        return None;
+/// Whether the contact has stayed within its profile and in one piece.
+fn within_bounds(setup: &Setup, depth: f64) -> Result<(), SimulationError> {
+    let bounds = reach::end(setup.profile.as_ref()).into_iter();
+    let second = || reach::second_contact(setup.profile.as_ref());
+    let mut bounds = bounds.chain(setup.scene.adhesion.is_none().then(second).flatten());
+    match bounds.find(|bound| depth > bound.depth) {
+        None => Ok(()),
+        Some(bound) => Err(SimulationError::Refused(format!(
+            "history[0].speed: the impact goes {depth:.3e} m deep, deeper than {}",
+            bound.in_words()
+        ))),
     }
-    let a = contact.state().contact_radius?;
-    let pressures = (0..LOOKS).map(|k| contact.pressure(a * f64::from(k) / f64::from(LOOKS)));
-    pressures.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
+}
+
+fn failed(source: ImpactError) -> SimulationError {
+    SimulationError::Contact { entry: 0, source: ContactError::Impact(source) }
 }
 
 fn records(setup: &Setup, moments: &[Moment]) -> Vec<Record> {
@@ -121,7 +119,7 @@ fn error_estimate(setup: &Setup, impacts: &Impacts) -> ErrorEstimate {
     let tangential = impacts.rows.iter().filter_map(|row| Some(row.oblique.as_ref()?.course.as_ref()?.error));
     let basis = match setup.relaxation {
         None => "energy of the direct path; contact time by quadrature, against one of half as many panels",
-        Some(_) => "time steps of high order, against a run with a looser tolerance",
+        Some(_) => "steps of high order in time, against a run of sixteen times the tolerance",
     };
     ErrorEstimate { relative: tangential.fold(normal, f64::max), basis: basis.to_owned() }
 }

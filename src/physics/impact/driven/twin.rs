@@ -1,6 +1,6 @@
-//! Impact on a viscoelastic bed, springs let go one by one.
+//! The plain twin: a bed of springs let go one by one, steps of second order.
 
-use super::{Impact, Rebound};
+use crate::physics::impact::{Impact, Rebound};
 use crate::physics::root;
 use crate::physics::shape::Profile;
 use crate::physics::viscoelastic::Spectrum;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// m(v₁² − v₀²)/2 = −w∫F dt is its work: kinetic energy, stored energy and heat add up to rounding
 /// however long the steps. Of second order in h.
 #[derive(Debug, Clone)]
-pub struct Driven {
+pub struct Twin {
     /// Springs' material.
     pub spectrum: Arc<Spectrum>,
     /// Profile of the indenter.
@@ -38,7 +38,7 @@ struct Flight<'i> {
     most: Rebound,
 }
 
-impl Driven {
+impl Twin {
     /// What comes of an impact.
     ///
     /// # Errors
@@ -138,84 +138,5 @@ impl Flight<'_> {
             *(if held { &mut low } else { &mut high }) = middle;
         }
         Ok(high)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::physics::material::Relaxation;
-    use crate::physics::quantity::Length;
-    use crate::physics::shape::Paraboloid;
-
-    /// Kelvin–Voigt ball with δ = (η/E∞)(E∞²Rv/m²)^{1/5}, E∞ = R = m = v = 1.
-    fn kelvin_voigt(delta: f64, springs: usize, steps: f64) -> Rebound {
-        let relaxation = Relaxation { equilibrium: 1.0, terms: vec![], viscosity: delta };
-        let driven = Driven {
-            spectrum: Arc::new(Spectrum::new(&relaxation)),
-            profile: Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }),
-            springs,
-            steps,
-        };
-        driven.rebound(&Impact { mass: 1.0, speed: 1.0 }).unwrap()
-    }
-
-    /// A bed of springs let go one by one; five digits, the last one uncertain.
-    #[test]
-    fn restitution_of_kelvin_voigt() {
-        let table = [(0.01, 0.98089), (0.05, 0.91012), (0.1, 0.83272), (0.2, 0.70673), (0.5, 0.46894), (1.0, 0.28082)];
-        for (delta, restitution) in table {
-            let seen = kelvin_voigt(delta, 500, 200.0).restitution;
-            assert!((seen - restitution).abs() < 1e-5, "{delta}: {seen}");
-        }
-    }
-
-    /// e = 1 − 1.9412δ + C₂δ² + O(δ³), C₂ = (3/5)·1.9412² + (5/6)(15/16)^{1/5} = 3.0837.
-    ///
-    /// The first part of C₂ is that of a law that keeps tension (Ramírez et al. 1999); springs that let
-    /// go spare the tension of a ring of the width η|ḋ|/(2aE), which is worth η²∫ḋ²dd/(2aE). Bound: the
-    /// digits of 1.9412 and a term of 6δ³, which the table above allows for.
-    #[test]
-    fn small_damping() {
-        let second = 0.6 * 1.9412f64.powi(2) + 5.0 / 6.0 * (15.0f64 / 16.0).powf(0.2);
-        for delta in [0.001, 0.003] {
-            let seen = kelvin_voigt(delta, 1000, 800.0).restitution;
-            let series = 1.0 - 1.9412 * delta + second * delta * delta;
-            assert!((seen - series).abs() < 5e-5 * delta + 6.0 * delta.powi(3), "{delta}: {seen} {series}");
-        }
-    }
-
-    /// No damping: Hertz. Bound: second order in springs (0.25·(4.85/500)²) and steps.
-    #[test]
-    fn without_damping_it_is_hertz() {
-        let seen = kelvin_voigt(0.0, 500, 200.0);
-        let depth = (15.0f64 / 16.0).powf(0.4);
-        assert!((seen.restitution - 1.0).abs() < 1e-5, "{seen:?}");
-        assert!((seen.contact_time.unwrap() / depth / 2.943_275_184_324_705 - 1.0).abs() < 1e-4, "{seen:?}");
-        assert!((seen.greatest_depth / depth - 1.0).abs() < 1e-4, "{seen:?}");
-    }
-
-    /// A Maxwell element so slow, or so fast, that it is elastic.
-    #[test]
-    fn limits_of_one_term() {
-        for (time, stiffness) in [(1e12, 4.0), (1e-12, 1.0)] {
-            let relaxation = Relaxation { equilibrium: 1.0, terms: vec![(3.0, time)], viscosity: 0.0 };
-            let profile = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
-            let driven = Driven { spectrum: Arc::new(Spectrum::new(&relaxation)), profile, springs: 500, steps: 200.0 };
-            let seen = driven.rebound(&Impact { mass: 1.0, speed: 1.0 }).unwrap();
-            let depth = (15.0f64 / 16.0 / stiffness).powf(0.4);
-            assert!((seen.greatest_depth / depth - 1.0).abs() < 1e-4, "{seen:?}");
-            assert!((seen.restitution - 1.0).abs() < 1e-5, "{seen:?}");
-        }
-    }
-
-    /// A liquid without elasticity at long times gives a rebound only if it is hit fast.
-    #[test]
-    fn liquid_swallows_a_slow_ball() {
-        let relaxation = Relaxation { equilibrium: 0.0, terms: vec![(1.0, 1e-3)], viscosity: 0.0 };
-        let profile = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
-        let driven = Driven { spectrum: Arc::new(Spectrum::new(&relaxation)), profile, springs: 200, steps: 50.0 };
-        let seen = driven.rebound(&Impact { mass: 1.0, speed: 1.0 }).unwrap();
-        assert!(seen.restitution < 0.05, "{seen:?}");
     }
 }
