@@ -54,7 +54,9 @@ impl Flight {
         let radius = self.model.edge(depth).unwrap_or(0.0);
         let squares = self.model.squares(piece, theta, &stores.squares[number]);
         let stored = self.model.steady(depth, radius) + self.model.elements(&squares);
-        let force = -self.impact.mass * piece.acceleration(theta);
+        let sums: f64 = piece.sums(&self.model.spectrum, theta).iter().sum();
+        let force =
+            self.model.steady_force(depth, radius) + sums + 2.0 * radius * self.model.spectrum.viscosity() * speed;
         let stored = Energy { elastic: stored, surface: 0.0 };
         self.balanced(Moment { time, depth, speed, force, radius, stored, dissipated: 0.0 })
     }
@@ -70,7 +72,7 @@ impl Flight {
         let answer = law.answer(&place, (piece.touched_at(theta), piece.touched_before(theta)));
         let gone = self.model.freed(piece, theta, &stores.modes[number], &law);
         let held = if answer.joined { self.held_energy(&place, answer.touched, answer.radius, stores) } else { 0.0 };
-        let force = -self.impact.mass * piece.acceleration(theta);
+        let force = answer.force;
         let stored = Energy { elastic: held + self.model.recovering(&gone), surface: 0.0 };
         self.balanced(Moment { time, depth, speed, force, radius: answer.radius, stored, dissipated: 0.0 })
     }
@@ -137,6 +139,12 @@ impl Driven {
         let over = d - self.profile.reduced(a);
         let squares = self.profile.energy_integral(a) + over * (2.0 * self.profile.load_integral(a) + over * a);
         self.spectrum.equilibrium() * squares
+    }
+
+    /// 2E∞ ∫₀^a (d − g) dx [N].
+    fn steady_force(&self, d: f64, a: f64) -> f64 {
+        let over = d - self.profile.reduced(a);
+        2.0 * self.spectrum.equilibrium() * (self.profile.load_integral(a) + a * over)
     }
 
     /// Σ ∫ sᵢ²/2Eᵢ [J].

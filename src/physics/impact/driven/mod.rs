@@ -127,7 +127,7 @@ impl Driven {
         };
         let mut pace = Pace::new(impact.speed * tolerance, 1e-3 * depth / impact.speed);
         let mut steps: Vec<Solved> = Vec::new();
-        while steps.len() < MOST_STEPS {
+        while pace.tries < MOST_STEPS {
             let step = Step {
                 model: self,
                 mass: impact.mass,
@@ -136,7 +136,7 @@ impl Driven {
                 shrinking: None,
                 negligible: pace.negligible(),
             };
-            let Some(mut solved) = pace.accepted(step.solve()?) else { continue };
+            let Some(mut solved) = pace.accepted(&step)? else { continue };
             let turned = solved.end.speed.abs() <= pace.negligible();
             if solved.end.speed < 0.0 && !turned {
                 pace.cut(&solved, crossing(|theta| solved.piece.speed(theta)));
@@ -188,62 +188,62 @@ impl Flight {
     fn unload(&mut self, tolerance: f64) -> Result<(), ImpactError> {
         let (model, loading) = (self.model.clone(), std::mem::take(&mut self.loading));
         let law = Shrinking::new(&model, &loading);
-        let turn = self.end.time;
         self.last.touched = law.full;
+        let turn = self.end.time;
         let mut pace = Pace::new(self.impact.speed * tolerance, 1e-3 * turn);
-        let mut limit = f64::INFINITY;
-        // A time that is no matter.
-        let blink = BLINK * tolerance * turn;
-        let done = loop {
-            if self.unloading.len() >= MOST_STEPS {
-                break Err(ImpactError::NoEnd);
-            }
-            pace.span = pace.span.min(0.5 * (limit - self.end.time));
-            let step = Step {
-                model: &model,
-                mass: self.impact.mass,
-                start: &self.end,
-                span: pace.span,
-                shrinking: Some((law, self.last.touched)),
-                negligible: pace.negligible(),
-            };
-            let solved = match step.solve() {
-                Err(error) => break Err(error),
-                Ok(solved) => solved,
-            };
-            let Some(mut solved) = pace.accepted(solved) else {
-                continue;
-            };
-            if !solved.answer.joined {
-                let Some(part) = self.release(&law, &solved.piece) else {
-                    // Torn off somewhere in the step: from now on half of the way to it at most.
-                    limit = solved.piece.end();
-                    if solved.piece.span <= blink {
-                        self.parted = true;
-                        break Ok(());
-                    }
-                    continue;
-                };
-                if (1.0 - part).min(part) * solved.piece.span <= blink {
-                    self.leave(solved, part);
-                    break Ok(());
-                }
-                pace.cut(&solved, part);
-                continue;
-            }
-            if solved.end.speed > 0.0 {
-                if solved.end.speed > pace.negligible() {
-                    pace.cut(&solved, crossing(|theta| -solved.piece.speed(theta)));
-                    continue;
-                }
-                solved.end.speed = 0.0;
-                self.keep(solved);
-                break Ok(());
-            }
-            self.keep(solved);
-        };
+        pace.blink = BLINK * tolerance * turn;
+        let mut done = Ok(false);
+        while matches!(done, Ok(false)) && pace.tries < MOST_STEPS {
+            done = self.lift(law, &mut pace);
+        }
         self.loading = loading;
-        done
+        if done? { Ok(()) } else { Err(ImpactError::NoEnd) }
+    }
+
+    /// One step of the way out; whether it was the last.
+    fn lift(&mut self, law: Shrinking<'_>, pace: &mut Pace) -> Result<bool, ImpactError> {
+        let step = Step {
+            model: law.model,
+            mass: self.impact.mass,
+            start: &self.end,
+            span: pace.span.min(0.5 * (pace.limit - self.end.time)),
+            shrinking: Some((law, self.last.touched)),
+            negligible: pace.negligible(),
+        };
+        let Some(mut solved) = pace.accepted(&step)? else { return Ok(false) };
+        if !solved.answer.joined {
+            return Ok(self.parts(&law, pace, solved));
+        }
+        if solved.end.speed > pace.negligible() {
+            pace.cut(&solved, crossing(|theta| -solved.piece.speed(theta)));
+            return Ok(false);
+        }
+        let rests = solved.end.speed > 0.0;
+        if rests {
+            solved.end.speed = 0.0;
+        }
+        self.end = solved.end;
+        self.last = solved.answer;
+        self.unloading.push(solved.piece);
+        Ok(rests)
+    }
+
+    /// A step in which the bodies part: whether this is at one of its ends; otherwise it is cut there.
+    fn parts(&mut self, law: &Shrinking<'_>, pace: &mut Pace, solved: Solved) -> bool {
+        let Some(part) = self.release(law, &solved.piece) else {
+            // Torn off somewhere in the step: from now on half of the way to its end at most.
+            pace.limit = solved.piece.end();
+            self.parted = solved.piece.span <= pace.blink;
+            return self.parted;
+        };
+        self.parted = (1.0 - part).min(part) * solved.piece.span <= pace.blink;
+        if !self.parted {
+            pace.cut(&solved, part);
+        } else if part > 0.5 {
+            self.end = solved.end;
+            self.unloading.push(solved.piece);
+        }
+        self.parted
     }
 
     /// Where in a piece without attraction the last spring is let go.
@@ -254,21 +254,6 @@ impl Flight {
             law.first(&Place { time, depth: piece.depth(theta), speed: piece.speed(theta), memory: &memory })
         };
         self.model.attraction.is_none().then(|| crossing(load))
-    }
-
-    fn keep(&mut self, solved: Solved) {
-        self.end = solved.end;
-        self.last = solved.answer;
-        self.unloading.push(solved.piece);
-    }
-
-    /// The end of the contact, at the beginning of a step or at its end.
-    fn leave(&mut self, solved: Solved, part: f64) {
-        self.parted = true;
-        if part > 0.5 {
-            self.end = solved.end;
-            self.unloading.push(solved.piece);
-        }
     }
 
     /// What comes of the impact.
@@ -324,33 +309,42 @@ fn crossing(of: impl Fn(f64) -> f64) -> f64 {
 
 /// The length of the steps.
 struct Pace {
+    /// Duration of the next step [s].
     span: f64,
+    /// Error of the speed that a step may have [m/s].
     tolerance: f64,
+    /// Time by which the bodies have parted [s].
+    limit: f64,
+    /// Time that is no matter [s].
+    blink: f64,
+    /// Steps tried.
+    tries: usize,
 }
 
 impl Pace {
     fn new(tolerance: f64, span: f64) -> Self {
-        Self { span, tolerance }
+        Self { span, tolerance, limit: f64::INFINITY, blink: 0.0, tries: 0 }
     }
 
     fn negligible(&self) -> f64 {
         1e-3 * self.tolerance
     }
 
-    /// The step if it is good enough; sets the length of the next one.
-    fn accepted(&mut self, solved: Option<Solved>) -> Option<Solved> {
-        let Some(solved) = solved else {
-            self.span *= 0.25;
-            return None;
+    /// The step solved, if it is good enough; sets the length of the next one.
+    fn accepted(&mut self, step: &Step<'_>) -> Result<Option<Solved>, ImpactError> {
+        self.tries += 1;
+        let Some(solved) = step.solve()? else {
+            self.span = 0.25 * step.span;
+            return Ok(None);
         };
         let ratio = self.tolerance / solved.error.max(1e-300);
         let wanted = 0.8 * ratio.powf(1.0 / 6.0);
         if ratio < 1.0 {
-            self.span *= wanted.clamp(0.1, 0.8);
-            return None;
+            self.span = step.span * wanted.clamp(0.1, 0.8);
+            return Ok(None);
         }
-        self.span = solved.piece.span * wanted.clamp(0.5, 3.0);
-        Some(solved)
+        self.span = step.span * wanted.clamp(0.5, 3.0);
+        Ok(Some(solved))
     }
 
     /// The step `solved` again, shortened to the part `part`.
