@@ -59,7 +59,7 @@ fn of_impact(setup: &Setup) -> (&'static str, String) {
 fn of_history(setup: &Setup) -> (&'static str, String) {
     match (setup.scene.springs, &setup.relaxation) {
         (None, None) => ("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated".to_owned()),
-        (None, Some(_)) if rubbing.is_some() => ("continuous bed", "the bodies remember: strips of springs with a common past for the normal contact, and beside it a bed of springs for the tangential one; exact in time".to_owned()),
+        (None, Some(_)) if setup.scene.friction.is_some() => ("continuous bed", "the bodies remember: strips of springs with a common past for the normal contact, and beside it a bed of springs for the tangential one; exact in time".to_owned()),
         (None, Some(_)) => ("continuous bed", "the bodies remember: strips of springs with a common past, exact in time for a depth that goes in straight pieces; no spring is allocated".to_owned()),
         (Some(count), None) => ("springs", format!("`springs: {count}` asks for the classical bed")),
         (Some(count), Some(_)) => ("viscoelastic springs", format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released")),
