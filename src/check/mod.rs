@@ -17,3 +17,6 @@ pub mod ting;
 pub mod clock;
 pub mod usual;
 pub mod work_precision;
+pub mod stability;
+pub mod throughput;
+pub mod promise;

@@ -111,6 +111,26 @@ impl SpringBed {
         self.settle();
     }
 
+    /// Depth [m] at which a retraction to `to` [m] passes its least force, just before a spring parts;
+    /// `None` if the force is least at one of its ends, but for the load of a single spring.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
+    pub fn least_force_above(&self, to: f64) -> Option<f64> {
+        let mut sum: f64 = self.reduced.iter().take(self.attached).sum();
+        let mut least = (self.attached as f64 * self.indentation - sum, None);
+        let mut held = self.attached;
+        while let Some(next) = held.checked_sub(1).filter(|&next| self.threshold[next] > to) {
+            let depth = self.threshold[next].min(self.indentation);
+            let load = held as f64 * depth - sum;
+            if load < least.0 {
+                least = (load, Some(depth));
+            }
+            (sum, held) = (sum - self.reduced[next], next);
+        }
+        let single = if held < self.springs() { self.reduced[held] - self.threshold[held] } else { 0.0 };
+        least.1.filter(|_| held as f64 * to - sum > least.0 + single)
+    }
+
     /// Moves to the force `to` [N]; `false` if the bodies part on the way.
     ///
     /// While springs join or part by themselves the machine keeps its force and does its work with it.

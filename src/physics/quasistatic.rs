@@ -162,16 +162,19 @@ impl<'p> QuasiStatic<'p> {
 
     /// The state with the parameter `s` and the prescribed value `to`.
     ///
-    /// At the edge of a flat g rises without bound, so the radius alone says d and F to 1e-8 only; both
-    /// follow from each other at a given radius to rounding.
+    /// At the edge of a flat and near the equator of a sphere g rises without bound, so the radius
+    /// alone says d and F to few digits; both follow from each other at a given radius to rounding.
+    /// Without adhesion ∂F/∂a = 2E*(d − g) vanishes at the edge.
     fn prescribed(&self, control: Control, s: f64, to: f64) -> Balance {
-        match (&self.attraction, self.profile.kink(), control) {
-            (Attraction::Line(line), Some(_), Control::Indentation) => line.under_wall(s, to),
-            (Attraction::Line(line), Some(_), Control::Force) => {
+        let ends = matches!(self.profile.rim(), Rim::End(_));
+        let steep = |line: &EdgeLine<'_>| self.profile.kink().is_some() || ends && line.elongation(s) <= 0.0;
+        match (&self.attraction, control) {
+            (Attraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
+            (Attraction::Line(line), Control::Force) if steep(line) => {
                 Balance { force: to, ..line.under_wall(s, line.indentation_under_wall(s, to)) }
             }
-            (smooth, _, Control::Indentation) => Balance { indentation: to, ..smooth.at(s) },
-            (smooth, _, Control::Force) => Balance { force: to, ..smooth.at(s) },
+            (smooth, Control::Indentation) => Balance { indentation: to, ..smooth.at(s) },
+            (smooth, Control::Force) => Balance { force: to, ..smooth.at(s) },
         }
     }
 

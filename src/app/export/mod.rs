@@ -6,6 +6,9 @@ mod summary;
 mod tables;
 mod verdicts;
 pub mod work_precision;
+pub mod promise;
+pub mod stability;
+pub mod throughput;
 
 #[cfg(feature = "plot")]
 mod figures;

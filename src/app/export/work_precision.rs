@@ -3,6 +3,7 @@
 #[cfg(feature = "plot")]
 use crate::app::figure::{Axis, Colour, Figure, Guide, Line, Mark, Marks, Panel, Series};
 use crate::app::machine::Machine;
+use crate::check::promise::Row;
 use crate::check::work_precision::{Point, Setting, Study};
 use std::fmt::Write;
 
@@ -35,7 +36,8 @@ fn row(point: &Point) -> String {
 }
 
 /// A time with three digits and its prefix.
-fn seconds(time: f64) -> String {
+#[must_use]
+pub fn seconds(time: f64) -> String {
     let (size, unit) = match time {
         t if t >= 1.0 => (t, "s"),
         t if t >= 1e-3 => (1e3 * t, "ms"),
@@ -100,15 +102,19 @@ pub fn csv(points: &[Vec<Point>]) -> Result<String, csv::Error> {
     String::from_utf8(bytes).map_err(|error| std::io::Error::other(error).into())
 }
 
-/// The points as JSON.
+/// The points as JSON, with the errors asked for, estimated and true.
 ///
 /// # Errors
 /// The text cannot be put together (never for points measured).
-pub fn json(studies: &[Study], points: &[Vec<Point>], machine: &Machine) -> Result<String, serde_json::Error> {
+pub fn json(
+    (studies, points): (&[Study], &[Vec<Point>]),
+    promises: &[Row],
+    machine: &Machine,
+) -> Result<String, serde_json::Error> {
     let references: serde_json::Map<String, serde_json::Value> =
-        studies.iter().map(|study| (study.case.to_owned(), study.reference.into())).collect();
+        studies.iter().map(|study| (study.case.to_owned(), study.reference.clone().into())).collect();
     let rows: Vec<&Point> = points.iter().flatten().collect();
-    let value = serde_json::json!({ "reference": references, "rows": rows, "machine": machine });
+    let value = serde_json::json!({ "reference": references, "rows": rows, "promises": promises, "machine": machine });
     serde_json::to_string_pretty(&value)
 }
 

@@ -34,9 +34,9 @@ pub(super) fn pull_off(effort: Effort) -> Option<Study> {
     }
     Some(Study {
         case: "jkr",
-        about: "a ball pulled away by its depth: pull-off force",
+        about: "a ball pulled away by its depth: pull-off force".to_owned(),
         quantity: "pull-off force",
-        reference: "closed form −(3/2)πwR",
+        reference: "closed form −(3/2)πwR".to_owned(),
         orders: &[1.0, 2.0],
         exact: Answer { values: vec![-1.5 * PI], ..Answer::default() },
         methods,

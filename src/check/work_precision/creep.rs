@@ -39,9 +39,9 @@ pub(super) fn ball(effort: Effort) -> Option<Study> {
     }
     Some(Study {
         case: "creep",
-        about: "a ball under a constant force on a standard linear solid: contact radii",
+        about: "a ball under a constant force on a standard linear solid: contact radii".to_owned(),
         quantity: "contact radius",
-        reference: "a³ = (3R/4) ∫ J dF in closed form",
+        reference: "a³ = (3R/4) ∫ J dF in closed form".to_owned(),
         orders: &[2.0],
         exact: Answer { values: RECORDS.map(exact).to_vec(), ..Answer::default() },
         methods,

@@ -19,7 +19,7 @@ pub(super) fn hertz(effort: Effort) -> Option<Study> {
     let exact = closed_forms::hertz(1.0, DEPTH);
     let mut study = study(ball, (effort, exact, Some(FRAC_2_PI * exact.radius)));
     study.case = "hertz";
-    study.about = "a ball with d/R = 0.01: force, contact radius and pressure at the centre";
+    study.about = "a ball with d/R = 0.01: force, contact radius and pressure at the centre".to_owned();
     Some(study)
 }
 
@@ -28,7 +28,7 @@ pub(super) fn cone(effort: Effort) -> Option<Study> {
     let cone = || Some(Cone { slope: Positive::new(SLOPE).ok()? });
     let mut study = study(cone, (effort, closed_forms::cone(SLOPE, DEPTH), None));
     study.case = "cone";
-    study.about = "a cone of slope 0.1: force and contact radius";
+    study.about = "a cone of slope 0.1: force and contact radius".to_owned();
     Some(study)
 }
 
@@ -62,9 +62,9 @@ fn study<P: Profile + 'static>(
     let values = vec![exact.force];
     Study {
         case: "",
-        about: "",
+        about: "".to_owned(),
         quantity: "force",
-        reference: "closed form",
+        reference: "closed form".to_owned(),
         orders: &[1.0, 2.0],
         exact: Answer { values, radius: Some(exact.radius), pressure, ..Answer::default() },
         methods,

@@ -46,9 +46,9 @@ pub(super) fn mindlin_loop(effort: Effort) -> Option<Study> {
     }));
     Some(Study {
         case: "mindlin",
-        about: "a ball pressed and sheared to and fro, 200 records: tangential forces",
+        about: "a ball pressed and sheared to and fro, 200 records: tangential forces".to_owned(),
         quantity: "tangential force",
-        reference: "closed form of Cattaneo and Mindlin, turned by Masing's rule",
+        reference: "closed form of Cattaneo and Mindlin, turned by Masing's rule".to_owned(),
         orders: &[1.0, 2.0],
         exact: Answer { values: exact_values, ..Answer::default() },
         methods,

@@ -30,9 +30,9 @@ pub(super) fn hertz(effort: Effort) -> Option<Study> {
     methods.extend(effort.decades(1, 6).map(move |steps| verlet(steps, depth)));
     Some(Study {
         case: "impact",
-        about: "a ball that hits an elastic half-space: contact time",
+        about: "a ball that hits an elastic half-space: contact time".to_owned(),
         quantity: "contact time",
-        reference: "2.943275184324705 x₀/v (Johnson 1985, eq. 11.23)",
+        reference: "2.943275184324705 x₀/v (Johnson 1985, eq. 11.23)".to_owned(),
         orders: &[1.0, 2.0],
         exact: Answer { values: vec![2.943_275_184_324_705 * depth], ..Answer::default() },
         methods,

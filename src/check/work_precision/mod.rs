@@ -12,7 +12,10 @@ mod friction;
 mod grid;
 mod impact;
 mod rough;
+mod scene;
 mod time;
+
+pub use scene::study as scene;
 
 use super::clock::{Times, timed};
 use serde::Serialize;
@@ -85,11 +88,11 @@ pub struct Study {
     /// Name, such as `hertz`.
     pub case: &'static str,
     /// What is computed, in words.
-    pub about: &'static str,
+    pub about: String,
     /// The quantity whose error is shown, such as "force".
     pub quantity: &'static str,
     /// What the error is measured against.
-    pub reference: &'static str,
+    pub reference: String,
     /// Orders of convergence p drawn as reference slopes, time ∝ error^(−1/p).
     pub orders: &'static [f64],
     exact: Answer,
@@ -137,7 +140,9 @@ impl Effort {
         (low..=end).map(|k| 10usize.pow(k))
     }
 
-    fn budget(self) -> Duration {
+    /// Time for the repeats of one measurement.
+    #[must_use]
+    pub fn budget(self) -> Duration {
         Duration::from_millis(if self == Self::Brief { 40 } else { 400 })
     }
 }

@@ -22,9 +22,9 @@ pub(super) fn line(effort: Effort) -> Option<Study> {
     });
     Some(Study {
         case: "rough",
-        about: "a rough line on a ball: forces at four depths, the bed sorted in each run",
+        about: "a rough line on a ball: forces at four depths, the bed sorted in each run".to_owned(),
         quantity: "force",
-        reference: "the same line under 2²¹ springs",
+        reference: "the same line under 2²¹ springs".to_owned(),
         orders: &[1.0, 2.0],
         exact,
         methods: methods.collect(),

@@ -46,9 +46,9 @@ pub(super) fn ting(effort: Effort) -> Option<Study> {
     methods.extend(effort.decades(2, 6).map(euler));
     Some(Study {
         case: "ting",
-        about: "a ball driven into a standard linear solid and back: forces in and out",
+        about: "a ball driven into a standard linear solid and back: forces in and out".to_owned(),
         quantity: "force",
-        reference: "Ting's integral",
+        reference: "Ting's integral".to_owned(),
         orders: &[1.0, 2.0],
         exact: Answer { values, ..Answer::default() },
         methods,

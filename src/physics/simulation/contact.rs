@@ -270,8 +270,14 @@ impl Springs {
 
 impl NormalContact for Springs {
     fn advance(&mut self, control: Control, to: f64, _until: f64) -> Result<Vec<Event>, ContactError> {
+        let turn = if control == Control::Indentation { self.bed.least_force_above(to) } else { None };
+        let turn = turn.map(|depth| {
+            self.bed.indent(depth);
+            let state = self.state();
+            Event { at: Moment::Value(depth), before: state, after: state }
+        });
         self.parted = !self.bed.follow(control, to) && to < 0.0;
-        Ok(Vec::new())
+        Ok(turn.into_iter().collect())
     }
 
     fn state(&self) -> Normal {

@@ -1,5 +1,6 @@
 //! The error of elastic contacts, and where it comes from.
 
+use super::conditioning::moved_edge;
 use super::shear;
 use crate::physics::adhesion::Adhesion;
 use crate::physics::adhesion::line::EdgeLine;
@@ -7,6 +8,9 @@ use crate::physics::bed::SpringBed;
 use crate::physics::record::{ErrorEstimate, Normal, Record};
 use crate::physics::setup::Setup;
 use std::num::NonZeroUsize;
+
+/// What a few hundred roundings leave of a state, conditioned a thousand times worse than themselves.
+const ROUNDING: f64 = 1e-11;
 
 /// Where the error of an elastic scene comes from.
 #[must_use]
@@ -27,7 +31,16 @@ fn normal_error(setup: &Setup, records: &[Record]) -> ErrorEstimate {
         (None, Some(Adhesion::Maugis(_))) => {
             of(1e-10, "direct path with roots within roots: rounding, against Maugis' equations over twelve decades")
         }
-        (None, _) => of(1e-11, "direct path: rounding, against closed forms over twelve decades"),
+        (None, _) => {
+            let edge = moved_edge(setup, records);
+            if edge > ROUNDING {
+                return of(
+                    edge,
+                    "direct path: the contact radius near a turning point, moved by the rounding of what is prescribed",
+                );
+            }
+            of(ROUNDING, "direct path: rounding, against closed forms over twelve decades")
+        }
     }
 }
 

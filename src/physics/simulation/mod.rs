@@ -1,5 +1,6 @@
 //! A scene run from its first touch to the end of its history.
 
+mod conditioning;
 mod contact;
 mod error;
 mod fields;

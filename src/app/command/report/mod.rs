@@ -2,6 +2,8 @@
 
 mod accuracy;
 mod peers;
+mod speed;
+mod stability;
 
 use super::{Common, Topic};
 use crate::app::console::{Console, Failure};
@@ -22,7 +24,13 @@ pub fn run(
 ) -> Result<(), Failure> {
     match (topic, scene) {
         (Topic::Accuracy, None) => accuracy::run(effort, common, console),
-        _ => Err(Failure::Failed("this report is not there yet".to_owned())),
+        (Topic::Stability, None) => stability::run(common, console),
+        (Topic::Speed, None) => speed::run(effort, common, console),
+        (Topic::Accuracy, Some(scene)) => accuracy::of_scene(scene, effort, common, console),
+        (Topic::Stability | Topic::Speed, Some(scene)) => Err(Failure::Usage(format!(
+            "{}: stability and speed are those of the program: expected no scene",
+            scene.display()
+        ))),
     }
 }
 

@@ -428,5 +428,14 @@ pub fn error_estimate(setup: &Setup, run: &Run<'_>) -> ErrorEstimate {
         "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}",
         setup.accuracy()
     );
-    ErrorEstimate { relative: 0.25 * width * width + setup.accuracy(), basis }
+    ErrorEstimate { relative: 0.25 * width * width + felt(setup, run) * setup.accuracy(), basis }
+}
+
+/// What the largest force feels of a depth off by a part of itself, 2E(0)a·d/F, where the depth is followed in
+/// chords; one where the force itself is met.
+fn felt(setup: &Setup, run: &Run<'_>) -> f64 {
+    let chords = setup.scene.history.iter().any(|entry| matches!(entry, Entry::Oscillate(_)));
+    let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
+    let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
+    part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
 }

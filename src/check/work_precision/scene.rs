@@ -1,0 +1,82 @@
+//! Any scene: its own solver at several accuracies, and beds of springs.
+
+use super::{Answer, Effort, Method, Setting, Study};
+use crate::physics::adhesion::Adhesion;
+use crate::physics::quantity::Accuracy;
+use crate::physics::record::{Outcome, Value};
+use crate::physics::setup::Setup;
+use crate::physics::simulation::{self, SimulationError, Wanted};
+use std::num::NonZeroUsize;
+
+/// Accuracy of the reference.
+const FINEST: f64 = 1e-8;
+
+/// A scene by its own solver and by beds of springs, against its own solver at its finest.
+///
+/// The numbers compared are all named results, each relative to its own reference.
+///
+/// # Errors
+/// The scene cannot be run.
+pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
+    let own = refined(setup, None, FINEST);
+    let outcome = simulation::run(&own, Wanted::NOTHING)?;
+    let exact = numbers(&outcome);
+    let direct = outcome.plan.solver == "direct";
+    let accuracies: &[f64] = if direct { &[1e-6] } else { &[1e-2, 1e-3, 1e-4, 1e-5, 1e-6] };
+    let method = |name, setting, setup: Setup| {
+        let exact = exact.clone();
+        Method::new(name, setting, move || {
+            let (setup, exact) = (setup.clone(), exact.clone());
+            Some(move || answer(&simulation::run(&setup, Wanted::NOTHING).ok()?, &exact))
+        })
+    };
+    let mut methods: Vec<Method> = accuracies
+        .iter()
+        .map(|&accuracy| method(outcome.plan.solver, Setting::FREE, refined(setup, None, accuracy)))
+        .collect();
+    if setup.surface.is_none()
+        && setup.relaxation.is_none()
+        && !matches!(setup.scene.adhesion, Some(Adhesion::Maugis(_)))
+    {
+        methods.extend(effort.decades(1, 5).map(|count| {
+            let springs = NonZeroUsize::new(count);
+            method("springs", Setting::springs(count), refined(setup, springs, FINEST))
+        }));
+    }
+    let title = if setup.scene.title.is_empty() { "scene" } else { &setup.scene.title };
+    let reference =
+        if direct { "the direct path".to_owned() } else { format!("the same solver asked for {FINEST:.0e}") };
+    let values = vec![1.0; exact.len()];
+    Ok(Study {
+        case: "scene",
+        about: format!("{title}: all named results"),
+        quantity: "results",
+        reference,
+        orders: &[1.0, 2.0],
+        exact: Answer { values, ..Answer::default() },
+        methods,
+    })
+}
+
+/// The scene with other springs and another accuracy.
+fn refined(setup: &Setup, springs: Option<NonZeroUsize>, accuracy: f64) -> Setup {
+    let mut setup = setup.clone();
+    setup.scene.springs = springs;
+    setup.scene.accuracy = Accuracy::new(accuracy).ok();
+    setup
+}
+
+/// Named results that are numbers above the noise of a sum that should vanish.
+fn numbers(outcome: &Outcome) -> Vec<(&'static str, f64)> {
+    let number = |&(name, value): &(&'static str, Value)| match value {
+        Value::Number(number) if number.is_finite() && number.abs() > 1e-30 => Some((name, number)),
+        _ => None,
+    };
+    let noise = |name: &str| name == "work_j" || name == "dissipated_j";
+    outcome.results.iter().filter_map(number).filter(|(name, _)| !noise(name)).collect()
+}
+
+fn answer(outcome: &Outcome, exact: &[(&'static str, f64)]) -> Option<Answer> {
+    let values = exact.iter().map(|(name, right)| Some(outcome.number(name)? / right));
+    Some(Answer { values: values.collect::<Option<_>>()?, bytes: outcome.plan.state_bytes, ..Answer::default() })
+}
