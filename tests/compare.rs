@@ -151,3 +151,29 @@ fn explain_tells_where_the_contact_is_in_one_piece() {
         "{wavy}"
     );
 }
+
+/// A wave by its closed form and by strips: the half width to a strip, the indentation to their square; a leaking seal is solved by strips alone.
+#[cfg(feature = "half-space")]
+#[test]
+fn plane_scenes_by_the_half_plane() {
+    let wave =
+        scene("PlaneWave(amplitude: \"1 um\", wavelength: \"100 um\")", "").replace("1 um\", over", "0.5 um\", over");
+    let (value, rows) = rows(&wave);
+    assert_eq!(value["reference"], "closed form or series of the half-plane");
+    let radius = value["state"]["contact_radius_m"].as_f64().unwrap();
+    for strips in [128_u32, 2048, 32768] {
+        let found = error(&rows, "half-plane", ("grid", strips.into()), "radius_error");
+        assert!(found.abs() <= 1e-4 / f64::from(strips) / radius, "{strips}: {found}");
+        let found = error(&rows, "half-plane", ("grid", strips.into()), "indentation_error");
+        assert!(found.abs() < 2.0 * (3.2 / f64::from(strips)).powi(2) + 1e-7, "{strips}: {found}");
+    }
+    let seal =
+        "PlaneWavy(radius: \"5 mm\", waves: [(amplitude: \"0.2 um\", wavelength: \"13.468 um\")], datum: \"10 mm\")";
+    let (_, output) =
+        compare(&scene(seal, "").replace("2 GPa", "9 MPa").replace("Indent(to: \"1 um\"", "Press(to: 500"), &[]);
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        said.contains("note: the contact is not in one piece") && said.contains("half-plane on 131072 strips"),
+        "{said}"
+    );
+}

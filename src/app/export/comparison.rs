@@ -1,7 +1,7 @@
 //! A comparison of methods as table, CSV and JSON.
 
 use super::with_prefix;
-use crate::check::comparison::{Comparison, Row, State};
+use crate::check::comparison::{Comparison, Method, Row, State};
 use std::fmt::Write;
 
 /// The comparison as an aligned table.
@@ -17,7 +17,14 @@ pub fn comparison_text(title: &str, comparison: &Comparison) -> String {
     line(format!("  {}", state_in_words(&comparison.state)));
     line(format!("  errors relative to: {}", comparison.reference));
     let is_rough = comparison.state.contact_radius_m.is_none();
-    let names = if is_rough { ROUGH } else { SMOOTH };
+    let is_plane = comparison.rows.iter().any(|row| row.method == Method::HalfPlane);
+    let names = if is_rough {
+        ROUGH
+    } else if is_plane {
+        PLANE
+    } else {
+        SMOOTH
+    };
     let [first, second, third, last] = names;
     line(format!(
         "  {:<12}{:>10}{first:>13}{second:>12}{third:>12}{:>12}{:>11}{last:>12}",
@@ -33,6 +40,7 @@ pub fn comparison_text(title: &str, comparison: &Comparison) -> String {
 }
 
 const SMOOTH: [&str; 4] = ["force", "radius", "pressure", "iterations"];
+const PLANE: [&str; 4] = ["indentation", "half width", "pressure", "iterations"];
 const ROUGH: [&str; 4] = ["indentation", "stiffness", "pressure", "area share"];
 
 /// The state compared.
@@ -51,7 +59,8 @@ fn state_in_words(state: &State) -> String {
 
 fn cells(row: &Row) -> String {
     let iterations = row.iterations.map_or_else(String::new, |count| count.to_string());
-    aligned(row, [row.force_error, row.radius_error, row.pressure_error], &iterations)
+    // Plane contacts are compared under a force.
+    aligned(row, [row.force_error.or(row.indentation_error), row.radius_error, row.pressure_error], &iterations)
 }
 
 fn rough_cells(row: &Row) -> String {
@@ -72,6 +81,7 @@ fn aligned(row: &Row, errors: [Option<f64>; 3], last: &str) -> String {
 fn fineness(row: &Row) -> String {
     match (row.springs, row.grid) {
         (Some(springs), _) => springs.to_string(),
+        (_, Some(strips)) if row.method == Method::HalfPlane => strips.to_string(),
         (_, Some(grid)) => format!("{grid}²"),
         _ => String::new(),
     }

@@ -3,6 +3,7 @@
 #[cfg(feature = "half-space")]
 mod full;
 mod methods;
+mod plane;
 mod reference;
 mod rough;
 #[cfg(feature = "half-space")]
@@ -38,6 +39,8 @@ pub enum Method {
     Springs,
     /// The full three-dimensional half-space.
     HalfSpace,
+    /// The half-plane in strips.
+    HalfPlane,
 }
 
 impl Method {
@@ -48,6 +51,7 @@ impl Method {
             Self::Direct => "direct",
             Self::Springs => "springs",
             Self::HalfSpace => "half-space",
+            Self::HalfPlane => "half-plane",
         }
     }
 }
@@ -148,6 +152,9 @@ struct Measured {
 /// # Errors
 /// The scene cannot be run, or the bodies never press on each other.
 pub fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
+    if setup.scene.shape.is_plane() {
+        return plane::compare(setup, done);
+    }
     let mut setup = setup.clone();
     setup.scene.springs = None;
     let outcome = simulation::run(&setup, Wanted::NOTHING)?;

@@ -30,7 +30,7 @@ fn panel(name: &str, comparison: &Comparison, of: Of) -> Panel {
     let axes = (Axis::log("run time", "s"), Axis::log("relative error", "1"));
     let mut panel = Panel::new(axes.0, axes.1).titled(name);
     let mut slopes = Vec::new();
-    for method in [Method::Springs, Method::HalfSpace, Method::Direct] {
+    for method in [Method::Springs, Method::HalfSpace, Method::HalfPlane, Method::Direct] {
         let points = points(comparison, method, of);
         slopes.extend(slope(method, &points));
         if !points.is_empty() {
@@ -52,7 +52,7 @@ fn panel(name: &str, comparison: &Comparison, of: Of) -> Panel {
 fn series(method: Method, points: Vec<(f64, f64)>) -> Series {
     let (colour, line, mark) = match method {
         Method::Springs => (Colour::Blue, Line::Solid, Mark::Disc),
-        Method::HalfSpace => (Colour::Orange, Line::Dashed, Mark::Square),
+        Method::HalfSpace | Method::HalfPlane => (Colour::Orange, Line::Dashed, Mark::Square),
         Method::Direct => (Colour::Black, Line::DashDot, Mark::Triangle),
     };
     Series::new(method.name(), points).colour(colour).line(line).marks(Marks::As(mark))
