@@ -145,10 +145,11 @@ mod tests {
     use super::*;
     use crate::physics::friction::peeling::{Shear, ShearedAdhesion};
     use crate::physics::friction::sliding::Pressed;
-    use crate::physics::friction::{CoulombOrowan, Grip, Position, TangentialMemory};
+    use crate::physics::friction::{CoulombBed, CoulombOrowan, Grip, Position, TangentialMemory};
     use crate::physics::quantity::{Length, Modulus, Ratio};
     use crate::physics::shape::{Paraboloid, Profile};
     use proptest::prelude::*;
+    use std::num::NonZeroUsize;
 
     const GRIP: Grip = Grip { normal_modulus: 2.0, tangential_modulus: 1.5, coefficient: 0.3 };
 
@@ -249,6 +250,34 @@ mod tests {
         let (state, other) = (memory.state(), fresh.state());
         assert!((state.tangential_force - other.tangential_force).abs() <= 0.0);
         assert!((state.stick_radius - other.stick_radius).abs() <= 0.0);
+        assert!(most < 64, "{most}");
+    }
+
+    /// 10⁶ random turns of depth and slide, parting now and then: every spring is where the plain bed,
+    /// which forgets roundings at every step, has it.
+    #[test]
+    fn a_million_turns_of_depth_and_slide_do_not_drift() {
+        let (shape, springs, radius) = (lens(), 48u32, 1.1);
+        let size = (NonZeroUsize::new(48).unwrap(), radius);
+        let mut memory = TangentialMemory::new(&shape, GRIP);
+        let mut bed = CoulombBed::new(&shape, GRIP, size).unwrap();
+        let mut random = 7u64;
+        let mut draw = || {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            f64::from(u32::try_from(random >> 32).unwrap()) / f64::from(u32::MAX)
+        };
+        let mut most = 0;
+        for _ in 0..1_000_000 {
+            let to = Position { indentation: 1.2 * draw() - 0.01, slide: 1.2 * GRIP.reach() * (draw() - 0.5) };
+            memory.advance(to).unwrap();
+            bed.advance(&[to]);
+            most = most.max(memory.turning_points());
+        }
+        for (k, v) in (0..springs).zip(bed.displacements()) {
+            let place = (f64::from(k) + 0.5) * radius / f64::from(springs);
+            // Both are differences of slides of the order of the reach, a few roundings each.
+            assert!((memory.displacement(place) - v).abs() < 1e-14 * GRIP.reach(), "{k}: {v}");
+        }
         assert!(most < 64, "{most}");
     }
 
