@@ -151,14 +151,23 @@ proptest! {
             let (memory, springs) = (run_with(memory, &tables), run_with(springs, &tables));
             let largest = memory.number("largest_contact_radius_m").unwrap();
             let width = (1.0 + 1.0 / 16.0) * largest / 400.0;
-            for (exact, bed) in memory.records.iter().zip(&springs.records) {
+            // Bodies that only touch may be one record or two: the last at each time counts.
+            let last_at = |outcome: &Outcome| -> Vec<Record> {
+                let together = outcome.records.chunk_by(|one, next| one.time.to_bits() == next.time.to_bits());
+                together.filter_map(|records| records.last().copied()).collect()
+            };
+            let (exact, bed) = (last_at(&memory), last_at(&springs));
+            prop_assert_eq!(exact.len(), bed.len());
+            for (exact, bed) in exact.iter().zip(&bed) {
                 let bound = coefficient * exact.normal.indentation.unwrap().max(0.0) * width;
                 let rounding = 1e-14 * coefficient;
-                prop_assert!((force(exact) - force(bed)).abs() <= bound * (1.0 + 1e-9) + rounding);
+                prop_assert!((force(exact) - force(bed)).abs() <= bound * (1.0 + 1e-9) + rounding, "{} {} {bound:e}", force(exact), force(bed));
             }
             // Each spring's loss is exact, so that the sum is off by half a cell of its variation: at most
             // twice the greatest loss per length, μE*d times the way of all slides.
-            let way: i32 = knots.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs()).sum();
+            // The first row is slid to from zero.
+            let first = knots[0].1.abs();
+            let way: i32 = first + knots.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs()).sum::<i32>();
             let bound = 2.0 * coefficient * 1.1 * 0.1 * f64::from(way) * coefficient / RATIO * width;
             let lost = [&memory, &springs].map(|outcome| outcome.number("friction_dissipated_j").unwrap());
             prop_assert!((lost[0] - lost[1]).abs() <= bound + 1e-14, "{lost:?} {bound}");
