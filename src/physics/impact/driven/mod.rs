@@ -19,7 +19,7 @@ use crate::physics::viscoelastic::opening::Attraction;
 use law::{Answer, Place, Shrinking};
 use piece::{Instant, Piece};
 use std::sync::Arc;
-use step::{Solved, Step};
+use step::{MISFIT, Solved, Step};
 
 /// A viscoelastic half-space that may be hit.
 ///
@@ -73,7 +73,7 @@ impl Driven {
     /// `accuracy` (default 1e-6; smaller costs steps as its ninth root, larger shows in the curves).
     ///
     /// Every run is compared with one of a sixteenth of its tolerance, until they agree; the error stated
-    /// is the difference, which the finer one has less of.
+    /// is the difference, which the finer one has less of, or what its steps say they miss, if that is more.
     ///
     /// # Errors
     /// The contact would outgrow the profile, or comes to no end.
@@ -83,8 +83,8 @@ impl Driven {
         loop {
             tolerance = (FINER * tolerance).max(LEAST);
             let mut fine = self.run(impact, tolerance)?;
-            // What stays below the tolerance of a step may cancel in the difference.
-            fine.error = fine.rebound().difference(&coarse.rebound()).max(tolerance).max(ROUNDING);
+            // Runs that took the same steps agree without being right: what the steps themselves miss counts too.
+            fine.error = fine.rebound().difference(&coarse.rebound()).max(fine.misfit()).max(tolerance).max(ROUNDING);
             if fine.error <= accuracy || tolerance <= LEAST {
                 return Ok(fine);
             }
@@ -272,6 +272,16 @@ impl Flight {
         }
     }
 
+    /// Relative errors of the speed, summed over the steps, and of the greatest force in its step.
+    fn misfit(&self) -> f64 {
+        let pieces = || self.loading.iter().chain(&self.unloading);
+        let missed = |piece: &Piece| MISFIT * (piece.acceleration(0.0) - piece.start.acceleration).abs();
+        let speed: f64 = pieces().map(|piece| piece.span * missed(piece)).sum();
+        let forces = pieces().map(|piece| (strongest(piece), missed(piece)));
+        let (most, off) = forces.max_by(|x, y| x.0.total_cmp(&y.0)).unwrap_or((1.0, 0.0));
+        (speed / self.impact.speed).max(off / most.max(f64::MIN_POSITIVE))
+    }
+
     /// Steps of the finest run.
     #[must_use]
     pub fn steps(&self) -> usize {
@@ -291,15 +301,20 @@ impl Flight {
     }
 }
 
-/// Greatest deceleration in a piece, between the points by a parabola.
+/// Greatest deceleration in a piece: the best of a few places, and about it by the golden section.
 fn strongest(piece: &Piece) -> f64 {
     const LOOKS: u32 = 16;
-    let at = |k: f64| -piece.acceleration((k / f64::from(LOOKS)).clamp(0.0, 1.0));
-    let best = (0..=LOOKS).map(f64::from).max_by(|&x, &y| at(x).total_cmp(&at(y))).unwrap_or(0.0);
-    let (before, here, after) = (at(best - 1.0), at(best), at(best + 1.0));
-    let bend = before - 2.0 * here + after;
-    let inside = best > 0.0 && best < f64::from(LOOKS) && bend < 0.0;
-    if inside { here - 0.125 * (after - before).powi(2) / bend } else { here }
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let at = |theta: f64| -piece.acceleration(theta);
+    let looks = (0..=LOOKS).map(|k| f64::from(k) / f64::from(LOOKS));
+    let best = looks.max_by(|&x, &y| at(x).total_cmp(&at(y))).unwrap_or(0.0);
+    let cell = 1.0 / f64::from(LOOKS);
+    let (mut low, mut high) = ((best - cell).max(0.0), (best + cell).min(1.0));
+    for _ in 0..40 {
+        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+        if at(left) > at(right) { high = right } else { low = left }
+    }
+    at(best).max(at(0.5 * (low + high)))
 }
 
 /// Where a function that is positive at the beginning of a step passes zero.

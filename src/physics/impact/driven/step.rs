@@ -13,7 +13,7 @@ use std::array::from_fn;
 const MOST_ITERATIONS: usize = 25;
 /// Part of the misfit of the acceleration at the beginning of a step that its speed may be wrong by: at
 /// the beginning the polynomial goes beyond its points, between them it is off by a fifth at most.
-const MISFIT: f64 = 0.2;
+pub const MISFIT: f64 = 0.2;
 
 /// A step from one time on.
 pub struct Step<'s> {
