@@ -59,6 +59,9 @@ const MOST_STEPS: usize = 20_000;
 /// The first tolerance is this part of the accuracy; each further run has a sixteenth of it.
 const FIRST: f64 = 0.1;
 const FINER: f64 = 1.0 / 16.0;
+/// The error stated is so many times the difference of two runs: where an end of a step falls by chance, sixteen
+/// times the tolerance is not always many times the error.
+const SAFETY: f64 = 4.0;
 /// Least tolerance: below it rounding rules.
 const LEAST: f64 = 1e-13;
 /// Part of the tolerance below which a speed is none.
@@ -84,7 +87,8 @@ impl Driven {
             tolerance = (FINER * tolerance).max(LEAST);
             let mut fine = self.run(impact, tolerance)?;
             // Runs that took the same steps agree without being right: what the steps themselves miss counts too.
-            fine.error = fine.rebound().difference(&coarse.rebound()).max(fine.misfit()).max(tolerance).max(ROUNDING);
+            fine.error =
+                SAFETY * fine.rebound().difference(&coarse.rebound()).max(fine.misfit()).max(tolerance).max(ROUNDING);
             if fine.error <= accuracy || tolerance <= LEAST {
                 return Ok(fine);
             }
