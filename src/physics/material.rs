@@ -168,6 +168,12 @@ impl Stiffness {
 }
 
 impl Elastic {
+    /// E/(1−ν²) [Pa], the modulus against a rigid body.
+    #[must_use]
+    pub fn plane_modulus(&self) -> f64 {
+        self.stiffness().normal
+    }
+
     fn stiffness(&self) -> Stiffness {
         let poisson = self.poisson.si();
         Stiffness::new(self.young.si() / ((1.0 - poisson) * (1.0 + poisson)), poisson)
@@ -208,7 +214,7 @@ fn terms_of_table(path: &Path, tables: &dyn Tables) -> Result<Vec<(f64, f64)>, T
     Ok(moduli.iter().copied().zip(times.iter().copied()).collect())
 }
 
-/// The pair of `bodies` and, if one of them is viscoelastic, its relaxation.
+/// The pair of `bodies` and, if one of them is viscoelastic, its relaxation against a rigid body.
 ///
 /// # Errors
 /// The bodies cannot be paired, or a table of terms is wrong; all problems at once.
@@ -220,17 +226,29 @@ pub fn pair(bodies: &(Body, Body), tables: &dyn Tables) -> Result<(Pair, Option<
         )]),
         (Body::Viscoelastic(body), Body::Rigid) => relaxing(body, "bodies.0", tables),
         (Body::Rigid, Body::Viscoelastic(body)) => relaxing(body, "bodies.1", tables),
-        (Body::Viscoelastic(_), other) | (other, Body::Viscoelastic(_)) => Err(vec![refused_partner(other)]),
+        (Body::Viscoelastic(body), Body::Elastic(partner)) => relaxing_on(body, partner, ("bodies.0", tables)),
+        (Body::Elastic(partner), Body::Viscoelastic(body)) => relaxing_on(body, partner, ("bodies.1", tables)),
+        (Body::Viscoelastic(_), Body::Viscoelastic(_)) => Err(vec![two_relaxing()]),
         (first, second) => Ok((Pair::of(&stiffness(first), &stiffness(second)), None)),
     }
 }
 
-fn refused_partner(other: &Body) -> Problem {
-    let other = if matches!(other, Body::Elastic(_)) { "an Elastic" } else { "another Viscoelastic" };
+fn two_relaxing() -> Problem {
     Problem::new(
         "bodies",
-        format!("a Viscoelastic body against {other} body cannot be computed: expected Rigid beside Viscoelastic"),
+        "a Viscoelastic body against another Viscoelastic body cannot be computed: expected Rigid or Elastic beside Viscoelastic",
     )
+}
+
+/// The pair of a viscoelastic and an elastic body, with the relaxation of the former alone.
+fn relaxing_on(
+    body: &Viscoelastic,
+    partner: &Elastic,
+    (path, tables): (&str, &dyn Tables),
+) -> Result<(Pair, Option<Relaxation>), Vec<Problem>> {
+    let (alone, relaxation) = relaxing(body, path, tables)?;
+    let stiffness = Stiffness::new(alone.normal, body.poisson.si());
+    Ok((Pair::of(&stiffness, &partner.stiffness()), relaxation))
 }
 
 fn stiffness(body: &Body) -> Stiffness {
@@ -325,7 +343,6 @@ mod tests {
         let message = |one, two| pair(&(one, two), &InMemory::default()).unwrap_err()[0].message.clone();
         assert!(message(Body::Rigid, Body::Rigid).contains("two rigid bodies"));
         let rubber = || rubber(Terms::default());
-        assert!(message(rubber(), elastic(1.0, 0.3)).contains("Viscoelastic body against an Elastic"));
         assert!(message(rubber(), rubber()).contains("Viscoelastic body against another Viscoelastic"));
     }
 

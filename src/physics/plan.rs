@@ -3,7 +3,7 @@
 use super::adhesion::Adhesion;
 use super::friction::peeling::ShearedAdhesion;
 use super::friction::{CoulombBed, Friction, TangentialMemory};
-use super::history::Entry;
+use super::history::{Driven, Entry, Motion};
 use super::plane::PlaneContact;
 use super::quasistatic::QuasiStatic;
 use super::record::{Plan, Tangential};
@@ -20,12 +20,14 @@ pub fn of(setup: &Setup) -> Plan {
     part("adhesion of vanishing range (JKR)", matches!(scene.adhesion, Some(Adhesion::Jkr(_))));
     part("adhesion of finite range (Maugis–Dugdale)", matches!(scene.adhesion, Some(Adhesion::Maugis(_))));
     part("Prony elements", setup.relaxation.is_some());
-    let springs = scene.springs.map_or(0, std::num::NonZeroUsize::get);
+    let asked = scene.springs.map(std::num::NonZeroUsize::get);
+    let springs = setup.relaxation.as_ref().map_or(asked, |_| relaxing_springs(setup));
     let rubbing = Rubbing::of(setup);
     for kind in Rubbing::ALL {
         part(kind.name(), rubbing == Some(kind));
     }
-    part("springs", scene.springs.is_some());
+    part("springs", springs.is_some());
+    let springs = springs.unwrap_or(0);
     let (solver, reason) =
         if matches!(scene.history[..], [Entry::Impact(_)]) { of_impact(setup) } else { of_history(setup) };
     let tangential = rubbing.map_or(0, |kind| kind.bytes(springs));
@@ -60,6 +62,7 @@ fn of_history(setup: &Setup) -> (&'static str, String) {
     match (setup.scene.springs, &setup.relaxation) {
         (None, None) => ("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated".to_owned()),
         (None, Some(_)) if setup.scene.friction.is_some() => ("continuous bed", "the bodies remember: strips of springs with a common past for the normal contact, and beside it a bed of springs for the tangential one; exact in time".to_owned()),
+        (None, Some(_)) if relaxing_springs(setup).is_some() => ("viscoelastic springs", "a prescribed force or an oscillation takes hundreds of straight pieces of the depth: springs as fine as the accuracy asks for; exact in time, work is done only for springs touched or released".to_owned()),
         (None, Some(_)) => ("continuous bed", "the bodies remember: strips of springs with a common past, exact in time for a depth that goes in straight pieces; no spring is allocated".to_owned()),
         (Some(count), None) => ("springs", format!("`springs: {count}` asks for the classical bed")),
         (Some(count), Some(_)) => ("viscoelastic springs", format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released")),
@@ -112,6 +115,34 @@ impl Rubbing {
             Self::Peeling => size_of::<ShearedAdhesion<'_>>() + size_of::<Tangential>(),
         }
     }
+}
+
+/// Springs are equally wide up to this part of the largest contact, and in geometric progression beyond.
+pub const GRADE: f64 = 1.0 / 32.0;
+
+/// The number of springs of a viscoelastic scene, asked for or needed by the accuracy; `None` where the
+/// continuous bed does without: with adhesion, and for a depth in few straight pieces.
+///
+/// −1/4 ≤ error·(a/Δx)² ≤ 1/8 and Δx/a = arsinh(1/[`GRADE`])/N: N for half the accuracy.
+#[must_use]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped before")]
+pub fn relaxing_springs(setup: &Setup) -> Option<usize> {
+    if setup.scene.adhesion.is_some() {
+        return None;
+    }
+    let needed = GRADE.recip().asinh() / (2.0 * setup.accuracy()).sqrt();
+    let needed = is_curved(setup).then(|| needed.ceil().clamp(256.0, 262_144.0) as usize);
+    setup.scene.springs.map(std::num::NonZeroUsize::get).or(needed)
+}
+
+/// Whether the depth of a history is a curve in time: under a prescribed force, and in an oscillation.
+#[must_use]
+pub fn is_curved(setup: &Setup) -> bool {
+    let curved = |(entry, motion): (&Entry, Option<&Motion>)| match entry {
+        Entry::Press(_) | Entry::HoldForce(_) | Entry::Oscillate(_) => true,
+        _ => motion.is_some_and(|motion| matches!(motion.control, Driven::Force(_))),
+    };
+    setup.entries().any(curved)
 }
 
 /// The plan of a scene with a rough shape.

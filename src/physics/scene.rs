@@ -131,6 +131,9 @@ impl Scene {
             format!("{springs} do not fit into memory: expected at most {MOST_SPRINGS}")
         } else if matches!(self.adhesion, Some(Adhesion::Maugis(_))) {
             "with Maugis adhesion cannot be computed: expected Jkr(…), or no springs".to_owned()
+        } else if matches!(&self.adhesion, Some(Adhesion::Jkr(jkr)) if jkr.edge.is_some()) {
+            "with an adhesive Viscoelastic body cannot be computed: expected no springs, for the continuous bed holds the edge"
+                .to_owned()
         } else if self.adhesion.is_some() && self.friction.is_some() {
             "with Jkr adhesion under shear cannot be computed: expected no springs, no adhesion or no friction"
                 .to_owned()

@@ -5,7 +5,7 @@ use super::friction::{Friction, Strength, StrengthCurve};
 use super::history::impacts::{self, Parts};
 use super::history::rules::{self, Allowed};
 use super::history::{Entry, Motion};
-use super::material::{self, Body, Pair, Relaxation};
+use super::material::{self, Body, Elastic, Pair, Relaxation};
 use super::problem::Problem;
 use super::quantity::Length;
 use super::reach::{self, Bound};
@@ -13,6 +13,7 @@ use super::scene::Scene;
 use super::shape::{FlatPunch, Profile, Shape};
 use super::surface::{self, Surface};
 use super::table::Tables;
+use super::viscoelastic::Spectrum;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -60,6 +61,8 @@ impl Scene {
         let mut problems = self.problems();
         let motions = motions(&self.history, tables, &mut problems);
         let pair = material::pair(&self.bodies, tables).map_err(|found| problems.extend(found)).ok();
+        let pair = pair.map(|pair| beside_elastic(&self.bodies, pair));
+        problems.extend(self.rubbing_in_series());
         let surface = surface::of(&self, tables).map_err(|found| problems.extend(found)).ok();
         let profile = self.profile(surface.as_ref().and_then(Option::as_ref), tables);
         let profile = profile.map_err(|found| problems.extend(found)).ok();
@@ -87,6 +90,16 @@ impl Scene {
             }
             _ => Err(problems),
         }
+    }
+
+    /// Friction needs one ratio of tangential and normal stiffness at all times.
+    fn rubbing_in_series(&self) -> Option<Problem> {
+        self.friction.as_ref().zip(partner(&self.bodies)).map(|_| {
+            Problem::new(
+                "friction",
+                "with a Viscoelastic body against an Elastic body cannot be computed, for the pair is not elastically similar at all times: expected Rigid beside Viscoelastic, or no friction",
+            )
+        })
     }
 
     /// The friction, unless the history is an impact, which has its own rules.
@@ -137,6 +150,26 @@ fn strength(friction: Option<&Friction>, tables: &dyn Tables, problems: &mut Vec
     let Strength::Table(path) = &law.shear else { return None };
     let curve = StrengthCurve::read(path, tables);
     curve.map_err(|error| problems.push(Problem::new("friction.shear", error.to_string()))).ok()
+}
+
+/// The elastic partner of a viscoelastic body.
+fn partner(bodies: &(Body, Body)) -> Option<&Elastic> {
+    match bodies {
+        (Body::Viscoelastic(_), Body::Elastic(partner)) | (Body::Elastic(partner), Body::Viscoelastic(_)) => {
+            Some(partner)
+        }
+        _ => None,
+    }
+}
+
+/// A viscoelastic and an elastic body: two compliances in series, again a Prony series.
+///
+/// Each half-space is pressed in by its own 1/E*ᵢ(p) times the same pressure, whatever its ν: the sum is
+/// exact for constant ν, in the normal direction and without friction.
+fn beside_elastic(bodies: &(Body, Body), (pair, alone): (Pair, Option<Relaxation>)) -> (Pair, Option<Relaxation>) {
+    let (Some(partner), Some(relaxation)) = (partner(bodies), &alone) else { return (pair, alone) };
+    let both = Spectrum::new(relaxation).in_series_with(partner.plane_modulus()).relaxation_function();
+    (Pair { normal: both.instantaneous(), ..pair }, Some(both))
 }
 
 fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<Motion>> {

@@ -6,6 +6,7 @@ use crate::app::export::with_prefix;
 use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
 use crate::check::one_piece;
+use crate::physics::adhesion::Adhesion;
 use crate::physics::record::Outcome;
 use crate::physics::setup::Setup;
 use std::fmt::Write;
@@ -30,6 +31,9 @@ fn text(setup: &Setup, outcome: &Outcome) -> String {
     line("scene", &setup.scene.title);
     for (name, value) in moduli(setup) {
         line(name, &with_prefix(value, "Pa"));
+    }
+    if let Some(rule) = setup.scene.adhesion.as_ref().and_then(Adhesion::edge_in_words) {
+        line("edge", &rule);
     }
     let plan = &outcome.plan;
     line("solver", &format!("{}: {}", plan.solver, plan.reason));

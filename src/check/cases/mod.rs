@@ -8,6 +8,7 @@ mod half_space;
 mod impact;
 mod rough;
 mod shapes;
+mod viscoelastic;
 
 use super::case::{Case, Verdict};
 use rayon::prelude::*;
@@ -19,7 +20,17 @@ pub fn all() -> Vec<Case> {
     let half_space = half_space::CASES;
     #[cfg(not(feature = "half-space"))]
     let half_space: &[Case] = &[];
-    [elastic::CASES, shapes::CASES, adhesive::CASES, friction::CASES, impact::CASES, rough::CASES, half_space].concat()
+    [
+        elastic::CASES,
+        shapes::CASES,
+        adhesive::CASES,
+        viscoelastic::CASES,
+        friction::CASES,
+        impact::CASES,
+        rough::CASES,
+        half_space,
+    ]
+    .concat()
 }
 
 /// The cases whose name contains `filter`, in upper or lower case.

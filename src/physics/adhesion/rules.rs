@@ -15,6 +15,24 @@ impl Adhesion {
         }
     }
 
+    /// The rule by which the edge of a viscoelastic contact holds, in words.
+    #[must_use]
+    pub fn edge_in_words(&self) -> Option<String> {
+        let Self::Jkr(jkr) = self else { return None };
+        let held = match jkr.edge.as_ref()? {
+            Edge::Relaxed => "E_c = E*(∞), w_eff = w: the process zone is long against the relaxation".to_owned(),
+            Edge::Instantaneous => "E_c = E*(0), w_eff = w: the process zone has no length".to_owned(),
+            Edge::Rate(rate) => format!(
+                "E_c = E*(∞), w_eff = w [1 + (v/v₀)ⁿ] with v₀ = {:e} m/s, n = {} (Gent & Schultz): a fast edge holds stronger",
+                rate.speed.si(),
+                rate.exponent.si()
+            ),
+        };
+        Some(format!(
+            "an opening edge holds while q(a)² < 2πa E_c w_eff, with {held}; a closing edge attaches where the bodies touch; the work of separation counts as dissipated"
+        ))
+    }
+
     /// What is wrong with the adhesion of bodies that relax so, or do not relax.
     #[must_use]
     pub fn problems(&self, relaxation: Option<&Relaxation>) -> Vec<Problem> {

@@ -74,6 +74,19 @@ pub struct Drive {
     pub extent: Extent,
 }
 
+/// What the loop of an oscillation says of the material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loop {
+    /// Frequency [Hz].
+    pub frequency: f64,
+    /// Storage modulus [Pa]: in-phase stiffness over twice the mean contact radius.
+    pub storage: f64,
+    /// Loss modulus [Pa].
+    pub loss: f64,
+    /// Largest less smallest contact radius of the loop, relative to the mean.
+    pub swing: f64,
+}
+
 /// A normal contact that can be driven by depth or force.
 pub trait NormalContact {
     /// Begins a stage, for a contact in which the way between records counts.
@@ -122,6 +135,11 @@ pub trait NormalContact {
     /// Number of springs.
     fn springs(&self) -> usize {
         0
+    }
+
+    /// The last cycle of the last oscillation, where the contact remembers.
+    fn last_loop(&self) -> Option<Loop> {
+        None
     }
 
     /// Pressure at the radius r [Pa]; `None` where it is singular.

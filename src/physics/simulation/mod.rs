@@ -12,7 +12,7 @@ mod rough;
 mod shear;
 mod strike;
 
-pub use contact::{ContactError, Direct, Drive, Event, Moment, NormalContact, Springs};
+pub use contact::{ContactError, Direct, Drive, Event, Loop, Moment, NormalContact, Springs};
 pub use plane::PlaneError;
 pub use rough::LineTooShort;
 pub use shear::{TangentialContact, sheared};
@@ -104,7 +104,9 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
     let stresses = if wanted.stresses { run.stresses(setup) } else { Vec::new() };
     let path = run.tangential.as_ref().map_or(&[][..], |tangential| tangential.path());
     let fretting = fretting::map(setup, path);
-    let results = results::named(setup, &run.records, &run.fields);
+    let mut results = results::named(setup, &run.records, &run.fields);
+    results.extend(relaxing::results(setup, &run));
+    run.notes.extend(relaxing::remark(&run));
     Ok(Outcome {
         records: std::mem::take(&mut run.records),
         fields: std::mem::take(&mut run.fields),

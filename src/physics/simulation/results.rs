@@ -38,7 +38,7 @@ pub fn named(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<(&'stat
         add("final_force_n", Some(last.normal.force));
         add("final_contact_radius_m", last.normal.contact_radius);
         add("final_stored_elastic_j", Some(last.normal.stored.elastic));
-        if setup.scene.adhesion.is_some() {
+        if setup.scene.adhesion.is_some() && setup.relaxation.is_none() {
             add("final_stored_surface_j", Some(last.normal.stored.surface));
         }
     }

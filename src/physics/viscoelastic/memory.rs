@@ -84,6 +84,22 @@ impl Memory {
         Ok(())
     }
 
+    /// Takes the indenter far away at once, whatever holds the edge.
+    pub fn leave(&mut self) {
+        let attraction = self.ground.attraction;
+        let held = if self.pressed > 0 { self.ground.profile.reduced(self.radius()) } else { 0.0 };
+        let away = self.depth - 4.0 * (self.depth.abs() + held + self.ground.profile.reduced(self.reached_so_far()));
+        self.ground.attraction = attraction.map(Attraction::without_work);
+        // Upwards no profile ends.
+        let _ = self.reach(away, self.ground.spectrum.instant());
+        self.ground.attraction = attraction;
+    }
+
+    /// The largest radius ever touched [m].
+    fn reached_so_far(&self) -> f64 {
+        self.strips.last().map_or(0.0, |strip| strip.outer)
+    }
+
     /// The bed after a motion, this one left as it is.
     ///
     /// # Errors

@@ -20,25 +20,39 @@ pub struct Attraction {
     modulus: f64,
     /// Reference speed v₀ [m/s] and exponent n of the rate law.
     rate: Option<(f64, f64)>,
+    /// Least number of steps in which an opening edge is followed; default 64.
+    steps: f64,
 }
 
 impl Attraction {
     /// E_c = E∞, for a work of adhesion w [J/m²]. A liquid does not hold by this rule.
     #[must_use]
     pub fn relaxed(work: f64, spectrum: &Spectrum) -> Self {
-        Self { work, modulus: spectrum.equilibrium(), rate: None }
+        Self { work, modulus: spectrum.equilibrium(), rate: None, steps: STEPS }
     }
 
     /// E_c = E(0), for a work of adhesion w [J/m²].
     #[must_use]
     pub fn instantaneous(work: f64, spectrum: &Spectrum) -> Self {
-        Self { work, modulus: spectrum.instantaneous(), rate: None }
+        Self { work, modulus: spectrum.instantaneous(), rate: None, steps: STEPS }
     }
 
     /// E_c = E∞ and w[1 + (v/v₀)ⁿ], with the reference speed v₀ [m/s] and the exponent n.
     #[must_use]
     pub fn with_rate(work: f64, spectrum: &Spectrum, (speed, exponent): (f64, f64)) -> Self {
-        Self { work, modulus: spectrum.equilibrium(), rate: Some((speed, exponent)) }
+        Self { work, modulus: spectrum.equilibrium(), rate: Some((speed, exponent)), steps: STEPS }
+    }
+
+    /// The same, an opening edge followed in half the steps: to tell the error of following it.
+    #[must_use]
+    pub fn refined(self) -> Self {
+        Self { steps: 2.0 * self.steps, ..self }
+    }
+
+    /// What is left when the edge is let go at once.
+    #[must_use]
+    pub fn without_work(self) -> Self {
+        Self { work: 0.0, ..self }
     }
 
     /// Line load √(2πa E_c w_eff) [N/m] that an edge at `a`, opening at the speed `v`, withstands.
@@ -83,7 +97,7 @@ impl Opening {
     }
 }
 
-/// Least number of steps in which an opening edge is followed.
+/// Steps in which an opening edge is followed, unless a finer path is asked for.
 const STEPS: f64 = 64.0;
 /// Relative change of the radius beyond which a step is halved, and the step that is not.
 const LEAP: f64 = 0.02;
@@ -94,7 +108,7 @@ const LEAP: f64 = 0.02;
 /// duration is a jump.
 pub(super) fn opening(bed: &Memory, attraction: &Attraction, motion: &Motion, reached: f64) -> Opening {
     let mut path = vec![(0.0, reached)];
-    let (mut now, mut a, mut step) = (0.0, reached, motion.duration / STEPS);
+    let (mut now, mut a, mut step) = (0.0, reached, motion.duration / attraction.steps);
     while now < motion.duration && a > 0.0 {
         let until = if motion.duration - now <= step * (1.0 + 1e-9) { motion.duration } else { now + step };
         let next = advanced(bed, (attraction, motion), (now, a), until);
@@ -108,7 +122,7 @@ pub(super) fn opening(bed: &Memory, attraction: &Attraction, motion: &Motion, re
             path.push((until, next));
         }
         (now, a) = (until, next);
-        step = (1.5 * step).max(bit).min(motion.duration / STEPS);
+        step = (1.5 * step).max(bit).min(motion.duration / attraction.steps);
     }
     Opening { left: a, path }
 }

@@ -76,6 +76,12 @@ impl Pressing {
         self.creep.as_ref().map(|creep| creep.after(self.ramp.force(t), t))
     }
 
+    /// Time [s] up to which the pieces have been handed out.
+    #[must_use]
+    pub fn now(&self) -> f64 {
+        self.now
+    }
+
     /// The force prescribed at the time `t` [s].
     #[must_use]
     pub fn prescribed(&self, t: f64) -> f64 {
@@ -94,7 +100,8 @@ impl Pressing {
     /// The contact would outgrow the profile.
     pub fn next<B: Bed>(&mut self, bed: &mut B) -> Result<Option<Piece>, BedError> {
         while self.now < self.end && !self.parted {
-            let until = if self.end - self.now <= self.step * (1.0 + 1e-9) { self.end } else { self.now + self.step };
+            let last = self.end - self.now <= self.step * (1.0 + 1e-9);
+            let until = if last { self.end } else { (self.now + self.step).max(self.now.next_up()) };
             let duration = until - self.now;
             let Some(speed) = self.speed(bed, until)? else {
                 self.parted = duration <= 1e-12 * self.end;
@@ -116,12 +123,18 @@ impl Pressing {
 
     /// Error of the force in the middle of a piece over the error allowed.
     ///
-    /// On the exact creep the bed's own error, which no step mends, is taken away.
+    /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
     fn error<B: Bed>(&self, bed: &mut B, speed: f64, duration: f64) -> Result<f64, BedError> {
-        let half = 0.5 * duration;
-        let own = if self.creep.is_some() { bed.state().force - self.target(self.now) } else { 0.0 };
-        let off = bed.force_after(speed, half)? - self.target(self.now + half) - own;
-        Ok(off.abs() / (self.ramp.accuracy * self.ramp.scale.max(f64::MIN_POSITIVE)))
+        let (half, scale) = (0.5 * duration, self.ramp.scale.max(f64::MIN_POSITIVE));
+        let middle = self.now + half;
+        let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
+            Some(depth) if depth > 0.0 => {
+                let chord = bed.state().indentation + speed * half;
+                1.5 * self.target(middle) * (1.0 - chord / depth)
+            }
+            _ => bed.force_after(speed, half)? - self.target(middle),
+        };
+        Ok(off.abs() / (self.ramp.accuracy * scale))
     }
 
     /// A first piece this short leaves no trace in what follows.

@@ -70,7 +70,10 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
         Plot::Radius => {
             let name = if setup.scene.shape.is_plane() { "half width a" } else { "contact radius a" };
             let axis = Axis::linear(name, "m").from(0.0);
-            vec![against_depth((setup, records), axis, |record| record.normal.contact_radius.unwrap_or(f64::NAN))]
+            let by_depth =
+                against_depth((setup, records), axis, |record| record.normal.contact_radius.unwrap_or(f64::NAN));
+            let over_time = || against_time(records, (name, "m"), |record| record.normal.contact_radius);
+            std::iter::once(by_depth).chain(setup.relaxation.as_ref().map(|_| over_time())).collect()
         }
         Plot::Pressure => vec![fields::pressure(outcome)],
         Plot::Stress => vec![fields::stress(outcome)],
@@ -102,8 +105,18 @@ fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
     if setup.relaxation.is_some() {
         panels.push(against_time(records, ("force F", "N"), |record| Some(record.normal.force)));
         panels.push(against_time(records, ("indentation d", "m"), |record| record.normal.indentation));
+        panels.extend(last_loop(setup, records));
     }
     panels
+}
+
+/// Force against indentation in the last oscillation alone, where nothing else hides it.
+fn last_loop(setup: &Setup, records: &[Record]) -> Option<Panel> {
+    let entry = setup.scene.history.iter().rposition(|entry| matches!(entry, Entry::Oscillate(_)))?;
+    let inside = records.iter().filter(|record| record.entry == entry);
+    let points = inside.map(|record| (record.normal.indentation.unwrap_or(f64::NAN), record.normal.force)).collect();
+    let panel = Panel::new(Axis::linear("indentation d", "m"), Axis::linear("force F", "N"));
+    Some(panel.titled("oscillation").with(Series::new("", points).arrow()))
 }
 
 /// A quantity against the indentation, approaches first: a label has the same look in all panels.
@@ -129,7 +142,18 @@ fn look(label: &str) -> (Colour, Line) {
 
 fn against_time(records: &[Record], (name, unit): (&str, &str), of: impl Fn(&Record) -> Option<f64>) -> Panel {
     let points = records.iter().map(|record| (record.time, of(record).unwrap_or(f64::NAN))).collect();
-    Panel::new(Axis::linear("time t", "s"), Axis::linear(name, unit)).with(Series::new("", points))
+    Panel::new(time_axis(records), Axis::linear(name, unit)).with(Series::new("", points))
+}
+
+/// Decades of time from which on a history is drawn over the logarithm of time.
+const MANY_DECADES: f64 = 3.0;
+
+/// Time, in decades if half of the records lie before a thousandth of the whole.
+fn time_axis(records: &[Record]) -> Axis {
+    let last = records.last().map_or(0.0, |record| record.time);
+    let middle = records.get(records.len() / 2).map_or(last, |record| record.time);
+    let many = middle > 0.0 && last > middle * 10f64.powf(MANY_DECADES);
+    if many { Axis::log("time t", "s") } else { Axis::linear("time t", "s") }
 }
 
 fn energy(records: &[Record]) -> Panel {

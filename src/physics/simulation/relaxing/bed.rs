@@ -20,6 +20,9 @@ pub trait ReadBed: Bed {
     /// The contact would outgrow the profile.
     fn parting(&self, speed: f64, duration: f64) -> Result<Option<f64>, BedError>;
 
+    /// Takes the indenter away, however it is held.
+    fn leave(&mut self);
+
     /// Bytes of state.
     fn bytes(&self) -> usize;
 
@@ -42,6 +45,10 @@ impl ReadBed for Memory {
 
     fn parting(&self, speed: f64, duration: f64) -> Result<Option<f64>, BedError> {
         Self::parting(self, speed, duration)
+    }
+
+    fn leave(&mut self) {
+        Self::leave(self);
     }
 
     fn bytes(&self) -> usize {
@@ -68,6 +75,12 @@ impl ReadBed for Springs {
 
     fn parting(&self, _speed: f64, _duration: f64) -> Result<Option<f64>, BedError> {
         Ok(None)
+    }
+
+    fn leave(&mut self) {
+        let (away, instant) = (self.state().indentation.min(0.0) - 1.0, self.spectrum().instant());
+        // Away from the surface no profile ends.
+        let _ = self.reach(away, instant);
     }
 
     fn bytes(&self) -> usize {

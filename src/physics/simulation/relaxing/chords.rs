@@ -29,6 +29,21 @@ impl Chords {
         Self { center, amplitude, frequency, end, per_cycle, next: 1.0 }
     }
 
+    /// Frequency [Hz].
+    pub fn frequency(&self) -> f64 {
+        self.frequency
+    }
+
+    /// The time since the beginning of the last whole cycle at which the chord handed out last begins, and
+    /// whether it is the first of them; `None` before.
+    pub fn in_last_cycle(&self) -> Option<(f64, bool)> {
+        let all = self.end * self.frequency * self.per_cycle;
+        let first = ((all + 1e-6).floor() - self.per_cycle).max(0.0);
+        let this = self.next - 2.0;
+        let inside = this >= first && this < first + self.per_cycle && first + self.per_cycle <= all + 1e-6;
+        inside.then(|| ((this - first) / (self.per_cycle * self.frequency), this <= first))
+    }
+
     /// Depth [m] at the time `t` [s].
     fn depth(&self, t: f64) -> f64 {
         self.center + self.amplitude * (TAU * (self.frequency * t).fract()).sin()

@@ -47,7 +47,10 @@ pub fn looks(duration: f64, fastest: f64) -> Vec<f64> {
     let decades = (1..).map(|k| 10f64.powf(-f64::from(k) / f64::from(PER_DECADE))).take_while(|&part| part >= first);
     let mut parts: Vec<f64> = decades.filter(|&part| part < 1.0 / f64::from(EVEN)).collect();
     parts.reverse();
-    parts.extend((1..=EVEN).map(|k| f64::from(k) / f64::from(EVEN)));
+    parts.extend((1..EVEN).map(|k| f64::from(k) / f64::from(EVEN)));
+    // A pull may turn just before the bodies part.
+    parts.extend((3..=12).map(|k| 1.0 - 10f64.powf(-0.5 * f64::from(k))));
+    parts.push(1.0);
     parts.into_iter().map(|part| part * duration).collect()
 }
 

@@ -7,16 +7,17 @@
 
 mod bed;
 mod chords;
+mod cycle;
 mod instants;
 
-use super::Run;
-use super::contact::{ContactError, Drive, Event, Moment, NormalContact};
+use super::contact::{ContactError, Drive, Event, Loop, Moment, NormalContact};
+use super::{Contact, Run, Wanted, follow};
 use crate::physics::adhesion::equilibrium::Control;
 use crate::physics::adhesion::line::Energy;
 use crate::physics::adhesion::{Adhesion, Edge};
-use crate::physics::history::{Driven, Entry, Motion};
 use crate::physics::material::Relaxation;
-use crate::physics::record::{ErrorEstimate, Normal};
+use crate::physics::plan;
+use crate::physics::record::{ErrorEstimate, Normal, Record, Value};
 use crate::physics::setup::Setup;
 use crate::physics::shape::Profile;
 use crate::physics::stage::{Extent, Path, stages};
@@ -29,8 +30,10 @@ use crate::physics::viscoelastic::opening::Attraction;
 use crate::physics::viscoelastic::pressing::{Pressing, Ramp};
 use bed::ReadBed;
 use chords::Chords;
+use cycle::Cycle;
 use instants::{Instant, Straight, instants, looks};
 use std::collections::VecDeque;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A viscoelastic contact on its way through a stage.
@@ -50,9 +53,15 @@ pub struct Relaxing<B> {
     /// Largest force so far [N], against which errors are measured.
     largest: f64,
     accuracy: f64,
+    /// Largest depth so far [m].
+    deepest: f64,
     parted: bool,
-    /// Force in the middle of the last chord, and the instant between the last two.
+    /// Speed of the present piece, either way [m/s].
+    speed: f64,
+    /// Force in the middle of the last chord.
     middle: Option<f64>,
+    /// The last cycle of the last oscillation.
+    cycle: Cycle,
 }
 
 /// The rest of a stage.
@@ -91,8 +100,11 @@ impl<B: ReadBed> Relaxing<B> {
             until: 0.0,
             largest: 0.0,
             accuracy,
+            deepest: 0.0,
             parted: false,
+            speed: 0.0,
             middle: None,
+            cycle: Cycle::default(),
         }
     }
 
@@ -103,11 +115,24 @@ impl<B: ReadBed> Relaxing<B> {
     /// State of the bed, with depth and force exact where the creep is.
     fn exact_state(&self) -> State {
         let state = self.seen().state();
-        let Course::Force(pressing) = &self.course else { return state };
-        let Some(indentation) = pressing.exact(self.until).and_then(|creep| creep.indentation()) else { return state };
+        let Course::Force(pressing) = &self.course else { return self.within_reach(state) };
+        let Some(indentation) = pressing.exact(self.until).and_then(|creep| creep.indentation()) else {
+            return self.within_reach(state);
+        };
         let contact_radius = self.profile.edge(indentation).filter(|_| indentation > 0.0).unwrap_or(0.0);
         let stiffness = 2.0 * self.bed.spectrum().instantaneous() * contact_radius;
         State { indentation, force: pressing.prescribed(self.until), contact_radius, stiffness, ..state }
+    }
+
+    /// The state of a contact that ends where g is the largest depth so far at the farthest, and ends there
+    /// if it is as deep as that.
+    fn within_reach(&self, state: State) -> State {
+        let Some(reach) = self.profile.edge(self.deepest.max(state.indentation)) else { return state };
+        let grows = state.indentation >= self.deepest;
+        if state.contact_radius <= 0.0 || (!grows && state.contact_radius <= reach) {
+            return state;
+        }
+        State { contact_radius: reach, stiffness: 2.0 * self.bed.spectrum().instantaneous() * reach, ..state }
     }
 
     /// A jump of the depth, so fast that nothing relaxes.
@@ -146,6 +171,15 @@ impl<B: ReadBed> Relaxing<B> {
         Ok(())
     }
 
+    /// The bodies part under a pull, and the indenter is taken away.
+    fn let_go(&mut self) -> Option<Event> {
+        let Course::Force(pressing) = &self.course else { return None };
+        let (time, before) = (pressing.now(), self.normal(&self.bed.state()));
+        self.bed.leave();
+        (self.parted, self.seen) = (true, None);
+        Some(Event { at: Moment::Time(time), before, after: self.normal(&self.bed.state()) })
+    }
+
     /// The next piece of the stage, with what happens on it.
     fn next_piece(&mut self) -> Result<Option<Piece>, ContactError> {
         let since = self.piece.as_ref().map_or(0.0, |piece| piece.time.1);
@@ -166,6 +200,7 @@ impl<B: ReadBed> Relaxing<B> {
             },
         };
         let straight = Straight { speed: (to - depth) / (end - since), duration: end - since };
+        self.speed = straight.speed.abs();
         let instants = extent.map_or_else(|| Ok(Vec::new()), |extent| self.instants(&straight, extent))?;
         Ok(Some(Piece { to, time: (since, end), instants: instants.into() }))
     }
@@ -175,11 +210,12 @@ impl<B: ReadBed> Relaxing<B> {
             return Ok(Vec::new());
         }
         let times = match extent {
-            Extent::Row => vec![0.5 * straight.duration, straight.duration],
+            Extent::Row => [0.5, 1.0].map(|part| part * straight.duration).to_vec(),
             Extent::Entry => looks(straight.duration, 1e20 * self.bed.spectrum().instant()),
         };
         let mut found = instants(&mut self.bed, straight, &times)?;
-        if let Course::Chords(_) = self.course {
+        if let Course::Chords(chords) = self.course {
+            self.cycle.watch(&mut self.bed, &chords, straight)?;
             // The force of a path with corners turns at the corners more often than between them.
             let state = self.bed.state();
             let middle = self.bed.force_after(straight.speed, times[0])?;
@@ -194,6 +230,7 @@ impl<B: ReadBed> Relaxing<B> {
     /// Takes the bed to the end of a piece.
     fn finish(&mut self, piece: &Piece) -> Result<(), ContactError> {
         self.seen = None;
+        self.deepest = self.deepest.max(piece.to);
         Ok(self.bed.reach(piece.to, piece.time.1 - piece.time.0)?)
     }
 
@@ -230,6 +267,7 @@ impl<B: ReadBed> Relaxing<B> {
 impl<B: ReadBed + 'static> NormalContact for Relaxing<B> {
     fn begin(&mut self, drive: &Drive) -> Result<(), ContactError> {
         let force = self.exact_state().force;
+        self.largest = self.largest.max(force.abs());
         (self.piece, self.until, self.middle) = (None, 0.0, None);
         if drive.control == Control::Force {
             self.begin_force(force, drive.path, drive.over)?;
@@ -272,7 +310,12 @@ impl<B: ReadBed + 'static> NormalContact for Relaxing<B> {
             self.seen = Some(seen);
         }
         self.until = until;
-        self.largest = self.largest.max(self.seen().state().force.abs());
+        if let Course::Force(pressing) = &self.course
+            && pressing.parted()
+            && !self.parted
+        {
+            events.extend(self.let_go());
+        }
         Ok(events)
     }
 
@@ -297,10 +340,14 @@ impl<B: ReadBed + 'static> NormalContact for Relaxing<B> {
 
     fn part(&mut self) -> Result<Vec<Event>, ContactError> {
         let (before, depth) = (self.state(), self.bed.state().indentation);
-        let instant = self.bed.spectrum().instant();
-        self.bed.reach(depth - 1e-9 * depth.abs(), instant)?;
-        let after = Normal { indentation: before.indentation, ..self.state() };
-        Ok(vec![Event { at: Moment::Time(self.until), before, after }])
+        // On at the same speed for as short a time as it takes.
+        let mut duration = f64::EPSILON * self.until;
+        while self.bed.glance(-self.speed, duration)?.1 > 0.0 && duration < self.until {
+            duration *= 2.0;
+        }
+        self.bed.advance(-self.speed, duration)?;
+        self.bed.reach(depth, f64::MIN_POSITIVE.max(duration * f64::EPSILON))?;
+        Ok(vec![Event { at: Moment::Time(self.until), before, after: self.state() }])
     }
 
     fn pressure(&self, r: f64) -> Option<f64> {
@@ -335,6 +382,10 @@ impl<B: ReadBed + 'static> NormalContact for Relaxing<B> {
         self.seen().springs()
     }
 
+    fn last_loop(&self) -> Option<Loop> {
+        self.cycle.moduli()
+    }
+
     fn snapshot(&self) -> Box<dyn NormalContact + '_> {
         Box::new(self.clone())
     }
@@ -350,10 +401,10 @@ pub fn contact(setup: &Setup, relaxation: &Relaxation) -> Box<dyn NormalContact>
     let accuracy = setup.accuracy();
     let attraction = attraction(setup, &spectrum);
     let creep = attraction.is_none().then(|| Creep::new(spectrum.clone(), profile.clone()));
-    match springs_wanted(setup).filter(|_| attraction.is_none()) {
+    match plan::relaxing_springs(setup) {
         Some(count) => {
             let reach = reach(setup, &spectrum);
-            let layout = Layout::graded(profile.as_ref(), (GRADE * reach, reach), count);
+            let layout = Layout::graded(profile.as_ref(), (plan::GRADE * reach, reach), count);
             Box::new(Relaxing::new(Springs::new(spectrum, profile.clone(), layout), (profile, creep), accuracy))
         }
         None => {
@@ -364,25 +415,12 @@ pub fn contact(setup: &Setup, relaxation: &Relaxation) -> Box<dyn NormalContact>
     }
 }
 
-/// Springs are equally wide up to this part of the largest contact, and in geometric progression beyond.
-const GRADE: f64 = 1.0 / 32.0;
-
-/// The number of springs a scene asks for, or that its accuracy needs.
-pub fn springs_wanted(setup: &Setup) -> Option<usize> {
-    let curved = |(entry, motion): (&Entry, Option<&Motion>)| match entry {
-        Entry::Press(_) | Entry::HoldForce(_) | Entry::Oscillate(_) => true,
-        _ => motion.is_some_and(|motion| matches!(motion.control, Driven::Force(_))),
-    };
-    if let Some(count) = setup.scene.springs {
-        return Some(count.get());
-    }
-    setup.entries().any(curved).then(|| count_for(setup.accuracy()))
-}
-
-/// −1/4 ≤ error·(a/Δx)² ≤ 1/8, and Δx/a = arsinh(1/GRADE)/N in a graded bed: N for half the accuracy.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped before")]
-fn count_for(accuracy: f64) -> usize {
-    (GRADE.recip().asinh() / (2.0 * accuracy).sqrt()).ceil().clamp(256.0, 262_144.0) as usize
+/// The contact of an adhesive scene with the edge followed in half the steps.
+fn refined(setup: &Setup, relaxation: &Relaxation) -> Box<dyn NormalContact> {
+    let spectrum = Arc::new(Spectrum::new(relaxation));
+    let attraction = attraction(setup, &spectrum).map(Attraction::refined);
+    let bed = attraction.into_iter().fold(Memory::new(spectrum, setup.profile.clone()), Memory::with);
+    Box::new(Relaxing::new(bed, (setup.profile.clone(), None), setup.accuracy()))
 }
 
 /// A radius [m] the contact of a scene does not outgrow: of its largest depth, or of the creep under its
@@ -418,14 +456,17 @@ fn attraction(setup: &Setup, spectrum: &Spectrum) -> Option<Attraction> {
 /// The error of a run: of the sums of the bed, of its springs, of the pieces under a prescribed force.
 pub fn error_estimate(setup: &Setup, run: &Run<'_>) -> ErrorEstimate {
     let largest = run.records.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let bed = run.force_error / largest;
-    let Some(count) = springs_wanted(setup).filter(|_| setup.scene.adhesion.is_none()) else {
+    let bed = (run.force_error / largest).max(1e-13);
+    if setup.scene.adhesion.is_some() {
+        return adhesive_estimate(setup, run, bed, largest);
+    }
+    let Some(count) = plan::relaxing_springs(setup) else {
         let basis = "continuous bed, exact in time: every sum made anew with panels of half the width";
-        return ErrorEstimate { relative: bed.max(1e-13), basis: basis.to_owned() };
+        return ErrorEstimate { relative: bed, basis: basis.to_owned() };
     };
-    let width = GRADE.recip().asinh() / count as f64;
+    let width = plan::GRADE.recip().asinh() / count as f64;
     let basis = format!(
-        "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}",
+        "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius lies between two springs",
         setup.accuracy()
     );
     ErrorEstimate { relative: 0.25 * width * width + felt(setup, run) * setup.accuracy(), basis }
@@ -438,4 +479,50 @@ fn felt(setup: &Setup, run: &Run<'_>) -> f64 {
     let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
     let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
+}
+
+/// Named results of a viscoelastic contact alone: the moduli of the last loop, and what is expected of
+/// the same contact if its edge stood still.
+pub fn results(setup: &Setup, run: &Run<'_>) -> Vec<(&'static str, Value)> {
+    let (Some(found), Some(relaxation)) = (run.contact.last_loop(), &setup.relaxation) else {
+        return Vec::new();
+    };
+    let (spectrum, omega) = (Spectrum::new(relaxation), TAU * found.frequency);
+    let expected = (spectrum.storage(omega), spectrum.loss(omega));
+    let number = |(name, value)| (name, Value::Number(value));
+    let all = [
+        ("storage_modulus_pa", found.storage),
+        ("loss_modulus_pa", found.loss),
+        ("loss_tangent", found.loss / found.storage),
+        ("expected_storage_modulus_pa", expected.0),
+        ("expected_loss_modulus_pa", expected.1),
+        ("expected_loss_tangent", expected.1 / expected.0),
+    ];
+    all.into_iter().map(number).collect()
+}
+
+/// What a user must know of the comparison of a loop with the moduli.
+pub fn remark(run: &Run<'_>) -> Option<String> {
+    let found = run.contact.last_loop()?;
+    Some(format!(
+        "storage and loss are those of the effective modulus E* from the first harmonics of the last cycle at its mean contact radius; they are compared with E*′(ω) and E*″(ω), which a contact has whose edge stands still: the edge of this one moves by {:.2} % of the radius",
+        100.0 * found.swing
+    ))
+}
+
+/// Adhesion: the whole history again with the opening edge followed in half the steps.
+fn adhesive_estimate(setup: &Setup, run: &Run<'_>, bed: f64, largest: f64) -> ErrorEstimate {
+    let forces = |records: &[Record]| {
+        let forces = records.iter().map(|record| record.normal.force);
+        (forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max))
+    };
+    let again = setup.relaxation.as_ref().map(|relaxation| refined(setup, relaxation));
+    let again = again.and_then(|normal| {
+        follow(setup, Contact { normal, tangential: None }, Wanted::NOTHING).ok().map(|run| forces(&run.records))
+    });
+    let (found, finer) = (forces(&run.records), again.unwrap_or((f64::NAN, f64::NAN)));
+    let off = (found.0 - finer.0).abs().max((found.1 - finer.1).abs()) / largest;
+    let pieces = if plan::is_curved(setup) { setup.accuracy() } else { 0.0 };
+    let basis = "continuous bed: its sums with panels of half the width, and the least and greatest force with the opening edge followed in half the steps";
+    ErrorEstimate { relative: bed + pieces + 2.0 * off, basis: basis.to_owned() }
 }

@@ -1,0 +1,228 @@
+//! Laws of viscoelastic contacts that hold for whole scenes.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use proptest::prelude::*;
+use springbed::physics::adhesion::{Adhesion, Edge, Jkr, Rate};
+use springbed::physics::history::{Entry, Hold, Indent, Oscillate, Press, Retract};
+use springbed::physics::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
+use springbed::physics::quantity::{
+    Accuracy, Amplitude, Displacement, Duration, Force, Frequency, Length, Modulus, Poisson, Positive, Speed, Stress,
+    Viscosity, WorkOfAdhesion,
+};
+use springbed::physics::record::Outcome;
+use springbed::physics::scene::Scene;
+use springbed::physics::shape::{Cone, Paraboloid, Shape};
+use springbed::physics::simulation::{self, Wanted};
+use springbed::physics::table::InMemory;
+use std::num::NonZeroUsize;
+
+/// G∞ and pairs (Gᵢ, τᵢ) [Pa, s] of an incompressible body: E* = 4G.
+fn rubber(equilibrium: f64, terms: &[(f64, f64)], viscosity: f64) -> Body {
+    let term = |&(modulus, time): &(f64, f64)| Term {
+        modulus: Stress::new(modulus).unwrap(),
+        time: Duration::new(time).unwrap(),
+    };
+    let shear = Shear {
+        equilibrium: Stress::new(equilibrium).unwrap(),
+        terms: Terms::List(terms.iter().map(term).collect()),
+        viscosity: Viscosity::new(viscosity).unwrap(),
+    };
+    Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear })
+}
+
+fn elastic(young: f64) -> Body {
+    let poisson = Poisson::new(0.5).unwrap();
+    Body::Elastic(Elastic { young: Modulus::new(young).unwrap(), poisson, yield_stress: None })
+}
+
+fn scene(bodies: (Body, Body), history: Vec<Entry>) -> Scene {
+    Scene {
+        title: String::new(),
+        shape: Shape::Paraboloid(Paraboloid { radius: Length::new(1.0).unwrap() }),
+        bodies,
+        adhesion: None,
+        friction: None,
+        history,
+        accuracy: None,
+        springs: None,
+        steps: NonZeroUsize::new(10),
+        plots: None,
+    }
+}
+
+fn run(scene: Scene) -> Outcome {
+    simulation::run(&scene.resolve(&InMemory::default()).unwrap(), Wanted::NOTHING).unwrap()
+}
+
+fn indent(to: f64, over: f64) -> Entry {
+    Entry::Indent(Indent { to: Displacement::new(to).unwrap(), over: Duration::new(over).unwrap() })
+}
+
+fn press(to: f64, over: f64) -> Entry {
+    Entry::Press(Press { to: Force::new(to).unwrap(), over: Duration::new(over).unwrap() })
+}
+
+fn hold(over: f64) -> Entry {
+    Entry::Hold(Hold { over: Duration::new(over).unwrap() })
+}
+
+fn hold_force(over: f64) -> Entry {
+    Entry::HoldForce(Hold { over: Duration::new(over).unwrap() })
+}
+
+fn retract(speed: f64) -> Entry {
+    Entry::Retract(Retract { speed: Speed::new(speed).unwrap() })
+}
+
+const TERMS: [(f64, f64); 3] = [(0.75, 0.3), (0.5, 5.0), (0.2, 1e-4)];
+
+fn jkr(edge: Edge) -> Option<Adhesion> {
+    Some(Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(1e-6).unwrap(), edge: Some(edge) }))
+}
+
+/// Every named result of both.
+fn same(one: &Outcome, other: &Outcome, bound: f64) {
+    assert_eq!(one.results.len(), other.results.len());
+    for (name, _) in &one.results {
+        let (a, b) = (one.number(name).unwrap(), other.number(name).unwrap());
+        assert!((a - b).abs() <= bound * a.abs().max(b.abs()), "{name}: {a:e} {b:e}");
+    }
+}
+
+fn with_steps(scene: &Scene, steps: usize) -> Outcome {
+    run(Scene { steps: NonZeroUsize::new(steps), ..scene.clone() })
+}
+
+/// A record looks and changes nothing. Bound: rounding of what ends within rounding of zero apart.
+#[test]
+fn ten_records_or_ten_thousand() {
+    let plain = scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), vec![indent(0.01, 1.0), retract(0.01)]);
+    same(&with_steps(&plain, 10), &with_steps(&plain, 10_000), 1e-12);
+    let history = vec![indent(0.01, 1.0), hold(0.3), indent(0.004, 0.1), hold(1.0), indent(0.012, 0.5), retract(0.01)];
+    let again = scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history);
+    same(&with_steps(&again, 10), &with_steps(&again, 300), 1e-12);
+}
+
+#[test]
+fn ten_records_or_a_thousand_under_a_force_and_in_an_oscillation() {
+    let wave = Oscillate {
+        amplitude: Amplitude::new(1e-4).unwrap(),
+        frequency: Frequency::new(2.0).unwrap(),
+        cycles: Positive::new(3.0).unwrap(),
+    };
+    let history =
+        vec![press(1e-3, 0.1), hold_force(3.0), press(4e-4, 0.2), hold_force(1.0), hold(1.0), Entry::Oscillate(wave)];
+    let force =
+        Scene { accuracy: Accuracy::new(1e-4).ok(), ..scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history) };
+    same(&with_steps(&force, 10), &with_steps(&force, 1000), 1e-12);
+}
+
+#[test]
+fn ten_records_or_a_hundred_at_an_adhesive_edge() {
+    let rate = Rate { speed: Speed::new(1e-3).unwrap(), exponent: Positive::new(0.5).unwrap() };
+    for edge in [Edge::Relaxed, Edge::Instantaneous, Edge::Rate(rate)] {
+        let history = vec![indent(0.01, 1.0), hold(3.0), retract(0.003)];
+        let held = Scene { adhesion: jkr(edge), ..scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history) };
+        let (few, many) = (with_steps(&held, 10), with_steps(&held, 100));
+        same(&few, &many, 1e-12);
+        assert!(few.number("pull_off_force_n").unwrap() < 0.0);
+        let last = few.records.last().unwrap().normal;
+        assert!(last.force.abs() <= 0.0 && last.contact_radius == Some(0.0), "{last:?}");
+    }
+}
+
+/// A pull beyond pull-off parts the bodies at its instant, and they stay apart.
+#[test]
+fn a_pull_parts_the_bodies() {
+    let history = vec![press(1e-5, 1.0), hold_force(50.0), press(-1e-5, 2e3)];
+    let pulled = Scene {
+        adhesion: jkr(Edge::Relaxed),
+        accuracy: Accuracy::new(1e-3).ok(),
+        ..scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history)
+    };
+    let outcome = run(pulled);
+    let last = outcome.records.last().unwrap().normal;
+    assert!(last.indentation.is_none() && last.force.abs() <= 0.0, "{last:?}");
+    // Slow against the longest relaxation the pull-off is JKR's, −1.5πwR.
+    let least = outcome.number("pull_off_force_n").unwrap();
+    assert!(
+        least < -0.98 * 1.5 * std::f64::consts::PI * 1e-6 && least > -1.02 * 1.5 * std::f64::consts::PI * 1e-6,
+        "{least:e}"
+    );
+}
+
+/// A viscoelastic body on an elastic one: a partner stiff beyond measure is rigid, one far softer is all.
+#[test]
+fn an_elastic_partner_is_a_spring_in_series() {
+    let history = || vec![indent(0.01, 1.0), hold(1.0), indent(0.0, 1.0)];
+    let rigid = run(scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history()));
+    let stiff = run(scene((rubber(0.25, &TERMS, 0.0), elastic(1e14)), history()));
+    same(&rigid, &stiff, 1e-11);
+    let soft = run(scene((rubber(0.25, &TERMS, 0.0), elastic(1e-10)), history()));
+    let force = 4.0 / 3.0 * 1e-10 / 0.75 * 1e-3;
+    assert!((soft.number("largest_force_n").unwrap() / force - 1.0).abs() < 1e-8);
+}
+
+/// Creep back: a ball with its load taken off comes up again, and all work has become heat.
+#[test]
+fn an_unloaded_ball_comes_back() {
+    let history = vec![press(1e-3, 0.1), hold_force(10.0), press(0.0, 0.1), hold_force(1e3)];
+    let outcome = run(scene((rubber(0.25, &[(0.75, 1.0)], 0.0), Body::Rigid), history));
+    let (deepest, last) = (outcome.number("largest_indentation_m").unwrap(), outcome.records.last().unwrap().normal);
+    assert!(last.indentation.unwrap() < 1e-3 * deepest, "{last:?}");
+    assert!(last.stored.elastic < 1e-3 * outcome.number("dissipated_j").unwrap());
+}
+
+/// Kelvin–Voigt: a sudden load is carried by the dashpot first, then by the spring, a³ = (3R/4)F(1 − e^(−t/τ))/E.
+#[test]
+fn kelvin_voigt_creep() {
+    let history = vec![press(1e-3, 1e-6), hold_force(10.0)];
+    let slow = Scene { accuracy: Accuracy::new(1e-3).ok(), ..scene((rubber(0.25, &[], 0.5), Body::Rigid), history) };
+    for record in run(slow).records.iter().filter(|record| record.entry == 1) {
+        let exact = 0.75e-3 * -(-record.time / 2.0).exp_m1();
+        let cube = record.normal.contact_radius.unwrap().powi(3);
+        assert!((cube - exact).abs() < 1e-6 * 0.75e-3, "{}: {cube:e} {exact:e}", record.time);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Times over twenty decades: the force lies between those of E∞ and E(0) while the contact grows, heat
+    /// never comes back, and a bed of springs says the same to the order of its width.
+    #[test]
+    fn laws_of_random_histories(
+        terms in prop::collection::vec((-20i32..10, -100i32..100), 1..5),
+        steps in prop::collection::vec((1i32..100, -30i32..30), 1..5),
+        cone in any::<bool>(),
+    ) {
+        let terms: Vec<_> = terms.iter().map(|&(g, t)| (10f64.powf(0.1 * f64::from(g)), 10f64.powf(0.1 * f64::from(t)))).collect();
+        let entry = |&(to, over): &(i32, i32)| indent(1e-4 * f64::from(to), 10f64.powf(0.1 * f64::from(over)));
+        let history: Vec<_> = steps.iter().map(entry).collect();
+        let mut wanted = scene((rubber(0.25, &terms, 0.0), Body::Rigid), history);
+        if cone {
+            wanted.shape = Shape::Cone(Cone { slope: Positive::new(0.1).unwrap() });
+        }
+        let outcome = run(wanted.clone());
+        let glassy = 1.0 + 4.0 * terms.iter().map(|term| term.0).sum::<f64>();
+        let largest = outcome.number("largest_force_n").unwrap();
+        let mut heat = 0.0;
+        for record in &outcome.records {
+            prop_assert!(record.normal.dissipated >= heat - 1e-11 * largest * 0.01, "{record:?}");
+            heat = record.normal.dissipated;
+        }
+        let first = outcome.records.iter().filter(|record| record.entry == 0);
+        for record in first {
+            let d = record.normal.indentation.unwrap();
+            let unit = if cone { 2.0 / std::f64::consts::PI * d * d / 0.1 } else { 4.0 / 3.0 * d.powf(1.5) };
+            prop_assert!(record.normal.force >= unit * (1.0 - 1e-11) && record.normal.force <= glassy * unit * (1.0 + 1e-11));
+        }
+        let springs = run(Scene { springs: NonZeroUsize::new(1000), ..wanted });
+        // Graded springs: Δx/a = arsinh(32)/1000, constant 1/4 against the force of E(0) at the greatest depth.
+        let bound = 0.25 * (4.16f64 / 1000.0).powi(2) * glassy / 1.0 * largest.max(1e-300);
+        for (one, other) in outcome.records.iter().zip(&springs.records).filter(|pair| pair.0.time.to_bits() == pair.1.time.to_bits()) {
+            prop_assert!((one.normal.force - other.normal.force).abs() <= bound, "{one:?} {other:?}");
+        }
+    }
+}
