@@ -234,7 +234,10 @@ fn force_at(outcome: &Outcome, time: f64) -> Option<f64> {
     outcome.records.iter().find(|record| (record.time - time).abs() < 1e-9).map(|record| record.normal.force)
 }
 
-const TRIANGLES: [(Material<'static>, &[(f64, f64)], f64); 3] = [
+/// Material, pairs of time and force, and when the force vanishes.
+type Triangle = (Material<'static>, &'static [(f64, f64)], f64);
+
+const TRIANGLES: [Triangle; 3] = [
     (Material(0.1, &[(0.9, 0.2)]), &[(1.0, 1.806_718_02e-3), (1.1, 6.847_747e-4), (1.2, 9.472_905e-5)], 1.246_44),
     (Material(0.5, &[(0.5, 0.2)]), &[(1.0, 3.374_102_65e-3), (1.3, 1.202_475e-3)], 1.807_048_721_673_473_2),
     (Material(0.01, &[(0.99, 0.01)]), &[(1.0, 1.321_353_24e-4)], 1.041_430_677_251_722_6),
@@ -264,9 +267,7 @@ fn parting(records: &[Record]) -> Option<f64> {
 }
 
 fn vanishing() -> Option<f64> {
-    let one = |(material, _, time): &(Material<'_>, &[(f64, f64)], f64)| {
-        Some((parting(&triangle(material)?.records)?, *time))
-    };
+    let one = |(material, _, time): &Triangle| Some((parting(&triangle(material)?.records)?, *time));
     Some(worst(&TRIANGLES.iter().map(one).collect::<Option<Vec<_>>>()?))
 }
 

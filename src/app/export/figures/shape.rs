@@ -32,13 +32,19 @@ pub fn profile(setup: &Setup, outcome: &Outcome) -> Panel {
 
 /// Relaxation and storage and loss moduli over the decades of the spectrum.
 pub fn moduli(relaxation: &Relaxation) -> Panel {
-    let times = relaxation.terms.iter().map(|term| term.1).filter(|time| *time > 0.0);
+    let lag = relaxation.viscosity / relaxation.equilibrium.max(f64::MIN_POSITIVE);
+    let times = relaxation.terms.iter().map(|term| term.1).chain([lag]);
+    let times = times.filter(|time| *time > 0.0 && time.is_finite());
     let (least, most) =
         times.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), time| (least.min(time), most.max(time)));
     let (low, high) = if most > 0.0 { ((0.01 / most).log10(), (100.0 / least).log10()) } else { (-3.0, 3.0) };
     let rate = |k: usize| 10f64.powf(low + (high - low) * k as f64 / POINTS as f64);
     let of = |modulus: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (rate(k), modulus(rate(k)))).collect::<Vec<_>>();
-    Panel::new(Axis::log("angular frequency ω, 1/t", "1/s"), Axis::log("modulus", "Pa"))
+    // What is left of a liquid after its longest time falls without end.
+    let floor = (0..=POINTS).map(|k| storage(relaxation, rate(k)).max(loss(relaxation, rate(k))));
+    let floor = 1e-3 * floor.fold(f64::INFINITY, f64::min);
+    let modulus = if floor > 0.0 { Axis::log("modulus", "Pa").from(floor) } else { Axis::log("modulus", "Pa") };
+    Panel::new(Axis::log("angular frequency ω, 1/t", "1/s"), modulus)
         .with(Series::new("relaxation E*(t = 1/ω)", of(&|rate| relaxed(relaxation, 1.0 / rate))))
         .with(Series::new("storage E′(ω)", of(&|rate| storage(relaxation, rate))))
         .with(Series::new("loss E″(ω)", of(&|rate| loss(relaxation, rate))))
