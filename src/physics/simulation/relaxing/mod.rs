@@ -15,6 +15,7 @@ use super::{Contact, Run, Wanted, follow};
 use crate::physics::adhesion::equilibrium::Control;
 use crate::physics::adhesion::line::Energy;
 use crate::physics::adhesion::{Adhesion, Edge};
+use crate::physics::history::Entry;
 use crate::physics::material::Relaxation;
 use crate::physics::plan;
 use crate::physics::record::{ErrorEstimate, Normal, Record, Value};
