@@ -19,7 +19,7 @@ use crate::physics::viscoelastic::opening::Attraction;
 use law::{Answer, Place, Shrinking};
 use piece::{Instant, Piece};
 use std::sync::Arc;
-use step::{MISFIT, Solved, Step};
+use step::{Solved, Step};
 
 /// A viscoelastic half-space that may be hit.
 ///
@@ -62,6 +62,8 @@ const FINER: f64 = 1.0 / 16.0;
 /// The error stated is so many times the difference of two runs: where an end of a step falls by chance, sixteen
 /// times the tolerance is not always many times the error.
 const SAFETY: f64 = 4.0;
+/// First step, in times of the impact.
+const FIRST_STEP: f64 = 1e-6;
 /// Least tolerance: below it rounding rules.
 const LEAST: f64 = 1e-13;
 /// Part of the tolerance below which a speed is none.
@@ -85,7 +87,11 @@ impl Driven {
         let mut coarse = self.run(impact, tolerance)?;
         loop {
             tolerance = (FINER * tolerance).max(LEAST);
-            let mut fine = self.run(impact, tolerance)?;
+            let mut fine = match self.run(impact, tolerance) {
+                // Steps that rounding keeps from getting better: what is known stands, with its error.
+                Err(ImpactError::NoEnd) if coarse.error > 0.0 => return Ok(coarse),
+                run => run?,
+            };
             // Runs that took the same steps agree without being right: what the steps themselves miss counts too.
             fine.error =
                 SAFETY * fine.rebound().difference(&coarse.rebound()).max(fine.misfit()).max(tolerance).max(ROUNDING);
@@ -129,7 +135,8 @@ impl Driven {
             sums: terms,
             ..Instant::default()
         };
-        let mut pace = Pace::new(impact.speed * tolerance, 1e-3 * depth / impact.speed);
+        // The contact grows like a root at first, which no polynomial follows: a first step that does not matter.
+        let mut pace = Pace::new(impact.speed * tolerance, FIRST_STEP * depth / impact.speed);
         let mut steps: Vec<Solved> = Vec::new();
         while pace.tries < MOST_STEPS {
             let step = Step {
@@ -279,9 +286,8 @@ impl Flight {
     /// Relative errors of the speed, summed over the steps, and of the greatest force in its step.
     fn misfit(&self) -> f64 {
         let pieces = || self.loading.iter().chain(&self.unloading);
-        let missed = |piece: &Piece| MISFIT * (piece.acceleration(0.0) - piece.start.acceleration).abs();
-        let speed: f64 = pieces().map(|piece| piece.span * missed(piece)).sum();
-        let forces = pieces().map(|piece| (strongest(piece), missed(piece)));
+        let speed: f64 = pieces().map(|piece| piece.missed).sum();
+        let forces = pieces().map(|piece| (strongest(piece), piece.missed / piece.span));
         let (most, off) = forces.max_by(|x, y| x.0.total_cmp(&y.0)).unwrap_or((1.0, 0.0));
         (speed / self.impact.speed).max(off / most.max(f64::MIN_POSITIVE))
     }

@@ -35,6 +35,8 @@ pub struct Piece {
     pub touched: [f64; NODES],
     /// The same at its beginning.
     pub touched_first: f64,
+    /// Estimate of what it misses of the speed [m/s].
+    pub missed: f64,
 }
 
 impl Piece {

@@ -13,7 +13,7 @@ use std::array::from_fn;
 const MOST_ITERATIONS: usize = 25;
 /// Part of the misfit of the acceleration at the beginning of a step that its speed may be wrong by: at
 /// the beginning the polynomial goes beyond its points, between them it is off by a fifth at most.
-pub const MISFIT: f64 = 0.2;
+const MISFIT: f64 = 0.2;
 
 /// A step from one time on.
 pub struct Step<'s> {
@@ -81,7 +81,15 @@ impl Step<'_> {
         let rate = through_nodes(acceleration);
         let velocity = from_fn(|p| if p == 0 { self.start.speed } else { self.span * rate[p - 1] / p as f64 });
         let touched_first = self.shrinking.as_ref().map_or(self.start.time, |(_, touched)| *touched);
-        Piece { start: self.start.clone(), span: self.span, velocity, flow: [0.0; TERMS], touched, touched_first }
+        Piece {
+            start: self.start.clone(),
+            span: self.span,
+            velocity,
+            flow: [0.0; TERMS],
+            touched,
+            touched_first,
+            missed: 0.0,
+        }
     }
 
     /// What the bed does at the points, and the growth of the contact.
@@ -177,6 +185,7 @@ impl Step<'_> {
         };
         let misfit = (piece.acceleration(0.0) - self.start.acceleration).abs();
         let error = MISFIT * self.span * misfit + self.flow_error(&piece);
+        let piece = Piece { missed: error, ..piece };
         Solved { piece, end, answer, error }
     }
 
