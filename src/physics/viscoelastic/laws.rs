@@ -156,12 +156,15 @@ fn triangles_by_springs() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// One motion in one step or in many: the same states to rounding.
+    /// One motion in one step or in many: the same states to rounding. Each piece rounds the depth
+    /// anew, and the force feels that with at most the stiffness 2E(0)a of the whole bed.
     #[test]
     fn answer_does_not_depend_on_the_steps(recipe in recipe(8), history in history(6), pieces in 2u32..40) {
         let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
         let layout = Layout::uniform(&unit_ball(), 1.0, 30);
+        let stiffness = spectrum.instantaneous();
         let (mut once, mut often) = (Lazy::new(spectrum.clone(), layout.clone()), Lazy::new(spectrum, layout));
+        let rounding = 2.0 * stiffness * f64::EPSILON * f64::from(pieces) * history.len() as f64;
         let mut greatest = 0f64;
         for motion in history {
             once.advance(motion.speed, motion.duration);
@@ -169,7 +172,7 @@ proptest! {
                 often.advance(motion.speed, motion.duration / f64::from(pieces));
             }
             greatest = greatest.max(once.force());
-            prop_assert!((once.force() - often.force()).abs() <= 1e-11 * greatest, "{} {}", once.force(), often.force());
+            prop_assert!((once.force() - often.force()).abs() <= 1e-11 * greatest + rounding, "{} {}", once.force(), often.force());
         }
     }
 }
