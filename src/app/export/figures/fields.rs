@@ -3,12 +3,14 @@
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::physics::record::{Field, FieldRow, Outcome};
+use crate::physics::setup::Setup;
 
-/// Pressure profiles, at most four: the largest contact and the last ones.
-pub fn pressure(outcome: &Outcome) -> Panel {
+/// Pressure profiles over the radius or, in a plane contact, the place; at most four: the largest contact and the last ones.
+pub fn pressure(setup: &Setup, outcome: &Outcome) -> Panel {
+    let across = if setup.scene.shape.is_plane() { "place x" } else { "radius r" };
     let shown = shown(&outcome.fields);
     let range = Range::of(&shown);
-    let panel = Panel::new(Axis::linear("radius r", "m").from(0.0), range.axis());
+    let panel = Panel::new(Axis::linear(across, "m").from(0.0), range.axis());
     let panel = shown.iter().fold(panel, |panel, field| panel.with(curve(field)));
     let edge = shown.first().map(|field| field.contact_radius).filter(|&a| a > 0.0);
     let panel = edge.into_iter().fold(panel, |panel, a| panel.guide(Guide::vertical(a, "a")));

@@ -75,7 +75,7 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
             let over_time = || against_time(records, (name, "m"), |record| record.normal.contact_radius);
             std::iter::once(by_depth).chain(setup.relaxation.as_ref().map(|_| over_time())).collect()
         }
-        Plot::Pressure => vec![fields::pressure(outcome)],
+        Plot::Pressure => vec![fields::pressure(setup, outcome)],
         Plot::Stress => vec![fields::stress(outcome)],
         Plot::Energy => vec![energy(records)],
         Plot::Shape => vec![shape::profile(setup, outcome)],
@@ -101,7 +101,9 @@ fn oblique(setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
 
 /// Force against indentation, and against time where the bodies remember.
 fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
-    let mut panels = vec![against_depth((setup, records), Axis::linear("force F", "N"), |record| record.normal.force)];
+    let plane = setup.scene.shape.is_plane();
+    let axis = if plane { Axis::linear("force per length F", "N/m") } else { Axis::linear("force F", "N") };
+    let mut panels = vec![against_depth((setup, records), axis, |record| record.normal.force)];
     if setup.relaxation.is_some() {
         panels.push(against_time(records, ("force F", "N"), |record| Some(record.normal.force)));
         panels.push(against_time(records, ("indentation d", "m"), |record| record.normal.indentation));
