@@ -3,10 +3,10 @@
 #![expect(clippy::unwrap_used, reason = "a benchmark of known good inputs")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use springbed::physics::friction::oblique::{Ball, Flight, SOLID};
-use springbed::physics::friction::{CoulombBed, Grip, Position, TangentialMemory};
-use springbed::physics::quantity::Length;
-use springbed::physics::shape::{Paraboloid, Profile};
+use springbed::friction::oblique::{Ball, Flight, SOLID};
+use springbed::friction::{CoulombBed, Grip, Position, TangentialMemory};
+use springbed::input::quantity::Length;
+use springbed::shape::{Paraboloid, Profile};
 use std::hint::black_box;
 
 const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.3 };

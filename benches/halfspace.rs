@@ -1,7 +1,7 @@
 //! Half-space solver: Hertz on a window of three contact radii, and one product with the influence matrix's cost.
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use ndarray::Array2;
-use springbed::check::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
+use springbed::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
 
 /// Paraboloid of radius 1 on n×n pixels over 0.3, contact radius 0.1.
 fn paraboloid(n: usize) -> (Array2<f64>, f64) {

@@ -2,12 +2,12 @@
 #![expect(clippy::unwrap_used, reason = "a benchmark of known good inputs")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use springbed::physics::quantity::{Amplitude, Length, Positive};
-use springbed::physics::shape::{
+use springbed::input::quantity::{Amplitude, Length, Positive};
+use springbed::input::table::InMemory;
+use springbed::shape::{
     Cone, Measured, Paraboloid, Power, Profile, RoundedCone, RoundedPunch, Sphere, TruncatedCone, TruncatedParaboloid,
     WavyParaboloid,
 };
-use springbed::physics::table::InMemory;
 use std::hint::black_box;
 use std::path::Path;
 

@@ -4,12 +4,12 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
 use springbed::app::scene_file::setup;
-use springbed::physics::adhesion::line::EdgeLine;
-use springbed::physics::quantity::Length;
-use springbed::physics::quasistatic::{Attraction, QuasiStatic};
-use springbed::physics::setup::Setup;
-use springbed::physics::shape::Paraboloid;
-use springbed::physics::simulation::{Wanted, run};
+use springbed::contact::adhesion::line::EdgeLine;
+use springbed::contact::direct::{Attraction, QuasiStatic};
+use springbed::input::quantity::Length;
+use springbed::run::{Wanted, run};
+use springbed::scene::setup::Setup;
+use springbed::shape::Paraboloid;
 use std::hint::black_box;
 use std::path::Path;
 

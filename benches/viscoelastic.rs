@@ -3,15 +3,15 @@
 #![expect(clippy::expect_used, reason = "a benchmark may stop")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use springbed::physics::impact::{Driven, Impact};
-use springbed::physics::material::Relaxation;
-use springbed::physics::quantity::Length;
-use springbed::physics::shape::Paraboloid;
-use springbed::physics::viscoelastic::Spectrum;
-use springbed::physics::viscoelastic::direct::Direct;
-use springbed::physics::viscoelastic::layout::Layout;
-use springbed::physics::viscoelastic::lazy::Lazy;
-use springbed::physics::viscoelastic::memory::Memory;
+use springbed::contact::viscoelastic::Spectrum;
+use springbed::contact::viscoelastic::direct::Direct;
+use springbed::contact::viscoelastic::layout::Layout;
+use springbed::contact::viscoelastic::lazy::Lazy;
+use springbed::contact::viscoelastic::memory::Memory;
+use springbed::drive::impact::{Driven, Impact};
+use springbed::input::quantity::Length;
+use springbed::material::Relaxation;
+use springbed::shape::Paraboloid;
 use std::hint::black_box;
 use std::sync::Arc;
 

@@ -1,6 +1,6 @@
 //! Error, time and memory of the half-space solver on the Hertz contact: `cargo run --release --example halfspace_hertz 512 1024`.
 use ndarray::Array2;
-use springbed::check::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
+use springbed::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
 
 fn main() {
     let (radius, depth) = (1.0, 0.01_f64);

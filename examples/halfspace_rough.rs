@@ -3,7 +3,7 @@
 //! wave numbers from 4 to n/8 of 1/L, rms slope 0.1); `-- heights.npy` reads one (square, f64, period 1 m).
 use ndarray::Array2;
 use rustfft::{FftPlanner, num_complex::Complex};
-use springbed::check::halfspace::{Boundary, Control, Problem, Settings, Solution, Start, solve};
+use springbed::halfspace::{Boundary, Control, Problem, Settings, Solution, Start, solve};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("grid start cpu_s iterations_of_ten area_fractions peak_mb");

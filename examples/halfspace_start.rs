@@ -1,10 +1,10 @@
 //! What a good start saves: iterations of the half-space solver on the Hertz contact from nothing, from a coarser grid and from
 //! the pressure of the spring bed: `cargo run --release --example halfspace_start -- 128 256 512`.
 use ndarray::Array2;
-use springbed::check::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Start, solve};
-use springbed::physics::bed::SpringBed;
-use springbed::physics::quantity::{Length, QuantityError};
-use springbed::physics::shape::Paraboloid;
+use springbed::contact::springs::SpringBed;
+use springbed::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Start, solve};
+use springbed::input::quantity::{Length, QuantityError};
+use springbed::shape::Paraboloid;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("| grid | from nothing | from a coarser grid | from the spring bed |\n|---|---|---|---|");

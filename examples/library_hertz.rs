@@ -2,10 +2,10 @@
 //!
 //! With a number it computes as many states, for counting instructions: `… --example library_hertz 100000`.
 
-use springbed::physics::adhesion::line::EdgeLine;
-use springbed::physics::quantity::{Length, QuantityError};
-use springbed::physics::quasistatic::{Attraction, QuasiStatic};
-use springbed::physics::shape::Paraboloid;
+use springbed::contact::adhesion::line::EdgeLine;
+use springbed::contact::direct::{Attraction, QuasiStatic};
+use springbed::input::quantity::{Length, QuantityError};
+use springbed::shape::Paraboloid;
 
 fn main() -> Result<(), QuantityError> {
     // Steel on a rigid flat: E* = 210 GPa/(1 − 0.3²).

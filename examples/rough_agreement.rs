@@ -13,7 +13,7 @@ fn main() -> Result<(), AgreementError> {
         "H    1/(1+H)  exponent                      prefactor                     share in contact              Persson"
     );
     let pair = |c: Compared| {
-        let one = |s: springbed::physics::rough::Scatter| format!("{:.3} ± {:.3}", s.mean, s.deviation);
+        let one = |s: springbed::shape::rough::Scatter| format!("{:.3} ± {:.3}", s.mean, s.deviation);
         format!("{} | {}", one(c.bed), one(c.half_space))
     };
     for tenths in [2, 4, 6, 8, 9] {

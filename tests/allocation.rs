@@ -3,15 +3,15 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(unsafe_code, reason = "an allocator that counts is one by nature")]
 
-use springbed::physics::friction::{Coulomb, Friction};
-use springbed::physics::history::{Entry, Indent, Slide};
-use springbed::physics::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
-use springbed::physics::quantity::{Displacement, Duration, Length, Modulus, Poisson, Ratio, Stress, Viscosity};
-use springbed::physics::scene::Scene;
-use springbed::physics::setup::Setup;
-use springbed::physics::shape::{Paraboloid, Shape};
-use springbed::physics::simulation::{self, Wanted};
-use springbed::physics::table::InMemory;
+use springbed::friction::{Coulomb, Friction};
+use springbed::input::quantity::{Displacement, Duration, Length, Modulus, Poisson, Ratio, Stress, Viscosity};
+use springbed::input::table::InMemory;
+use springbed::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
+use springbed::run::{self, Wanted};
+use springbed::scene::Scene;
+use springbed::scene::history::{Entry, Indent, Slide};
+use springbed::scene::setup::Setup;
+use springbed::shape::{Paraboloid, Shape};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::num::NonZeroUsize;
@@ -77,10 +77,10 @@ fn ready(scene: Scene) -> Setup {
 /// Bytes taken in all, and in the largest piece, while a scene is run.
 fn run(setup: &Setup, wanted: Wanted) -> (usize, usize) {
     // What is made once for the whole program is not the scene's.
-    simulation::run(setup, wanted).unwrap();
+    run::run(setup, wanted).unwrap();
     TAKEN.set(0);
     LARGEST.set(0);
-    simulation::run(setup, wanted).unwrap();
+    run::run(setup, wanted).unwrap();
     (TAKEN.get(), LARGEST.get())
 }
 
@@ -127,14 +127,14 @@ fn fields_and_stresses_nobody_wants_are_not_computed() {
     let fields = run(&setup, Wanted { fields: true, ..Wanted::NOTHING }).0;
     let stresses = run(&setup, Wanted { stresses: true, ..Wanted::NOTHING }).0;
     assert!(fields > bare + 161 * 24 && stresses > bare + 96 * 24, "{bare}, {fields}, {stresses} bytes");
-    let outcome = simulation::run(&setup, Wanted::NOTHING).unwrap();
+    let outcome = run::run(&setup, Wanted::NOTHING).unwrap();
     assert!(outcome.fields.is_empty() && outcome.stresses.is_empty());
 }
 
 /// The plan tells what a scene leaves out.
 #[test]
 fn the_plan_names_the_parts_used_and_left_out() {
-    let plan = simulation::run(&ready(elastic()), Wanted::NOTHING).unwrap().plan;
+    let plan = run::run(&ready(elastic()), Wanted::NOTHING).unwrap().plan;
     for part in ["springs", "stick and slip by turning points", "Prony elements"] {
         assert!(plan.left_out.contains(&part) && !plan.used.contains(&part), "{plan:?}");
     }

@@ -4,19 +4,19 @@
 
 use proptest::prelude::*;
 use springbed::check::validity;
-use springbed::physics::adhesion::{Adhesion, Jkr};
-use springbed::physics::friction::{Coulomb, CoulombOrowan, Friction, PressureLaw, Strength};
-use springbed::physics::history::{Entry, Indent, Oscillate, Press, Retract, Slide};
-use springbed::physics::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
-use springbed::physics::quantity::{
+use springbed::contact::adhesion::{Adhesion, Jkr};
+use springbed::friction::{Coulomb, CoulombOrowan, Friction, PressureLaw, Strength};
+use springbed::input::quantity::{
     Amplitude, Displacement, Duration, Force, Frequency, Length, Modulus, Poisson, Positive, Ratio, Speed, Stress,
     Viscosity, WorkOfAdhesion,
 };
-use springbed::physics::record::{Outcome, Record};
-use springbed::physics::scene::Scene;
-use springbed::physics::shape::{Cone, Paraboloid, RoundedPunch, Shape};
-use springbed::physics::simulation::{self, Wanted};
-use springbed::physics::table::InMemory;
+use springbed::input::table::InMemory;
+use springbed::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
+use springbed::run::record::{Outcome, Record};
+use springbed::run::{self, Wanted};
+use springbed::scene::Scene;
+use springbed::scene::history::{Entry, Indent, Oscillate, Press, Retract, Slide};
+use springbed::shape::{Cone, Paraboloid, RoundedPunch, Shape};
 use std::num::NonZeroUsize;
 
 /// G*/E* of rubber on a rigid body.
@@ -59,7 +59,7 @@ fn scene(shape: Shape, friction: Friction, history: Vec<Entry>) -> Scene {
 }
 
 fn run_with(scene: Scene, tables: &InMemory) -> Outcome {
-    simulation::run(&scene.resolve(tables).unwrap(), Wanted::NOTHING).unwrap()
+    run::run(&scene.resolve(tables).unwrap(), Wanted::NOTHING).unwrap()
 }
 
 fn run(scene: Scene) -> Outcome {
@@ -362,7 +362,7 @@ fn a_mismatch_of_the_bodies_is_told() {
     let told = |bodies: (Body, Body)| {
         let scene = Scene { bodies, ..scene(ball(), coulomb(0.3), vec![indent(0.01), slide(1e-3)]) };
         let setup = scene.resolve(&InMemory::default()).unwrap();
-        let outcome = simulation::run(&setup, Wanted::NOTHING).unwrap();
+        let outcome = run::run(&setup, Wanted::NOTHING).unwrap();
         validity::warnings(&setup, &outcome).into_iter().find(|warning| warning.contains("elastic similarity"))
     };
     // Dundurs' β of ν = 0.1 on a rigid body is (1 − 2ν)/(2(1 − ν)) = 0.444.

@@ -10,7 +10,7 @@ use proptest::test_runner::{Config, TestRunner};
 use springbed::app::fault::Paint;
 use springbed::app::scene_file::setup;
 use springbed::app::table_file::TableFiles;
-use springbed::physics::table::Tables;
+use springbed::input::table::Tables;
 use std::path::Path;
 
 /// Inputs of each kind; few by default.

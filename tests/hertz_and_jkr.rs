@@ -7,12 +7,12 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use proptest::prelude::*;
-use springbed::physics::adhesion::line::EdgeLine;
-use springbed::physics::adhesion::range::RangeDisc;
-use springbed::physics::quadrature;
-use springbed::physics::quantity::{Length, Positive};
-use springbed::physics::quasistatic::{Attraction, QuasiStatic};
-use springbed::physics::shape::{Cone, Paraboloid, Power, Profile};
+use springbed::contact::adhesion::line::EdgeLine;
+use springbed::contact::adhesion::range::RangeDisc;
+use springbed::contact::direct::{Attraction, QuasiStatic};
+use springbed::input::quantity::{Length, Positive};
+use springbed::numerics::quadrature;
+use springbed::shape::{Cone, Paraboloid, Power, Profile};
 use std::f64::consts::PI;
 
 const BOUND: f64 = 1e-11;

@@ -8,7 +8,7 @@
 
 use springbed::app::run::{Format, compute, products};
 use springbed::app::scene_file::SceneFile;
-use springbed::physics::record::{Outcome, Value};
+use springbed::run::record::{Outcome, Value};
 use std::path::{Path, PathBuf};
 
 fn scenes() -> Vec<PathBuf> {
@@ -103,7 +103,7 @@ fn the_jumps_of_the_wavy_lens() {
         let setup = springbed::app::scene_file::setup(&path, &text).unwrap_or_else(|faults| panic!("{faults:?}"));
         let records = compute(&setup, &[]).unwrap().records;
         let pairs: Vec<_> = records.windows(2).map(|pair| (pair[0], pair[1])).collect();
-        let jumped = |pair: &&(springbed::physics::record::Record, springbed::physics::record::Record)| {
+        let jumped = |pair: &&(springbed::run::record::Record, springbed::run::record::Record)| {
             (pair.1.time - pair.0.time).abs() <= 0.0 && pair.0.normal.contact_radius != pair.1.normal.contact_radius
         };
         let depths = |entry: usize| -> Vec<f64> {

@@ -3,18 +3,18 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use proptest::prelude::*;
-use springbed::physics::adhesion::{Adhesion, Edge, Jkr, Rate};
-use springbed::physics::history::{Entry, Hold, Indent, Oscillate, Press, Retract};
-use springbed::physics::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
-use springbed::physics::quantity::{
+use springbed::contact::adhesion::{Adhesion, Edge, Jkr, Rate};
+use springbed::input::quantity::{
     Accuracy, Amplitude, Displacement, Duration, Force, Frequency, Length, Modulus, Poisson, Positive, Speed, Stress,
     Viscosity, WorkOfAdhesion,
 };
-use springbed::physics::record::Outcome;
-use springbed::physics::scene::Scene;
-use springbed::physics::shape::{Cone, Paraboloid, Shape};
-use springbed::physics::simulation::{self, Wanted};
-use springbed::physics::table::InMemory;
+use springbed::input::table::InMemory;
+use springbed::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
+use springbed::run::record::Outcome;
+use springbed::run::{self, Wanted};
+use springbed::scene::Scene;
+use springbed::scene::history::{Entry, Hold, Indent, Oscillate, Press, Retract};
+use springbed::shape::{Cone, Paraboloid, Shape};
 use std::num::NonZeroUsize;
 
 /// G∞ and pairs (Gᵢ, τᵢ) [Pa, s] of an incompressible body: E* = 4G.
@@ -52,7 +52,7 @@ fn scene(bodies: (Body, Body), history: Vec<Entry>) -> Scene {
 }
 
 fn run(scene: Scene) -> Outcome {
-    simulation::run(&scene.resolve(&InMemory::default()).unwrap(), Wanted::NOTHING).unwrap()
+    run::run(&scene.resolve(&InMemory::default()).unwrap(), Wanted::NOTHING).unwrap()
 }
 
 fn indent(to: f64, over: f64) -> Entry {

@@ -7,11 +7,11 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use proptest::prelude::*;
-use springbed::physics::adhesion::line::{EdgeLine, Energy};
-use springbed::physics::quadrature;
-use springbed::physics::quantity::{Amplitude, Length};
-use springbed::physics::quasistatic::{Attraction, Jump, QuasiStatic};
-use springbed::physics::shape::WavyParaboloid;
+use springbed::contact::adhesion::line::{EdgeLine, Energy};
+use springbed::contact::direct::{Attraction, Jump, QuasiStatic};
+use springbed::input::quantity::{Amplitude, Length};
+use springbed::numerics::quadrature;
+use springbed::shape::WavyParaboloid;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Guduru's lens: R, amplitude, wavelength [m], E* [Pa], w [J/m²].

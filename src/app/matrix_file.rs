@@ -4,7 +4,7 @@ use ndarray::Array2;
 use std::path::Path;
 
 use super::scene_file::read_bytes;
-use crate::physics::table::TableError;
+use crate::input::table::TableError;
 
 /// Largest map: 16 million heights as text.
 const LARGEST: u64 = 512 << 20;

@@ -2,10 +2,10 @@
 
 use super::export;
 use crate::check::validity;
-use crate::physics::record::Outcome;
-use crate::physics::scene::Plot;
-use crate::physics::setup::Setup;
-use crate::physics::simulation::{self, SimulationError, Wanted};
+use crate::run::record::Outcome;
+use crate::run::{self, SimulationError, Wanted};
+use crate::scene::Plot;
+use crate::scene::setup::Setup;
 
 /// One kind of output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, clap::ValueEnum)]
@@ -63,7 +63,7 @@ pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + 
         stresses: figure && plotted(Plot::Stress),
         fretting: formats.contains(&Format::Csv) || figure,
     };
-    let mut outcome = simulation::run_watched(setup, wanted, done)?;
+    let mut outcome = run::run_watched(setup, wanted, done)?;
     outcome.warnings.extend(validity::warnings(setup, &outcome));
     if let Some(estimate) =
         validity::error_of_shape(setup).filter(|shape| shape.relative > outcome.error_estimate.relative)

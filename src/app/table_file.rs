@@ -2,7 +2,7 @@
 
 use super::matrix_file;
 use super::scene_file::read_text;
-use crate::physics::table::{Columns, TableError, Tables};
+use crate::input::table::{Columns, TableError, Tables};
 use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
 use ndarray::Array2;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! The rough bed held against the full half-space: where they agree and where they do not.
 
-use super::halfspace::{self, Boundary, Control, HalfSpaceError, Problem, Settings, Start};
 use super::theory::{StiffnessLaw, area_fraction, stiffness_exponent};
-use crate::physics::rough::{Rings, RoughBed, RoughError, RoughLine, Scatter, Spectrum, ensemble, rough_surface};
+use crate::halfspace::{self, Boundary, Control, HalfSpaceError, Problem, Settings, Start};
+use crate::shape::rough::{Rings, RoughBed, RoughError, RoughLine, Scatter, Spectrum, ensemble, rough_surface};
 use std::f64::consts::TAU;
 
 /// A study of self-affine squares of side L, of full-band roughness: longest wave L, shortest `pixels_per_wave` pixels.

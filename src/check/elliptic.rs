@@ -1,6 +1,6 @@
 //! Hertz contact of an ellipsoid, exact through complete elliptic integrals.
 
-use crate::physics::root::{RootError, brent};
+use crate::numerics::root::{RootError, brent};
 
 /// Complete elliptic integrals of one modulus, lengths in units of the larger semi-axis.
 ///

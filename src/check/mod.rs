@@ -2,8 +2,6 @@
 
 pub mod closed_forms;
 pub mod elliptic;
-#[cfg(feature = "half-space")]
-pub mod halfspace;
 pub mod tangential;
 pub mod theory;
 #[cfg(feature = "half-space")]

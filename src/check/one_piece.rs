@@ -1,11 +1,11 @@
 //! Where the contact of a scene stays in one piece, in words.
 
 use super::theory::{PlaneContact, Verdict, WavyParabola, Westergaard, exact_ranges};
-use crate::physics::history::Entry;
-use crate::physics::reach;
-use crate::physics::record::Outcome;
-use crate::physics::setup::Setup;
-use crate::physics::shape::{PlaneWave, PlaneWavy, Profile, Rim, Shape};
+use crate::run::record::Outcome;
+use crate::scene::history::Entry;
+use crate::scene::reach;
+use crate::scene::setup::Setup;
+use crate::shape::{PlaneWave, PlaneWavy, Profile, Rim, Shape};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// Contact radii looked at, per largest contact radius of the scene.

@@ -3,19 +3,19 @@
 use super::closed_forms;
 use super::tangential::CattaneoMindlin;
 use super::ting::Triangle;
-use crate::physics::adhesion::{Adhesion, Jkr, Maugis};
-use crate::physics::friction::{Coulomb, Friction};
-use crate::physics::history::{Entry, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
-use crate::physics::material::{Body, Elastic, Relaxation, Shear, Term, Terms, Viscoelastic};
-use crate::physics::quantity::{
+use crate::contact::adhesion::{Adhesion, Jkr, Maugis};
+use crate::friction::{Coulomb, Friction};
+use crate::input::quantity::{
     Accuracy, Amplitude, Displacement, Duration, Force, Frequency, Length, Mass, Modulus, Poisson, Positive, Ratio,
     Speed, Stress, Viscosity, WorkOfAdhesion,
 };
-use crate::physics::record::Outcome;
-use crate::physics::scene::Scene;
-use crate::physics::shape::{Cone, Paraboloid, Shape, Sphere, WavyParaboloid};
-use crate::physics::simulation::{self, Wanted};
-use crate::physics::table::InMemory;
+use crate::input::table::InMemory;
+use crate::material::{Body, Elastic, Relaxation, Shear, Term, Terms, Viscoelastic};
+use crate::run::record::{Outcome, Record};
+use crate::run::{self, Wanted};
+use crate::scene::Scene;
+use crate::scene::history::{Entry, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
+use crate::shape::{Cone, Paraboloid, Shape, Sphere, WavyParaboloid};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -112,7 +112,7 @@ fn row(known: &Known, asked: f64, springs: Option<usize>) -> Row {
 fn run(known: &Known, asked: f64, springs: Option<usize>) -> Option<Outcome> {
     let accuracy = Some(Accuracy::new(asked).ok()?);
     let scene = Scene { accuracy, springs: springs.and_then(NonZeroUsize::new), ..(known.scene)()? };
-    simulation::run(&scene.resolve(&InMemory::default()).ok()?, Wanted::NOTHING).ok()
+    run::run(&scene.resolve(&InMemory::default()).ok()?, Wanted::NOTHING).ok()
 }
 
 fn scene(shape: Shape, body: Body, history: Vec<Entry>) -> Scene {
@@ -286,9 +286,7 @@ fn ting_compared(outcome: &Outcome) -> Option<Pairs> {
     let relaxation = Relaxation { equilibrium: 0.4, terms: vec![(3.6, 0.2)], viscosity: 0.0 };
     let exact = Triangle { relaxation, radius: 1.0, speed: DEPTH, turn: 1.0 };
     let most = exact.at(1.0).0;
-    let pair = |record: &crate::physics::record::Record| {
-        (1.0 + record.normal.force / most, 1.0 + exact.at(record.time).0 / most)
-    };
+    let pair = |record: &Record| (1.0 + record.normal.force / most, 1.0 + exact.at(record.time).0 / most);
     Some(outcome.records.iter().map(pair).collect())
 }
 
@@ -328,7 +326,7 @@ fn oscillation_compared(outcome: &Outcome) -> Option<Pairs> {
     let depth = |s: f64| DEPTH * (1.0 + 0.5 * angle(s).sin());
     let speed = |s: f64| PI * DEPTH * angle(s).cos();
     let modulus = |t: f64| 0.4 + 3.6 * (-t / 0.2).exp();
-    let rising = crate::physics::quadrature::equal_panels(
+    let rising = crate::numerics::quadrature::equal_panels(
         |s| 1.5 * depth(s).sqrt() * speed(s) * modulus(CYCLES - s),
         (0.0, CYCLES),
         0.02,

@@ -88,7 +88,7 @@ pub struct SavkoorBriggs {
     pub modulus: f64,
     /// Work of adhesion w [J/m²].
     pub work: f64,
-    /// α, see [`ShearedAdhesion`](crate::physics::friction::peeling::ShearedAdhesion).
+    /// α, see [`ShearedAdhesion`](crate::friction::peeling::ShearedAdhesion).
     pub ratio: f64,
 }
 
@@ -143,11 +143,11 @@ pub fn amontons_limit_on_hertz(radius: f64, modulus: f64, (coefficient, limit): 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::friction::peeling::{Shear, ShearedAdhesion};
-    use crate::physics::friction::sliding::Pressed;
-    use crate::physics::friction::{CoulombBed, CoulombOrowan, Grip, Position, TangentialMemory};
-    use crate::physics::quantity::{Length, Modulus, Ratio};
-    use crate::physics::shape::{Paraboloid, Profile};
+    use crate::friction::peeling::{Shear, ShearedAdhesion};
+    use crate::friction::sliding::Pressed;
+    use crate::friction::{CoulombBed, CoulombOrowan, Grip, Position, TangentialMemory};
+    use crate::input::quantity::{Length, Modulus, Ratio};
+    use crate::shape::{Paraboloid, Profile};
     use proptest::prelude::*;
     use std::num::NonZeroUsize;
 

@@ -1,18 +1,18 @@
 //! How much a kernel does in a second, and how that grows with springs, terms, records and threads.
 
 use super::clock::quickest;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::friction::oblique::{Ball, Flight, SOLID};
-use crate::physics::friction::{CoulombBed, Grip, Position, TangentialMemory};
-use crate::physics::material::Relaxation;
-use crate::physics::quantity::Length;
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::Paraboloid;
-use crate::physics::viscoelastic::Spectrum;
-use crate::physics::viscoelastic::direct::Direct;
-use crate::physics::viscoelastic::layout::Layout;
-use crate::physics::viscoelastic::lazy::Lazy;
-use crate::physics::viscoelastic::memory::Memory;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::viscoelastic::Spectrum;
+use crate::contact::viscoelastic::direct::Direct;
+use crate::contact::viscoelastic::layout::Layout;
+use crate::contact::viscoelastic::lazy::Lazy;
+use crate::contact::viscoelastic::memory::Memory;
+use crate::friction::oblique::{Ball, Flight, SOLID};
+use crate::friction::{CoulombBed, Grip, Position, TangentialMemory};
+use crate::input::quantity::Length;
+use crate::material::Relaxation;
+use crate::shape::Paraboloid;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::hint::black_box;
@@ -251,7 +251,7 @@ fn oblique() -> Kernel {
 /// Hertz on the full half-space.
 #[cfg(feature = "half-space")]
 fn grid(n: u16) -> Kernel {
-    use super::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
+    use crate::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
     let pixels = usize::from(n) * usize::from(n);
     Kernel::new(("half-space, Hertz", "pixels"), pixels, move || {
         let pixel = 0.3 / f64::from(n);

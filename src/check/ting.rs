@@ -1,7 +1,7 @@
 //! Ting's solution for a paraboloid driven in and out at constant speed.
 
-use crate::physics::material::Relaxation;
-use crate::physics::{quadrature, root};
+use crate::material::Relaxation;
+use crate::numerics::{quadrature, root};
 
 /// A paraboloid pressed into a Prony half-space at the speed v for the time T, then withdrawn at the same speed.
 ///

@@ -1,6 +1,6 @@
 //! The usual ways, as most scripts have them, to be measured beside ours.
 
-use crate::physics::material::Relaxation;
+use crate::material::Relaxation;
 
 /// Forces [N] on a bed of a Prony material by explicit Euler steps: ṡᵢ = Eᵢu̇ − sᵢ/τᵢ with all on the
 /// right side taken at the beginning of the step, and no tension.

@@ -2,12 +2,13 @@
 
 use super::elliptic;
 use super::theory::{SmallSlope, slope_verdict};
-use crate::physics::adhesion::Adhesion;
-use crate::physics::material::Body;
-use crate::physics::record::{ErrorEstimate, Normal, Outcome};
-use crate::physics::setup::Setup;
-use crate::physics::shape::{Profile, Shape, Sphere};
-use crate::physics::stress::Loading;
+use crate::contact::adhesion::Adhesion;
+use crate::contact::state::Normal;
+use crate::contact::stress::Loading;
+use crate::material::Body;
+use crate::run::record::{ErrorEstimate, Outcome};
+use crate::scene::setup::Setup;
+use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
 /// Slope of the indenter at the edge beyond which the half-space is doubtful; the error grows with

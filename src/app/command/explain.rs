@@ -6,9 +6,9 @@ use crate::app::export::with_prefix;
 use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
 use crate::check::one_piece;
-use crate::physics::adhesion::Adhesion;
-use crate::physics::record::Outcome;
-use crate::physics::setup::Setup;
+use crate::contact::adhesion::Adhesion;
+use crate::run::record::Outcome;
+use crate::scene::setup::Setup;
 use std::fmt::Write;
 use std::path::Path;
 

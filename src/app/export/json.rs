@@ -1,7 +1,8 @@
 //! The JSON summary of a run.
 
-use crate::physics::record::{ErrorEstimate, Outcome, Plan, Value};
-use crate::physics::scene::Scene;
+use crate::run::record::{ErrorEstimate, Outcome, Value};
+use crate::scene::Scene;
+use crate::scene::plan::Plan;
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
 #[derive(Serialize)]

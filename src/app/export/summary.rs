@@ -1,6 +1,6 @@
 //! The short table printed after a run.
 
-use crate::physics::record::{Outcome, Value};
+use crate::run::record::{Outcome, Value};
 use std::fmt::Write;
 
 /// Unit endings of result names, the symbol, and whether an SI prefix is used with it.

@@ -1,7 +1,7 @@
 //! CSV tables of records and fields.
 
-use crate::physics::friction::oblique::Rebound;
-use crate::physics::record::{Ensemble, FrettingRow, ImpactRow, Impacts, Incidence, Outcome, Record};
+use crate::friction::oblique::Rebound;
+use crate::run::record::{Ensemble, FrettingRow, ImpactRow, Impacts, Incidence, Outcome, Record};
 
 /// The records, one row each; columns of a part appear only if the scene has it.
 ///
@@ -38,7 +38,7 @@ fn cells(record: &Record, sheared: bool) -> Vec<Option<f64>> {
         Some(normal.dissipated),
     ];
     if sheared {
-        let part = |of: fn(&crate::physics::record::Tangential) -> f64| record.tangential.as_ref().map(of);
+        let part = |of: fn(&crate::friction::state::Tangential) -> f64| record.tangential.as_ref().map(of);
         row.extend([part(|t| t.slide), part(|t| t.force), part(|t| t.stick_radius)]);
         row.push(record.tangential.and_then(|state| state.dissipated));
     }

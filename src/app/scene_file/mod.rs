@@ -10,8 +10,8 @@ pub use names::{advice, nearest};
 use super::fault::Fault;
 use super::place;
 use super::table_file::TableFiles;
-use crate::physics::problem::Problem;
-use crate::physics::setup::Setup;
+use crate::input::problem::Problem;
+use crate::scene::setup::Setup;
 use std::path::{Path, PathBuf};
 
 /// A scene read from a file, ready to be computed.

@@ -3,7 +3,7 @@
 use super::names::advice;
 use crate::app::fault::Fault;
 use crate::app::place::{self, Position, Surroundings};
-use crate::physics::scene::Scene;
+use crate::scene::Scene;
 use ron::error::{Error, SpannedError};
 use ron::extensions::Extensions;
 use std::path::Path;

@@ -1,12 +1,12 @@
 //! Adhesive contacts with closed answers.
 
 use crate::check::case::{Case, Proof, worst};
-use crate::physics::adhesion::equilibrium::BranchError;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::adhesion::range::RangeDisc;
-use crate::physics::quantity::{Length, Positive};
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::{Cone, FlatPunch, Paraboloid, Profile};
+use crate::contact::adhesion::equilibrium::BranchError;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::adhesion::range::RangeDisc;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::input::quantity::{Length, Positive};
+use crate::shape::{Cone, FlatPunch, Paraboloid, Profile};
 use std::f64::consts::PI;
 
 const ROUNDING: &str = "a root to two units in the last place and sums of one sign; a hundred roundings allowed";

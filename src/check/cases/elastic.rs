@@ -2,12 +2,12 @@
 
 use crate::check::case::{Case, Proof, worst};
 use crate::check::elliptic;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::bed::{EdgeLocation, SpringBed};
-use crate::physics::quantity::{Length, Positive};
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::{FlatPunch, Paraboloid, Power, Profile};
-use crate::physics::stress::Loading;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::springs::{EdgeLocation, SpringBed};
+use crate::contact::stress::Loading;
+use crate::input::quantity::{Length, Positive};
+use crate::shape::{FlatPunch, Paraboloid, Power, Profile};
 use std::f64::consts::PI;
 
 const ROUNDING: &str = "closed forms, a dozen roundings";
@@ -140,7 +140,7 @@ fn power_law() -> Option<f64> {
         pairs.push((state.force, 2.0 * n / (n + 1.0) * 2.0 * 0.1 * state.contact_radius));
         let a = state.contact_radius;
         let ring = |inner: f64, _outer: f64| contact.pressure(inner) * 2.0 * PI * inner;
-        pairs.push((crate::physics::quadrature::panel_with_root_ends(ring, a), state.force));
+        pairs.push((crate::numerics::quadrature::panel_with_root_ends(ring, a), state.force));
     }
     Some(worst(&pairs))
 }

@@ -3,19 +3,19 @@
 use crate::check::case::{Case, Proof, worst};
 use crate::check::closed_forms;
 use crate::check::tangential::{CattaneoMindlin, SavkoorBriggs, orowan_on_hertz};
-use crate::physics::adhesion::{Adhesion, Jkr};
-use crate::physics::friction::{Coulomb, CoulombOrowan, Friction, PressureLaw, Strength};
-use crate::physics::history::{Entry, Indent, Oscillate, Press, Slide};
-use crate::physics::material::{Body, Elastic};
-use crate::physics::quantity::{
+use crate::contact::adhesion::{Adhesion, Jkr};
+use crate::friction::{Coulomb, CoulombOrowan, Friction, PressureLaw, Strength};
+use crate::input::quantity::{
     Amplitude, Displacement, Duration, Force, Frequency, Length, Modulus, Poisson, Positive, Ratio, Stress,
     WorkOfAdhesion,
 };
-use crate::physics::record::{Outcome, Record};
-use crate::physics::scene::Scene;
-use crate::physics::shape::{Cone, Paraboloid, Profile, RoundedPunch, Shape};
-use crate::physics::simulation::{self, Wanted};
-use crate::physics::table::InMemory;
+use crate::input::table::InMemory;
+use crate::material::{Body, Elastic};
+use crate::run::record::{Outcome, Record};
+use crate::run::{self, Wanted};
+use crate::scene::Scene;
+use crate::scene::history::{Entry, Indent, Oscillate, Press, Slide};
+use crate::shape::{Cone, Paraboloid, Profile, RoundedPunch, Shape};
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;
 
@@ -144,7 +144,7 @@ fn scene(shape: Shape, friction: Friction, history: Vec<Entry>) -> Option<Scene>
 
 fn run_with(scene: Scene, tables: &InMemory) -> Option<Outcome> {
     let setup = scene.resolve(tables).ok()?;
-    simulation::run(&setup, Wanted { fields: true, ..Wanted::NOTHING }).ok()
+    run::run(&setup, Wanted { fields: true, ..Wanted::NOTHING }).ok()
 }
 
 fn run(scene: Scene) -> Option<Outcome> {

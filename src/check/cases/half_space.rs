@@ -2,11 +2,11 @@
 
 use crate::check::case::{Case, Proof};
 use crate::check::elliptic::EllipticHertz;
-use crate::check::halfspace::{
+use crate::check::theory::{WavyParabola, Westergaard};
+use crate::halfspace::{
     Boundary, Control, PlaneBoundary, PlaneProblem, PlaneSolution, Problem, Settings, Solution, Start, solve,
     solve_plane,
 };
-use crate::check::theory::{WavyParabola, Westergaard};
 use ndarray::{Array1, Array2};
 use std::f64::consts::{PI, TAU};
 

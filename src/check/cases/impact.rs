@@ -1,18 +1,18 @@
 //! Impacts with closed answers, run as whole scenes.
 
 use crate::check::case::{Case, Proof, worst};
-use crate::physics::adhesion::{Adhesion, Jkr};
-use crate::physics::friction::{Coulomb, Friction};
-use crate::physics::history::{Entry, Impact};
-use crate::physics::material::{Body, Elastic, Shear, Terms, Viscoelastic};
-use crate::physics::quantity::{
+use crate::contact::adhesion::{Adhesion, Jkr};
+use crate::friction::{Coulomb, Friction};
+use crate::input::quantity::{
     Accuracy, Incidence, Length, Mass, Modulus, Poisson, Ratio, Speed, Spin, Stress, Viscosity, WorkOfAdhesion,
 };
-use crate::physics::record::{Outcome, Value};
-use crate::physics::scene::Scene;
-use crate::physics::shape::{FlatPunch, Paraboloid, Shape};
-use crate::physics::simulation::{self, Wanted};
-use crate::physics::table::InMemory;
+use crate::input::table::InMemory;
+use crate::material::{Body, Elastic, Shear, Terms, Viscoelastic};
+use crate::run::record::{Outcome, Value};
+use crate::run::{self, Wanted};
+use crate::scene::Scene;
+use crate::scene::history::{Entry, Impact};
+use crate::shape::{FlatPunch, Paraboloid, Shape};
 use std::f64::consts::{FRAC_2_PI, PI};
 
 pub(super) const CASES: &[Case] = &[
@@ -120,7 +120,7 @@ fn scene(body: Option<Body>, speed: f64) -> Option<Scene> {
 
 fn run(scene: Scene) -> Option<Outcome> {
     let setup = scene.resolve(&InMemory::default()).ok()?;
-    simulation::run(&setup, Wanted::NOTHING).ok()
+    run::run(&setup, Wanted::NOTHING).ok()
 }
 
 /// x₀ = (15mv²/16)^{2/5}, time 2.943275184324705 x₀/v, F = (4/3)x₀^{3/2}, p₀ = (2/π)√x₀, e = 1; and the ledger.

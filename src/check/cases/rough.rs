@@ -4,8 +4,8 @@ use crate::check::case::{Case, Proof, worst};
 use crate::check::theory::{
     Westergaard, area_fraction, flat_punch_load, gaussian_tail, low_load_area_slope, single_harmonic_load,
 };
-use crate::physics::quadrature;
-use crate::physics::rough::{Border, HeightMap, Rings, RoughLine, Spectrum, rough_surface};
+use crate::numerics::quadrature;
+use crate::shape::rough::{Border, HeightMap, Rings, RoughLine, Spectrum, rough_surface};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(super) const CASES: &[Case] = &[

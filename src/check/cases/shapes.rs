@@ -2,11 +2,11 @@
 
 use crate::check::case::{Case, Proof, worst};
 use crate::check::closed_forms::{self, Contact};
-use crate::physics::quantity::{Amplitude, Length, Positive, QuantityError};
-use crate::physics::shape::{
+use crate::input::quantity::{Amplitude, Length, Positive, QuantityError};
+use crate::input::table::InMemory;
+use crate::shape::{
     Cone, Measured, Profile, RoundedCone, RoundedPunch, Sphere, TruncatedCone, TruncatedParaboloid, WavyParaboloid,
 };
-use crate::physics::table::InMemory;
 use std::path::Path;
 
 const ROUNDING: &str = "closed forms in other variables, a few dozen roundings";

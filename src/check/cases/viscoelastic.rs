@@ -1,21 +1,21 @@
 //! Viscoelastic contacts, run as whole scenes, against the solutions of Lee & Radok and of Ting.
 
 use crate::check::case::{Case, Proof, worst};
-use crate::physics::adhesion::{Adhesion, Edge, Jkr};
-use crate::physics::history::{Entry, Hold, Indent, Oscillate, Press, Retract};
-use crate::physics::material::{Body, Relaxation, Shear, Term, Terms, Viscoelastic};
-use crate::physics::quadrature;
-use crate::physics::quantity::{
+use crate::contact::adhesion::{Adhesion, Edge, Jkr};
+use crate::contact::viscoelastic::Spectrum;
+use crate::input::quantity::{
     Amplitude, Displacement, Duration, Force, Frequency, Length, Poisson, Positive, Speed, Stress, Viscosity,
     WorkOfAdhesion,
 };
-use crate::physics::record::{Outcome, Record};
-use crate::physics::root;
-use crate::physics::scene::Scene;
-use crate::physics::shape::{FlatPunch, Paraboloid, Shape};
-use crate::physics::simulation::{self, Wanted};
-use crate::physics::table::InMemory;
-use crate::physics::viscoelastic::Spectrum;
+use crate::input::table::InMemory;
+use crate::material::{Body, Relaxation, Shear, Term, Terms, Viscoelastic};
+use crate::numerics::quadrature;
+use crate::numerics::root;
+use crate::run::record::{Outcome, Record};
+use crate::run::{self, Wanted};
+use crate::scene::Scene;
+use crate::scene::history::{Entry, Hold, Indent, Oscillate, Press, Retract};
+use crate::shape::{FlatPunch, Paraboloid, Shape};
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroUsize;
 
@@ -223,7 +223,7 @@ fn run(scene: Scene) -> Option<Outcome> {
 }
 
 fn run_with(scene: Scene, tables: &InMemory) -> Option<Outcome> {
-    simulation::run(&scene.resolve(tables).ok()?, Wanted::NOTHING).ok()
+    run::run(&scene.resolve(tables).ok()?, Wanted::NOTHING).ok()
 }
 
 fn triangle(material: &Material<'_>) -> Option<Outcome> {

@@ -3,8 +3,8 @@
 use super::methods::Scenario;
 use super::{Measured, State, timed};
 use crate::check::elliptic::EllipticHertz;
-use crate::check::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Solution, Start, solve};
-use crate::physics::shape::Shape;
+use crate::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Solution, Start, solve};
+use crate::shape::Shape;
 use ndarray::Array2;
 use std::f64::consts::PI;
 

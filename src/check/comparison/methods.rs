@@ -1,14 +1,14 @@
 //! The methods: direct path and springs, in one state or through the history.
 
 use super::{Fineness, Measured, Method, State, state_of, timed};
-use crate::physics::adhesion::Adhesion;
-use crate::physics::adhesion::equilibrium::Control;
-use crate::physics::bed::SpringBed;
-use crate::physics::plan;
-use crate::physics::record::Record;
-use crate::physics::setup::Setup;
-use crate::physics::shape::Shape;
-use crate::physics::simulation::{self, NormalContact, SimulationError, Wanted};
+use crate::contact::adhesion::Adhesion;
+use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::springs::SpringBed;
+use crate::run::record::Record;
+use crate::run::{self, NormalContact, SimulationError, Wanted};
+use crate::scene::plan;
+use crate::scene::setup::Setup;
+use crate::shape::Shape;
 use std::num::NonZeroUsize;
 
 /// Places at which the largest pressure is looked for before it is refined.
@@ -117,15 +117,15 @@ impl<'s> Scenario<'s> {
     fn history(&self, springs: Option<usize>) -> Result<State, SimulationError> {
         let mut setup = self.setup.clone();
         setup.scene.springs = springs.and_then(NonZeroUsize::new);
-        let outcome = simulation::run(&setup, Wanted::NOTHING)?;
+        let outcome = run::run(&setup, Wanted::NOTHING)?;
         let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force));
         Ok(most.map_or(self.most, state_of))
     }
 }
 
 /// The contact pressed to an indentation [m] from first touch.
-fn pressed(setup: &Setup, to: f64) -> Result<simulation::Direct<'_>, SimulationError> {
-    let mut contact = simulation::direct(setup)?;
+fn pressed(setup: &Setup, to: f64) -> Result<run::Direct<'_>, SimulationError> {
+    let mut contact = run::direct(setup)?;
     let pressed = contact.advance(Control::Indentation, to, 0.0);
     pressed.map_err(|source| SimulationError::Contact { entry: 0, source })?;
     Ok(contact)

@@ -9,9 +9,9 @@ mod rough;
 #[cfg(feature = "half-space")]
 mod rough_full;
 
-use crate::physics::record::Record;
-use crate::physics::setup::Setup;
-use crate::physics::simulation::{self, SimulationError, Wanted};
+use crate::run::record::Record;
+use crate::run::{self, SimulationError, Wanted};
+use crate::scene::setup::Setup;
 use serde::Serialize;
 use std::time::Instant;
 
@@ -157,7 +157,7 @@ pub fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, Comparis
     }
     let mut setup = setup.clone();
     setup.scene.springs = None;
-    let outcome = simulation::run(&setup, Wanted::NOTHING)?;
+    let outcome = run::run(&setup, Wanted::NOTHING)?;
     let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force));
     let most = most.filter(|record| record.normal.force > 0.0).ok_or(ComparisonError::NoContact)?;
     if let Some(surface) = &setup.surface {

@@ -1,13 +1,13 @@
 //! Plane shapes: the closed form or series beside the half-plane solver.
 
 use super::{Comparison, ComparisonError, Measured, Method, Row, State, row, state_of, timed};
-#[cfg(feature = "half-space")]
-use crate::check::halfspace::{Control, PlaneBoundary, PlaneProblem, PlaneSolution, Settings, solve_plane};
 use crate::check::one_piece::largest_force;
-use crate::physics::setup::Setup;
 #[cfg(feature = "half-space")]
-use crate::physics::shape::Shape;
-use crate::physics::simulation::{self, Wanted};
+use crate::halfspace::{Control, PlaneBoundary, PlaneProblem, PlaneSolution, Settings, solve_plane};
+use crate::run::{self, Wanted};
+use crate::scene::setup::Setup;
+#[cfg(feature = "half-space")]
+use crate::shape::Shape;
 use std::num::NonZeroUsize;
 
 /// Strips of the half-plane.
@@ -16,7 +16,7 @@ const STRIPS: [usize; 6] = [128, 512, 2048, 8192, 32768, 131_072];
 
 /// Compares the methods under the largest force of a plane scene; `done` is told the share behind.
 pub(super) fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
-    let outcome = simulation::run(setup, Wanted::NOTHING)?;
+    let outcome = run::run(setup, Wanted::NOTHING)?;
     let force = largest_force(setup, &outcome);
     if force <= 0.0 {
         return Err(ComparisonError::NoContact);
@@ -61,8 +61,8 @@ fn direct(setup: &Setup, force: f64) -> Option<Measured> {
     let mut setup = setup.clone();
     setup.scene.steps = NonZeroUsize::new(1);
     let fields = Wanted { fields: true, ..Wanted::NOTHING };
-    let outcome = simulation::run(&setup, fields).ok()?;
-    let (_, time) = timed(|| simulation::run(&setup, Wanted::NOTHING));
+    let outcome = run::run(&setup, fields).ok()?;
+    let (_, time) = timed(|| run::run(&setup, Wanted::NOTHING));
     let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force))?;
     if most.normal.force < force * (1.0 - 1e-12) {
         return None;

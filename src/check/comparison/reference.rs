@@ -4,9 +4,9 @@ use super::methods::Scenario;
 use super::{Method, Row, State};
 use crate::check::closed_forms::{self, Contact};
 use crate::check::elliptic::EllipticHertz;
-use crate::physics::adhesion::Adhesion;
-use crate::physics::root;
-use crate::physics::shape::Shape;
+use crate::contact::adhesion::Adhesion;
+use crate::numerics::root;
+use crate::shape::Shape;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Fills in the errors; gives the name and the state of the reference.

@@ -3,9 +3,9 @@
 #[cfg(feature = "half-space")]
 use super::rough_full::grids;
 use super::{Comparison, Fineness, Measured, Method, Row, State, row, timed};
-use crate::physics::rough::{RoughBed, RoughError, RoughLine};
-use crate::physics::setup::Setup;
-use crate::physics::surface::Surface;
+use crate::scene::setup::Setup;
+use crate::scene::surface::Surface;
+use crate::shape::rough::{RoughBed, RoughError, RoughLine};
 
 /// Springs of the line.
 const POINTS: [usize; 5] = [1024, 4096, 16384, 65536, 262_144];

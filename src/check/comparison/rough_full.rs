@@ -2,12 +2,10 @@
 
 use super::rough::{Rough, mean};
 use super::{GRIDS, Measured, State, timed};
-use crate::check::halfspace::{
-    Boundary, Control, HalfSpaceError, Problem, Settings, Solution, Start, bytes_needed, solve,
-};
-use crate::physics::rough::rough_surface;
-use crate::physics::shape::{Profile, Rim, Shape};
-use crate::physics::surface::Source;
+use crate::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Solution, Start, bytes_needed, solve};
+use crate::scene::surface::Source;
+use crate::shape::rough::rough_surface;
+use crate::shape::{Profile, Rim, Shape};
 use ndarray::Array2;
 
 /// Relative residual: far below the scatter of surfaces.

@@ -1,11 +1,11 @@
 //! Adhesive contacts over all strengths and ranges of attraction.
 
 use super::{Found, Trial, Whose, powers};
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::adhesion::range::RangeDisc;
-use crate::physics::quantity::Length;
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::Paraboloid;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::adhesion::range::RangeDisc;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::input::quantity::Length;
+use crate::shape::Paraboloid;
 use std::f64::consts::PI;
 
 pub(super) const TRIALS: &[Trial] = &[

@@ -2,12 +2,12 @@
 
 use super::{Found, Trial, Whose, powers};
 use crate::check::closed_forms;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::material::{self, Body, Elastic};
-use crate::physics::quantity::{Length, Modulus, Poisson};
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::{Paraboloid, Profile, Sphere};
-use crate::physics::table::InMemory;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::input::quantity::{Length, Modulus, Poisson};
+use crate::input::table::InMemory;
+use crate::material::{self, Body, Elastic};
+use crate::shape::{Paraboloid, Profile, Sphere};
 
 pub(super) const TRIALS: &[Trial] = &[
     Trial {

@@ -3,10 +3,10 @@
 use super::{Found, Trial, Whose, powers};
 use crate::check::closed_forms;
 use crate::check::tangential::CattaneoMindlin;
-use crate::physics::friction::{Grip, Position, TangentialMemory};
-use crate::physics::quantity::Length;
-use crate::physics::rough::Random;
-use crate::physics::shape::Paraboloid;
+use crate::friction::{Grip, Position, TangentialMemory};
+use crate::input::quantity::Length;
+use crate::shape::Paraboloid;
+use crate::shape::rough::Random;
 
 pub(super) const TRIALS: &[Trial] = &[
     Trial {

@@ -2,16 +2,16 @@
 
 use super::{Found, Trial, Whose};
 use crate::check::closed_forms;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::history::Entry;
-use crate::physics::material::{Body, Elastic};
-use crate::physics::quantity::{Length, Modulus, Poisson};
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::rough::Random;
-use crate::physics::scene::Scene;
-use crate::physics::shape::{Measured, Paraboloid, Profile, Shape};
-use crate::physics::simulation::{self, Wanted};
-use crate::physics::table::InMemory;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::input::quantity::{Length, Modulus, Poisson};
+use crate::input::table::InMemory;
+use crate::material::{Body, Elastic};
+use crate::run::{self, Wanted};
+use crate::scene::Scene;
+use crate::scene::history::Entry;
+use crate::shape::rough::Random;
+use crate::shape::{Measured, Paraboloid, Profile, Shape};
 use std::path::Path;
 
 pub(super) const TRIALS: &[Trial] = &[
@@ -90,7 +90,7 @@ fn history() -> Option<Found> {
     *depths.last_mut()? = 1e-6;
     let tables = InMemory::default().with("h.csv", &[("time_s", &times), ("indentation_m", &depths)]);
     let setup = scene()?.resolve(&tables).ok()?;
-    let outcome = simulation::run(&setup, Wanted::NOTHING).ok()?;
+    let outcome = run::run(&setup, Wanted::NOTHING).ok()?;
     let last = outcome.records.last()?.normal;
     let right = closed_forms::hertz(0.01, 1e-6);
     found.pair(last.force, setup.pair.normal * right.force);

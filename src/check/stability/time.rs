@@ -3,16 +3,16 @@
 use super::{Found, Trial, Whose, powers};
 use crate::check::ting::Triangle;
 use crate::check::usual;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::impact::{Impact, Passage};
-use crate::physics::material::Relaxation;
-use crate::physics::quantity::Length;
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::{FlatPunch, Paraboloid};
-use crate::physics::viscoelastic::Spectrum;
-use crate::physics::viscoelastic::layout::Layout;
-use crate::physics::viscoelastic::lazy::Lazy;
-use crate::physics::viscoelastic::memory::Memory;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::viscoelastic::Spectrum;
+use crate::contact::viscoelastic::layout::Layout;
+use crate::contact::viscoelastic::lazy::Lazy;
+use crate::contact::viscoelastic::memory::Memory;
+use crate::drive::impact::{Impact, Passage};
+use crate::input::quantity::Length;
+use crate::material::Relaxation;
+use crate::shape::{FlatPunch, Paraboloid};
 use std::sync::Arc;
 
 pub(super) const TRIALS: &[Trial] = &[

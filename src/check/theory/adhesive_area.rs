@@ -3,7 +3,7 @@
 use super::greenwood_williamson::laplace_moment;
 use super::pressure_field::area_fraction;
 use super::survival::survival;
-use crate::physics::rough::Spectrum;
+use crate::shape::rough::Spectrum;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI, SQRT_2, TAU};
 
 /// A rough surface on an elastic half-space that stick with a work of adhesion.
@@ -191,7 +191,7 @@ fn true_surface(rms_slope: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::root;
+    use crate::numerics::root;
 
     /// Six decades, H as given, true area 1.37 of the nominal one and rms height as in Persson et al. 2008, figure 1.
     fn figure_one(hurst: f64, rms: f64) -> Spectrum {
@@ -212,7 +212,7 @@ mod tests {
     fn the_true_surface_has_its_limits() {
         assert!((true_surface(1e-4) - 1.0 - 0.5e-8).abs() < 1e-15);
         assert!((true_surface(1e4) / (0.5 * PI.sqrt() * 1e4) - 1.0).abs() < 1e-3);
-        let direct = crate::physics::quadrature::panels(
+        let direct = crate::numerics::quadrature::panels(
             |x: f64| (1.0 + x).sqrt() * (-x).exp(),
             (0.0, 40.0),
             &[1.0, 3.0, 8.0, 20.0],

@@ -1,6 +1,6 @@
 //! Where the mapping of an axisymmetric profile is exact.
 
-use crate::physics::shape::Profile;
+use crate::shape::Profile;
 
 /// A range of contact radii in which the contact is one full circle and the mapping exact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +80,7 @@ fn runs(flags: &[bool]) -> Vec<(u32, u32)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::quadrature;
+    use crate::numerics::quadrature;
 
     /// x²/R with a wave of slope: g′ = 2x/R + A sin(κx), which is what a waviness gives but for its phase.
     #[derive(Debug)]
@@ -90,7 +90,7 @@ mod tests {
 
     impl Profile for Wavy {
         fn height(&self, r: f64) -> f64 {
-            crate::physics::shape::height_by_integral(|x| self.reduced(x), r, &[])
+            crate::shape::height_by_integral(|x| self.reduced(x), r, &[])
         }
         fn reduced(&self, x: f64) -> f64 {
             x * x + self.amplitude * (1.0 - (20.0 * x).cos()) / 20.0

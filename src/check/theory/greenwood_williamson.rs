@@ -1,6 +1,6 @@
 //! Independent summits of one curvature and Gaussian heights.
 
-use crate::physics::rough::Spectrum;
+use crate::shape::rough::Spectrum;
 use std::f64::consts::{PI, TAU};
 
 /// ∫_h^∞ φ(z) (z − h)ⁿ dz for the standard normal density φ, any real n > −1 and finite h.

@@ -9,7 +9,7 @@ mod pressure_field;
 mod scaling;
 mod survival;
 
-pub use crate::physics::plane::{
+pub use crate::contact::plane::{
     ConnectivityError, PlaneContact, Sliding, Verdict, WavyParabola, Westergaard, flat_punch_load, single_harmonic_load,
 };
 pub use adhesive_area::{AdhesiveContact, AdhesiveRoughness, NotSettled, Region};

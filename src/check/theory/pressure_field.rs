@@ -1,6 +1,6 @@
 //! Real contact area and pressure distribution without adhesion, after Persson.
 
-use crate::physics::rough::Spectrum;
+use crate::shape::rough::Spectrum;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI, SQRT_2, TAU};
 
 /// Real over nominal area, A/A₀ = erf(√2 p/(E* s)) = erf(1/(2√𝒢)), 𝒢 = (π/4)(E*/p)²∫q³C dq.
@@ -74,7 +74,7 @@ const STEPS: i32 = 2000;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::quadrature;
+    use crate::numerics::quadrature;
 
     fn spectrum() -> Spectrum {
         Spectrum::table(&[(1e4, 1e-22), (1e7, 1e-22 * 1e3f64.powf(-3.6))]).unwrap()

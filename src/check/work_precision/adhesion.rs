@@ -1,11 +1,11 @@
 //! The pull-off of a ball after Johnson, Kendall and Roberts.
 
 use super::{Answer, Effort, Method, Setting, Study};
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::bed::{EdgeLocation, SpringBed};
-use crate::physics::quantity::Length;
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::Paraboloid;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::springs::{EdgeLocation, SpringBed};
+use crate::input::quantity::Length;
+use crate::shape::Paraboloid;
 use std::f64::consts::PI;
 
 /// Depth from which the ball is pulled away; R = E* = w = 1.

@@ -1,13 +1,13 @@
 //! Creep under a constant force.
 
 use super::{Answer, Effort, Method, Setting, Study};
-use crate::physics::material::Relaxation;
-use crate::physics::quantity::Length;
-use crate::physics::shape::Paraboloid;
-use crate::physics::viscoelastic::Spectrum;
-use crate::physics::viscoelastic::creep::Creep;
-use crate::physics::viscoelastic::drive::{Ramp, press};
-use crate::physics::viscoelastic::memory::Memory;
+use crate::contact::viscoelastic::Spectrum;
+use crate::contact::viscoelastic::creep::Creep;
+use crate::contact::viscoelastic::drive::{Ramp, press};
+use crate::contact::viscoelastic::memory::Memory;
+use crate::input::quantity::Length;
+use crate::material::Relaxation;
+use crate::shape::Paraboloid;
 use std::sync::Arc;
 
 /// Long-term and decaying part of the modulus [Pa], as large as each other, and the relaxation time [s].

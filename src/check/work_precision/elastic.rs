@@ -2,11 +2,11 @@
 
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::closed_forms::{self, Contact};
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::bed::{EdgeLocation, SpringBed};
-use crate::physics::quantity::{Length, Positive};
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::{Cone, Paraboloid, Profile};
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::springs::{EdgeLocation, SpringBed};
+use crate::input::quantity::{Length, Positive};
+use crate::shape::{Cone, Paraboloid, Profile};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Indentation over radius: small enough for the half-space, large enough for a window of pixels.

@@ -3,9 +3,9 @@
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::closed_forms;
 use crate::check::tangential::CattaneoMindlin;
-use crate::physics::friction::{CoulombBed, Grip, Position, TangentialMemory};
-use crate::physics::quantity::Length;
-use crate::physics::shape::Paraboloid;
+use crate::friction::{CoulombBed, Grip, Position, TangentialMemory};
+use crate::input::quantity::Length;
+use crate::shape::Paraboloid;
 use std::num::NonZeroUsize;
 
 const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };

@@ -1,7 +1,7 @@
 //! The full half-space on grids of pixels.
 
 use super::{Answer, Effort, Method, Setting};
-use crate::check::halfspace::{self, Boundary, Control, Problem, Settings, Start};
+use crate::halfspace::{self, Boundary, Control, Problem, Settings, Start};
 use ndarray::Array2;
 
 /// The half-space under the profile `height`(r), E* = 1, in a window of three contact radii.

@@ -2,13 +2,13 @@
 
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::usual;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::impact::{Driven, Impact, Passage};
-use crate::physics::material::Relaxation;
-use crate::physics::quantity::Length;
-use crate::physics::quasistatic::{Attraction, QuasiStatic};
-use crate::physics::shape::Paraboloid;
-use crate::physics::viscoelastic::Spectrum;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::viscoelastic::Spectrum;
+use crate::drive::impact::{Driven, Impact, Passage};
+use crate::input::quantity::Length;
+use crate::material::Relaxation;
+use crate::shape::Paraboloid;
 use std::sync::Arc;
 
 /// Mass and speed one; R = E* = 1.

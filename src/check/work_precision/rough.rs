@@ -1,8 +1,8 @@
 //! A rough line on a ball.
 
 use super::{Answer, Effort, Method, Setting, Study};
-use crate::physics::quantity::{Hurst, Length};
-use crate::physics::rough::{Rings, RoughBed, RoughLine, SelfAffine};
+use crate::input::quantity::{Hurst, Length};
+use crate::shape::rough::{Rings, RoughBed, RoughLine, SelfAffine};
 
 /// Springs of the reference.
 const FINEST: usize = 1 << 21;

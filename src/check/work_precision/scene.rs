@@ -1,11 +1,11 @@
 //! Any scene: its own solver at several accuracies, and beds of springs.
 
 use super::{Answer, Effort, Method, Setting, Study};
-use crate::physics::adhesion::Adhesion;
-use crate::physics::quantity::Accuracy;
-use crate::physics::record::{Outcome, Value};
-use crate::physics::setup::Setup;
-use crate::physics::simulation::{self, SimulationError, Wanted};
+use crate::contact::adhesion::Adhesion;
+use crate::input::quantity::Accuracy;
+use crate::run::record::{Outcome, Value};
+use crate::run::{self, SimulationError, Wanted};
+use crate::scene::setup::Setup;
 use std::num::NonZeroUsize;
 
 /// Accuracy of the reference.
@@ -19,7 +19,7 @@ const FINEST: f64 = 1e-8;
 /// The scene cannot be run.
 pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
     let own = refined(setup, None, FINEST);
-    let outcome = simulation::run(&own, Wanted::NOTHING)?;
+    let outcome = run::run(&own, Wanted::NOTHING)?;
     let exact = numbers(&outcome);
     let direct = outcome.plan.solver == "direct";
     let accuracies: &[f64] = if direct { &[1e-6] } else { &[1e-2, 1e-3, 1e-4, 1e-5, 1e-6] };
@@ -27,7 +27,7 @@ pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
         let exact = exact.clone();
         Method::new(name, setting, move || {
             let (setup, exact) = (setup.clone(), exact.clone());
-            Some(move || answer(&simulation::run(&setup, Wanted::NOTHING).ok()?, &exact))
+            Some(move || answer(&run::run(&setup, Wanted::NOTHING).ok()?, &exact))
         })
     };
     let mut methods: Vec<Method> = accuracies

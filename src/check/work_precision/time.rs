@@ -3,14 +3,14 @@
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::ting::Triangle;
 use crate::check::usual;
-use crate::physics::material::Relaxation;
-use crate::physics::quantity::Length;
-use crate::physics::shape::Paraboloid;
-use crate::physics::viscoelastic::Spectrum;
-use crate::physics::viscoelastic::direct::Direct;
-use crate::physics::viscoelastic::layout::Layout;
-use crate::physics::viscoelastic::lazy::Lazy;
-use crate::physics::viscoelastic::memory::Memory;
+use crate::contact::viscoelastic::Spectrum;
+use crate::contact::viscoelastic::direct::Direct;
+use crate::contact::viscoelastic::layout::Layout;
+use crate::contact::viscoelastic::lazy::Lazy;
+use crate::contact::viscoelastic::memory::Memory;
+use crate::input::quantity::Length;
+use crate::material::Relaxation;
+use crate::shape::Paraboloid;
 use std::sync::Arc;
 
 const SPEED: f64 = 0.01;

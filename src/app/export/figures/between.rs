@@ -1,9 +1,10 @@
 //! States between records, where a curve is too bent for a straight line from one to the next.
 
-use crate::physics::adhesion::Adhesion;
-use crate::physics::adhesion::line::EdgeLine;
-use crate::physics::record::{Normal, Record};
-use crate::physics::setup::Setup;
+use crate::contact::adhesion::Adhesion;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::state::Normal;
+use crate::run::record::Record;
+use crate::scene::setup::Setup;
 
 /// Change of the contact radius, over the largest radius, from which a straight line is seen as one.
 const COARSE: f64 = 0.02;

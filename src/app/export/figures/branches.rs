@@ -1,6 +1,6 @@
 //! Records told apart by direction: approach and retraction, with the jumps between them.
 
-use crate::physics::record::Record;
+use crate::run::record::Record;
 
 /// Label of a branch along which the indentation grows; the first in the order of letters.
 pub const APPROACH: &str = "approach";

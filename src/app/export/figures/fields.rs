@@ -2,8 +2,8 @@
 
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Guide, Panel, Series};
-use crate::physics::record::{Field, FieldRow, Outcome};
-use crate::physics::setup::Setup;
+use crate::run::record::{Field, FieldRow, Outcome};
+use crate::scene::setup::Setup;
 
 /// Pressure profiles over the radius or, in a plane contact, the place; at most four: the largest contact and the last ones.
 pub fn pressure(setup: &Setup, outcome: &Outcome) -> Panel {
@@ -100,7 +100,7 @@ fn curve(field: &Field) -> Series {
 
 /// Stresses on the axis at the largest force.
 pub fn stress(outcome: &Outcome) -> Panel {
-    let of = |value: fn(&crate::physics::record::StressRow) -> f64| {
+    let of = |value: fn(&crate::contact::stress::StressRow) -> f64| {
         outcome.stresses.iter().map(|row| (row.depth, value(row))).collect::<Vec<_>>()
     };
     Panel::new(Axis::linear("depth z on the axis", "m").from(0.0), Axis::linear("stress", "Pa"))

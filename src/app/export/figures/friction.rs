@@ -2,14 +2,15 @@
 
 use super::fields::shown;
 use crate::app::figure::{Axis, Colour, Guide, Line, Mark, Marks, Panel, Series};
-use crate::physics::friction::Friction;
-use crate::physics::friction::peeling::ShearedAdhesion;
-use crate::physics::friction::sliding::{SlidingLaw, SlidingPoint, amontons_range, friction_curve};
-use crate::physics::history::Entry;
-use crate::physics::record::{Field, FieldRow, Outcome, Record, Tangential};
-use crate::physics::scene::Plot;
-use crate::physics::setup::Setup;
-use crate::physics::simulation::sheared;
+use crate::friction::Friction;
+use crate::friction::peeling::ShearedAdhesion;
+use crate::friction::sliding::{SlidingLaw, SlidingPoint, amontons_range, friction_curve};
+use crate::friction::state::Tangential;
+use crate::run::record::{Field, FieldRow, Outcome, Record};
+use crate::run::sheared;
+use crate::scene::Plot;
+use crate::scene::history::Entry;
+use crate::scene::setup::Setup;
 
 /// Deviation of d ln F_x/d ln F from one up to which Amontons' law counts as holding.
 const AMONTONS: f64 = 0.01;

@@ -2,7 +2,7 @@
 
 use super::against_time;
 use crate::app::figure::{Axis, Guide, Line, Marks, Panel, Series};
-use crate::physics::record::{ImpactRow, Impacts, Incidence, Record};
+use crate::run::record::{ImpactRow, Impacts, Incidence, Record};
 
 /// Depth, force and contact radius over time.
 pub fn over_time(records: &[Record]) -> Vec<Panel> {

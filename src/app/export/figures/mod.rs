@@ -10,11 +10,11 @@ mod rough;
 mod shape;
 
 use crate::app::figure::{Axis, Colour, Figure, Guide, Line, Panel, Series};
-use crate::physics::history::Entry;
-use crate::physics::record::{Outcome, Record};
-use crate::physics::scene::Plot;
-use crate::physics::setup::Setup;
-use crate::physics::shape::Rim;
+use crate::run::record::{Outcome, Record};
+use crate::scene::Plot;
+use crate::scene::history::Entry;
+use crate::scene::setup::Setup;
+use crate::shape::Rim;
 pub use comparison::comparison_figure;
 
 use branches::{Branch, branches, jumps};

@@ -1,12 +1,12 @@
 //! Rough shapes: force and stiffness of the bed, and the line itself.
 
 use crate::app::figure::{Axis, Guide, Line, Panel, Series};
-use crate::physics::record::{EnsembleRow, Outcome, Record};
-use crate::physics::rough::{RoughLine, Scatter, SpectrumSource};
-use crate::physics::scene::Plot;
-use crate::physics::setup::Setup;
-use crate::physics::shape::Shape;
-use crate::physics::surface::Surface;
+use crate::run::record::{EnsembleRow, Outcome, Record};
+use crate::scene::Plot;
+use crate::scene::setup::Setup;
+use crate::scene::surface::Surface;
+use crate::shape::Shape;
+use crate::shape::rough::{RoughLine, Scatter, SpectrumSource};
 
 /// What suits a rough shape.
 pub const SUITING: [Plot; 2] = [Plot::Force, Plot::Shape];

@@ -1,10 +1,10 @@
 //! The indenter and its one-dimensional equivalent; the moduli of a viscoelastic body.
 
 use crate::app::figure::{Axis, Panel, Series};
-use crate::physics::material::Relaxation;
-use crate::physics::record::Outcome;
-use crate::physics::setup::Setup;
-use crate::physics::shape::Rim;
+use crate::material::Relaxation;
+use crate::run::record::Outcome;
+use crate::scene::setup::Setup;
+use crate::shape::Rim;
 use std::f64::consts::TAU;
 
 const POINTS: usize = 400;

@@ -1,0 +1,474 @@
+//! Equilibrium curves and the branches a quasi-static contact follows on them.
+
+use crate::numerics::root;
+
+/// What the machine prescribes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
+    /// The indentation depth d.
+    Indentation,
+    /// The normal force F.
+    Force,
+}
+
+/// A state on an equilibrium curve. Lengths in metres, force in newtons.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balance {
+    /// Radius a of the contact.
+    pub contact_radius: f64,
+    /// Radius c ≥ a up to which the bodies attract each other.
+    pub reach: f64,
+    /// Indentation d.
+    pub indentation: f64,
+    /// Normal force F.
+    pub force: f64,
+}
+
+/// Equilibrium states of a contact, as a curve with one growing parameter.
+///
+/// The parameter s is the radius up to which the bodies act on each other. Off the curve the edge
+/// moves: it opens where Q(s) is above the prescribed value Q and closes where it is below
+/// (Q = d or F). So a state is stable where Q grows with s, and a contact that has lost its
+/// stability runs to the next stable crossing in the direction of the motion.
+pub trait Equilibrium {
+    /// The prescribed quantity Q(s).
+    fn value(&self, control: Control, s: f64) -> f64;
+
+    /// Its derivative dQ/ds.
+    fn slope(&self, control: Control, s: f64) -> f64;
+
+    /// The smallest parameter: where the bodies part or first act on each other.
+    fn start(&self) -> f64;
+
+    /// The largest parameter; infinite where the profile goes on for ever.
+    fn end(&self) -> f64;
+
+    /// A length typical of the turning points.
+    fn scale(&self) -> f64;
+
+    /// Where turning points have to be looked for.
+    fn search(&self) -> Search;
+}
+
+/// Where an equilibrium curve can turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Search {
+    /// Nowhere: Q grows with s.
+    Nowhere,
+    /// Once: a convex profile with attraction of vanishing range.
+    Once,
+    /// A few times, over this many decades about the scale: attraction of finite range.
+    Decades(f64, f64),
+    /// About this parameter at any scale, where the law of the profile changes: a flat or rounded tip.
+    About(f64),
+    /// Many times, spaced by about this length [m]: a wavy profile.
+    Spaced(f64),
+}
+
+/// Whether a turning point is the lower or the upper end of a stable branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Minimum,
+    Maximum,
+}
+
+/// A point where dQ/ds changes its sign.
+#[derive(Debug, Clone, Copy)]
+struct Turning {
+    s: f64,
+    value: f64,
+    kind: Kind,
+}
+
+/// A jump from one stable branch to another, or out of contact (`to` at the start of the curve).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leap {
+    /// The prescribed quantity at the jump.
+    pub at: f64,
+    /// Parameter before.
+    pub from: f64,
+    /// Parameter after.
+    pub to: f64,
+}
+
+/// Why a branch could not be followed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum BranchError {
+    /// The contact would grow beyond the end of the profile.
+    #[error("the contact would grow beyond the end of the profile at the radius {end:e} m")]
+    BeyondEnd {
+        /// End of the profile [m].
+        end: f64,
+    },
+    /// The waviness is too fine against the contact to follow each wave.
+    #[error(
+        "the contact would cover more than {most} waves: no jump could be told from the next; use a longer wavelength or a smaller contact"
+    )]
+    TooManyWaves {
+        /// The most that are followed.
+        most: usize,
+    },
+    /// The equilibrium has no value.
+    #[error("the equilibrium of the contact has no value: {0}")]
+    Root(#[from] root::RootError),
+}
+
+/// Points at which the slope is looked at per wave.
+const POINTS_PER_WAVE: f64 = 24.0;
+/// The most waves that are followed.
+const MOST_WAVES: usize = 200_000;
+/// Points per decade in the search over decades.
+const POINTS_PER_DECADE: f64 = 24.0;
+
+/// The stable branches of an equilibrium curve under one kind of control.
+#[derive(Debug, Clone)]
+pub struct Branches {
+    control: Control,
+    turning: Vec<Turning>,
+    scanned: f64,
+}
+
+impl Branches {
+    /// The branches of `curve`; wavy curves are searched further as the contact grows.
+    ///
+    /// # Errors
+    /// The equilibrium has no value somewhere.
+    pub fn new(curve: &impl Equilibrium, control: Control) -> Result<Self, BranchError> {
+        let mut branches = Self { control, turning: Vec::new(), scanned: f64::INFINITY };
+        branches.mark_start(curve);
+        match curve.search() {
+            Search::Nowhere => {}
+            Search::Once => branches.find_single(curve, curve.end())?,
+            Search::Decades(below, above) => branches.find_in_decades(curve, (below, above))?,
+            Search::About(kink) => branches.find_about(curve, kink)?,
+            Search::Spaced(length) => {
+                let first = length / POINTS_PER_WAVE;
+                branches.scanned = first.min(curve.end());
+                if curve.slope(control, first) > 0.0 {
+                    branches.find_single(curve, first)?;
+                }
+            }
+        }
+        Ok(branches)
+    }
+
+    /// Follows the stable branch from `s` while the prescribed quantity goes to `target`.
+    ///
+    /// Returns the parameter at the end and the jumps on the way, in order. Beyond a wall the
+    /// parameter stays at the end of the curve.
+    ///
+    /// # Errors
+    /// The contact would leave the profile, or cover too many waves.
+    pub fn follow(&mut self, curve: &impl Equilibrium, s: f64, target: f64) -> Result<(f64, Vec<Leap>), BranchError> {
+        let mut leaps = Vec::new();
+        let upwards = s <= curve.start() || curve.value(self.control, s) <= target;
+        let end =
+            if upwards { self.climb(curve, s, target, &mut leaps)? } else { self.sink(curve, s, target, &mut leaps)? };
+        Ok((end, leaps))
+    }
+
+    fn climb(
+        &mut self,
+        curve: &impl Equilibrium,
+        s: f64,
+        target: f64,
+        leaps: &mut Vec<Leap>,
+    ) -> Result<f64, BranchError> {
+        let mut at = s;
+        if at <= curve.start() {
+            if target < curve.value(self.control, curve.start()) {
+                return Ok(curve.start());
+            }
+            if let Some(first) = self.turning.first().copied().filter(|first| first.kind == Kind::Maximum) {
+                let to = self.landing_above(curve, first)?;
+                leaps.push(Leap { at: first.value, from: first.s, to });
+                at = to;
+            }
+        }
+        self.scan_until(curve, target)?;
+        while let Some(top) = self.next_maximum(at) {
+            if top.value >= target {
+                return self.root_between(curve, (at, top.s), target);
+            }
+            let to = self.landing_above(curve, top)?;
+            leaps.push(Leap { at: top.value, from: top.s, to });
+            at = to;
+        }
+        self.root_above(curve, at, target)
+    }
+
+    fn sink(&self, curve: &impl Equilibrium, s: f64, target: f64, leaps: &mut Vec<Leap>) -> Result<f64, BranchError> {
+        let mut at = s;
+        loop {
+            let Some(bottom) = self.minimum_below(at) else { return Ok(curve.start()) };
+            if bottom.value <= target {
+                return self.root_between(curve, (bottom.s, at), target);
+            }
+            if bottom.s <= curve.start() {
+                return Ok(curve.start());
+            }
+            let to = self.landing_below(curve, bottom)?;
+            leaps.push(Leap { at: bottom.value, from: bottom.s, to });
+            at = to;
+            if at <= curve.start() {
+                return Ok(at);
+            }
+        }
+    }
+
+    /// First stable state above a maximum at the same prescribed value.
+    fn landing_above(&mut self, curve: &impl Equilibrium, top: Turning) -> Result<f64, BranchError> {
+        self.scan_until(curve, top.value)?;
+        let mut from = self.next_minimum(top.s).map_or(top.s, |bottom| bottom.s);
+        while let Some(next) = self.next_maximum(from) {
+            if next.value > top.value {
+                return self.root_between(curve, (from, next.s), top.value);
+            }
+            from = self.next_minimum(next.s).map_or(next.s, |bottom| bottom.s);
+        }
+        self.root_above(curve, from, top.value)
+    }
+
+    /// First stable state below a minimum at the same prescribed value; the start if there is none.
+    fn landing_below(&self, curve: &impl Equilibrium, bottom: Turning) -> Result<f64, BranchError> {
+        let mut below = bottom.s;
+        while let Some(top) = self.maximum_below(below) {
+            let Some(low) = self.minimum_below(top.s) else { break };
+            if low.value < bottom.value {
+                return self.root_between(curve, (low.s, top.s), bottom.value);
+            }
+            below = low.s;
+        }
+        Ok(curve.start())
+    }
+
+    fn next_maximum(&self, s: f64) -> Option<Turning> {
+        let from = self.turning.partition_point(|turning| turning.s <= s);
+        self.turning[from..].iter().find(|turning| turning.kind == Kind::Maximum).copied()
+    }
+
+    fn next_minimum(&self, s: f64) -> Option<Turning> {
+        let from = self.turning.partition_point(|turning| turning.s <= s);
+        self.turning[from..].iter().find(|turning| turning.kind == Kind::Minimum).copied()
+    }
+
+    /// Parameters strictly between `low` and `high` at which Q turns, ascending.
+    ///
+    /// # Errors
+    /// A wavy contact covers too many waves.
+    pub fn turns_between(&mut self, curve: &impl Equilibrium, low: f64, high: f64) -> Result<Vec<f64>, BranchError> {
+        self.scan_to(curve, high)?;
+        let inside = |turning: &&Turning| turning.s > low && turning.s < high && turning.s > curve.start();
+        Ok(self.turning.iter().filter(inside).map(|turning| turning.s).collect())
+    }
+
+    /// The lowest value of Q on the stable branch at or below `s`, where the bodies part or jump.
+    #[must_use]
+    pub fn least_below(&self, s: f64) -> Option<f64> {
+        self.minimum_below(s).map(|bottom| bottom.value)
+    }
+
+    /// The minimum at or below `s`.
+    fn minimum_below(&self, s: f64) -> Option<Turning> {
+        let to = self.turning.partition_point(|turning| turning.s <= s);
+        self.turning[..to].iter().rev().find(|turning| turning.kind == Kind::Minimum).copied()
+    }
+
+    fn maximum_below(&self, s: f64) -> Option<Turning> {
+        let to = self.turning.partition_point(|turning| turning.s < s);
+        self.turning[..to].iter().rev().find(|turning| turning.kind == Kind::Maximum).copied()
+    }
+
+    fn root_between(&self, curve: &impl Equilibrium, (low, high): (f64, f64), target: f64) -> Result<f64, BranchError> {
+        let residual = |s: f64| curve.value(self.control, s) - target;
+        match root::brent(residual, low, high) {
+            Err(root::RootError::NoSignChange { .. }) => {
+                // The target is a turning value to rounding: the nearer end is the answer.
+                Ok(if residual(low).abs() <= residual(high).abs() { low } else { high })
+            }
+            found => Ok(found?),
+        }
+    }
+
+    /// The root on the last, rising branch above `s`; the end of the curve if the wall is reached.
+    ///
+    /// What has been searched is known to rise from its last turning point on; beyond it a step could
+    /// pass over the waves to come.
+    fn root_above(&self, curve: &impl Equilibrium, s: f64, target: f64) -> Result<f64, BranchError> {
+        let (end, searched) = (curve.end(), self.scanned);
+        let residual = |s: f64| curve.value(self.control, s) - target;
+        let from = self.turning.last().map_or(s, |turning| turning.s.max(s));
+        if searched.is_finite() && residual(searched) > 0.0 {
+            return self.root_between(curve, (from, searched), target);
+        }
+        let first = if s > curve.start() { s * (1.0 + 1.0 / 64.0) } else { curve.start() + curve.scale() };
+        match self.bracket_above(residual, (s, first), end) {
+            Some(bracket) => self.root_between(curve, bracket, target),
+            None => Ok(end),
+        }
+    }
+
+    fn bracket_above(
+        &self,
+        mut residual: impl FnMut(f64) -> f64,
+        (low, high): (f64, f64),
+        end: f64,
+    ) -> Option<(f64, f64)> {
+        let (mut low, mut high) = (low, high.min(end));
+        let mut growth = (high / low).clamp(1.0 + 1.0 / 64.0, 2.0);
+        while residual(high) < 0.0 {
+            if high >= end || high >= 0.25 * f64::MAX {
+                return None;
+            }
+            growth = (growth * growth).min(4.0);
+            (low, high) = (high, (high * growth).min(end));
+        }
+        Some((low, high))
+    }
+
+    fn mark_start(&mut self, curve: &impl Equilibrium) {
+        let s = curve.start();
+        let kind = if curve.search() == Search::Nowhere { Kind::Minimum } else { Kind::Maximum };
+        self.turning.push(Turning { s, value: curve.value(self.control, s), kind });
+    }
+
+    fn push(&mut self, curve: &impl Equilibrium, s: f64, kind: Kind) {
+        self.turning.push(Turning { s, value: curve.value(self.control, s), kind });
+    }
+
+    /// The single minimum below `limit`, bracketed in factors of four about the scale.
+    fn find_single(&mut self, curve: &impl Equilibrium, limit: f64) -> Result<(), BranchError> {
+        let slope = |s: f64| curve.slope(self.control, s);
+        let mut high = curve.scale().min(limit);
+        while slope(high) < 0.0 {
+            if high >= limit || high > 1e300 {
+                self.push(curve, high, Kind::Minimum);
+                return Ok(());
+            }
+            high = (4.0 * high).min(limit);
+        }
+        let mut low = 0.25 * high;
+        while slope(low) > 0.0 && low > 1e-300 {
+            (low, high) = (0.25 * low, low);
+        }
+        let s = root::brent(slope, low, high)?;
+        self.push(curve, s, Kind::Minimum);
+        Ok(())
+    }
+
+    /// Turning points below a kink, at it and closely above it, and the last one far above.
+    ///
+    /// The edge of a flat holds the contact over a range of Q in a sliver as thin as 1e-13 of it.
+    fn find_about(&mut self, curve: &impl Equilibrium, kink: f64) -> Result<(), BranchError> {
+        let mut at = kink * (1.0 - f64::EPSILON);
+        if curve.slope(self.control, at) > 0.0 {
+            self.find_single(curve, at)?;
+        }
+        let closing_in = (0..=14).rev().map(|k| kink * (1.0 + 8f64.powi(-k)));
+        let beyond = std::iter::successors(Some(2.0 * kink), |s| Some(1.1 * s));
+        for next in closing_in.chain(beyond) {
+            // Beyond a few times the kink Q grows for good once it grows.
+            if at > 8.0 * kink && curve.slope(self.control, at) > 0.0 || at > 1e300 {
+                return Ok(());
+            }
+            if next > at {
+                self.find_between(curve, (at, next))?;
+                at = next;
+            }
+        }
+        Ok(())
+    }
+
+    fn find_in_decades(&mut self, curve: &impl Equilibrium, (below, above): (f64, f64)) -> Result<(), BranchError> {
+        let mut s = curve.scale() * 10f64.powf(-below);
+        let top = (curve.scale() * 10f64.powf(above)).min(curve.end());
+        let factor = 10f64.powf(1.0 / POINTS_PER_DECADE);
+        self.turning.clear();
+        let kind = if curve.slope(self.control, s) < 0.0 { Kind::Maximum } else { Kind::Minimum };
+        self.push(curve, curve.start(), kind);
+        while s < top {
+            let next = (s * factor).min(top);
+            self.find_between(curve, (s, next))?;
+            s = next;
+        }
+        self.close_at_wall(curve, top);
+        Ok(())
+    }
+
+    /// At a wall the prescribed quantity can grow at once, so a falling end is a minimum.
+    fn close_at_wall(&mut self, curve: &impl Equilibrium, top: f64) {
+        if top >= curve.end() && curve.slope(self.control, top) < 0.0 {
+            self.push(curve, top, Kind::Minimum);
+        }
+    }
+
+    /// Searches a wavy curve until it has risen above `target` for good.
+    fn scan_until(&mut self, curve: &impl Equilibrium, target: f64) -> Result<(), BranchError> {
+        let Search::Spaced(length) = curve.search() else { return Ok(()) };
+        while self.scanned < curve.end() && !self.has_passed(curve, target) {
+            self.scan_step(curve, length)?;
+        }
+        Ok(())
+    }
+
+    /// Searches a wavy curve out to the parameter `s`.
+    fn scan_to(&mut self, curve: &impl Equilibrium, s: f64) -> Result<(), BranchError> {
+        let Search::Spaced(length) = curve.search() else { return Ok(()) };
+        while self.scanned < s.min(curve.end()) {
+            self.scan_step(curve, length)?;
+        }
+        Ok(())
+    }
+
+    fn scan_step(&mut self, curve: &impl Equilibrium, length: f64) -> Result<(), BranchError> {
+        let next = (self.scanned + length / POINTS_PER_WAVE).min(curve.end());
+        if next / length > MOST_WAVES as f64 {
+            return Err(BranchError::TooManyWaves { most: MOST_WAVES });
+        }
+        self.find_between(curve, (self.scanned, next))?;
+        self.scanned = next;
+        if next >= curve.end() {
+            self.close_at_wall(curve, next);
+        }
+        Ok(())
+    }
+
+    fn has_passed(&self, curve: &impl Equilibrium, target: f64) -> bool {
+        curve.value(self.control, self.scanned) > target
+            && self.turning.last().is_none_or(|turning| turning.kind == Kind::Minimum)
+    }
+
+    /// Turning points between two neighbouring points of a search, a close pair included.
+    fn find_between(&mut self, curve: &impl Equilibrium, (low, high): (f64, f64)) -> Result<(), BranchError> {
+        let slope = |s: f64| curve.slope(self.control, s);
+        let (at_low, at_high) = (slope(low), slope(high));
+        if (at_low > 0.0) != (at_high > 0.0) {
+            let s = root::brent(slope, low, high)?;
+            let kind = if at_high > 0.0 { Kind::Minimum } else { Kind::Maximum };
+            self.push(curve, s, kind);
+            return Ok(());
+        }
+        let Some(between) = nearest_to_zero((low, at_low), slope, (high, at_high)) else { return Ok(()) };
+        if (slope(between) > 0.0) != (at_low > 0.0) {
+            let pair = [root::brent(slope, low, between)?, root::brent(slope, between, high)?];
+            let kinds = if at_low > 0.0 { [Kind::Maximum, Kind::Minimum] } else { [Kind::Minimum, Kind::Maximum] };
+            for (s, kind) in pair.into_iter().zip(kinds) {
+                self.push(curve, s, kind);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Where a function that keeps its sign at both ends comes nearest to zero between them, by the
+/// parabola through three points; `None` if that is not inside.
+fn nearest_to_zero((low, a): (f64, f64), f: impl Fn(f64) -> f64, (high, c): (f64, f64)) -> Option<f64> {
+    let middle = 0.5 * (low + high);
+    let b = f(middle);
+    if b.abs() >= a.abs().min(c.abs()) && (b > 0.0) == (a > 0.0) {
+        return None;
+    }
+    let shift = 0.5 * (a - c) / (a - 2.0 * b + c);
+    let at = middle + 0.5 * (high - low) * shift;
+    (at > low && at < high).then_some(at)
+}

@@ -1,0 +1,83 @@
+//! Creep of a contact that only grows: the exact answer to a prescribed force.
+
+use super::Spectrum;
+use super::ledger::square_remainder;
+use super::spring::decay;
+use crate::numerics::root;
+use crate::shape::Profile;
+use std::sync::Arc;
+
+/// Contact under a force that never falls, from the first touch on.
+///
+/// N(a(t)) = ½ ∫ J(t−s) dF(s), with J the creep compliance [1/Pa] and N = ∫₀^a (g(a) − g) dx (Lee &
+/// Radok 1960, inverted); for a paraboloid a³ = (3R/4) ∫ J dF. As long as F does not fall, N grows,
+/// and so does the contact. No step in time is involved.
+#[derive(Debug, Clone)]
+pub struct Creep {
+    spectrum: Arc<Spectrum>,
+    profile: Arc<dyn Profile>,
+    force: f64,
+    /// Retarded parts ∫ Jₘ(1 − e^(−(t−s)/λₘ)) dF [m²].
+    retarded: Vec<f64>,
+    /// Flow of a liquid, ∫ F dt/η₀ [m²].
+    flow: f64,
+}
+
+impl Creep {
+    /// Bodies just touching.
+    #[must_use]
+    pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>) -> Self {
+        let retarded = vec![0.0; spectrum.modes().len()];
+        Self { spectrum, profile, force: 0.0, retarded, flow: 0.0 }
+    }
+
+    /// The contact after the force has gone linearly to `force` [N] in `duration` [s].
+    #[must_use]
+    pub fn after(&self, force: f64, duration: f64) -> Self {
+        let mut next = self.clone();
+        next.flow += 0.5 * (force + self.force) * duration * self.spectrum.fluidity();
+        for (mode, y) in self.spectrum.modes().iter().zip(&mut next.retarded) {
+            // ẏ = (J F − y)/λ: the constant part of F, and its rise, which lags behind.
+            let y_end = duration / mode.time;
+            let (kept, lost) = decay(y_end);
+            let rise = if y_end > 0.0 { square_remainder(y_end, lost) / y_end } else { 0.0 };
+            *y = kept * *y + mode.compliance * (self.force * lost + (force - self.force) * rise);
+        }
+        next.force = force;
+        next
+    }
+
+    /// Normal force [N].
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.force
+    }
+
+    /// Indentation [m]; `None` if the contact would outgrow the profile.
+    #[must_use]
+    pub fn indentation(&self) -> Option<f64> {
+        let sum = self.force * self.spectrum.glass_compliance() + self.retarded.iter().sum::<f64>() + self.flow;
+        depth_of_load(self.profile.as_ref(), 0.5 * sum)
+    }
+}
+
+/// The indentation d at which ∫₀^a (d − g) dx = `load` [m²] without adhesion.
+fn depth_of_load(profile: &dyn Profile, load: f64) -> Option<f64> {
+    if load <= 0.0 {
+        return Some(0.0);
+    }
+    let residual = |d: f64| {
+        let a = profile.edge(d)?;
+        Some(profile.load_integral(a) + a * (d - profile.reduced(a)) - load)
+    };
+    let mut high = profile.reduced(profile.scale()).clamp(1e-100, 1e100);
+    while residual(high).is_some_and(|rest| rest < 0.0) {
+        high *= 4.0;
+    }
+    let mut low = high;
+    while low > 0.0 && residual(low).is_none_or(|rest| rest > 0.0) {
+        (low, high) = (0.25 * low, low);
+    }
+    let depth = root::brent(|d| residual(d).unwrap_or(load), low, high).ok()?;
+    residual(depth).map(|_| depth)
+}

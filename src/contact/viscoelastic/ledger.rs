@@ -1,0 +1,87 @@
+//! Energy of one spring: the work done on it, what it stores, what its dashpots turn into heat.
+//!
+//! All per unit length of the bed, in closed form, each independent of the others.
+
+use super::spring::{Free, Piece, decay};
+use super::{Mode, Spectrum, Term};
+
+/// Energies of a bed [J], or of one spring per unit length [J/m].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Ledger {
+    /// Work done by the indenter.
+    pub work: f64,
+    /// Energy in the elastic parts.
+    pub stored: f64,
+    /// Energy turned into heat.
+    pub dissipated: f64,
+}
+
+impl Spectrum {
+    /// Energy ½E∞u² + Σ sᵢ²/2Eᵢ in a pressed spring.
+    pub fn stored_pressed(&self, u: f64, s: &[f64]) -> f64 {
+        let elements = self.terms().iter().zip(s).map(|(term, s)| 0.5 * s * (s / term.modulus));
+        0.5 * self.equilibrium() * u * u + elements.sum::<f64>()
+    }
+
+    /// Energy Σ zₘ²/2Jₘ in a free spring.
+    pub fn stored_free(&self, free: &Free) -> f64 {
+        self.modes().iter().zip(&free.modes).map(|(mode, z)| 0.5 * z * (z / mode.compliance)).sum()
+    }
+
+    /// ∫ q dt [N s/m] over one piece of a spring's life.
+    pub fn impulse(&self, piece: &Piece<'_>) -> f64 {
+        let Piece::Pressed { u, s, speed, duration } = *piece else { return 0.0 };
+        let element = |(term, s): (&Term, &f64)| impulse(term, *s, speed, duration);
+        let elements: f64 = self.terms().iter().zip(s).map(element).sum();
+        let steady = self.equilibrium() * (u + 0.5 * speed * duration) + self.viscosity() * speed;
+        steady * duration + elements
+    }
+
+    /// Adds the work and the heat of one piece of a spring's life.
+    pub fn account(&self, piece: &Piece<'_>, ledger: &mut Ledger) {
+        match *piece {
+            Piece::Pressed { s, speed, duration, .. } => {
+                ledger.work += speed * self.impulse(piece);
+                ledger.dissipated += self.heat_pressed(s, speed, duration);
+            }
+            Piece::Free { free, duration } => ledger.dissipated += self.heat_free(free, duration),
+        }
+    }
+
+    /// Heat ηv²t + Σ ∫ sᵢ² dt/(Eᵢτᵢ) of a pressed spring.
+    fn heat_pressed(&self, s: &[f64], v: f64, t: f64) -> f64 {
+        let element = |(term, s): (&Term, &f64)| {
+            let (a, ev) = (decay(t / term.time).1, term.modulus * v);
+            let squares = 0.5 * s * s * a * (2.0 - a) + s * ev * term.time * a * a;
+            squares / term.modulus + ev * v * term.time * term.time * cubic_remainder(t / term.time, a)
+        };
+        self.viscosity() * v * v * t + self.terms().iter().zip(s).map(element).sum::<f64>()
+    }
+
+    fn heat_free(&self, free: &Free, t: f64) -> f64 {
+        let part = |(mode, z): (&Mode, &f64)| 0.5 * z * (z / mode.compliance) * decay(2.0 * t / mode.time).1;
+        self.modes().iter().zip(&free.modes).map(part).sum()
+    }
+}
+
+/// ∫ s dt of a Maxwell element that starts at the load `s` and moves at the speed `v` for the time `t`.
+pub(super) fn impulse(term: &Term, s: f64, v: f64, t: f64) -> f64 {
+    let y = t / term.time;
+    let lost = decay(y).1;
+    s * term.time * lost + term.modulus * v * term.time * (term.time * square_remainder(y, lost))
+}
+
+/// y − a with a = 1 − e^(−y): Σ aᵏ/k from k = 2.
+pub(super) fn square_remainder(y: f64, a: f64) -> f64 {
+    if a > 0.3 { y - a } else { tail(a, 2) }
+}
+
+/// y − a − a²/2 with a = 1 − e^(−y): Σ aᵏ/k from k = 3.
+fn cubic_remainder(y: f64, a: f64) -> f64 {
+    if a > 0.3 { y - a - 0.5 * a * a } else { tail(a, 3) }
+}
+
+/// Σ aᵏ/k from k = `first`; 32 terms leave 0.3³² < 1e-16.
+fn tail(a: f64, first: i32) -> f64 {
+    (first..first + 32).rev().map(|k| a.powi(k) / f64::from(k)).sum()
+}

@@ -1,0 +1,58 @@
+//! Sums over a part of the bed, and how they change when all its springs move alike.
+
+use super::Spectrum;
+use super::spring::{Spring, decay};
+
+/// Σ w sᵢ and Σ w sᵢ² over pressed springs, Σ w zₘ² over free ones; w is the weight of a spring [m].
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Totals {
+    /// Σ w sᵢ [N].
+    pub loads: Vec<f64>,
+    /// Σ w sᵢ² [N²/m].
+    pub squares: Vec<f64>,
+    /// Σ w zₘ² [m³].
+    pub modes: Vec<f64>,
+}
+
+impl Totals {
+    pub(super) fn new(spectrum: &Spectrum) -> Self {
+        let zeros = vec![0.0; spectrum.terms().len()];
+        Self { loads: zeros.clone(), squares: zeros, modes: vec![0.0; spectrum.modes().len()] }
+    }
+
+    /// Adds a spring of the weight `w`.
+    pub(super) fn add(&mut self, spring: &Spring, w: f64) {
+        match spring {
+            Spring::Pressed(loads) => {
+                for ((sum, square), s) in self.loads.iter_mut().zip(&mut self.squares).zip(loads) {
+                    *sum += w * s;
+                    *square += w * s * s;
+                }
+            }
+            Spring::Free(free) => {
+                self.modes.iter_mut().zip(&free.modes).for_each(|(sum, z)| *sum += w * z * z);
+            }
+        }
+    }
+
+    /// A motion at the speed `v` in which no spring is touched or released; `weight` = Σ w of the pressed.
+    pub(super) fn evolve(&mut self, spectrum: &Spectrum, (weight, v): (f64, f64), duration: f64) {
+        for (i, term) in spectrum.terms().iter().enumerate() {
+            let (keep, lost) = decay(duration / term.time);
+            let gain = term.modulus * v * term.time * lost;
+            let sum = keep * self.loads[i];
+            self.squares[i] = keep * keep * self.squares[i] + gain * (2.0 * sum + weight * gain);
+            self.loads[i] = sum + weight * gain;
+        }
+        for (mode, sum) in spectrum.modes().iter().zip(&mut self.modes) {
+            *sum *= decay(2.0 * duration / mode.time).0;
+        }
+    }
+
+    /// Σ of the energy in the Maxwell elements of the pressed springs and in the free ones [J].
+    pub(super) fn stored(&self, spectrum: &Spectrum) -> f64 {
+        let pressed = spectrum.terms().iter().zip(&self.squares).map(|(term, square)| 0.5 * square / term.modulus);
+        let free = spectrum.modes().iter().zip(&self.modes).map(|(mode, square)| 0.5 * square / mode.compliance);
+        pressed.sum::<f64>() + free.sum::<f64>()
+    }
+}

@@ -1,0 +1,3 @@
+//! Ways to move a contact.
+
+pub mod impact;

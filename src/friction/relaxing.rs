@@ -1,0 +1,357 @@
+//! Coulomb friction of viscoelastic bodies: a bed exact in time.
+//!
+//! Tangential springs have the spectrum of the normal ones times G*/E*. With v the tangential
+//! displacement divided by m = μE*/G*, the condition |q_x| ≤ μq says that the two springs of
+//! displacement n − v and n + v, n the normal displacement, are never in tension. The bed therefore
+//! is two unilateral contacts: a spring sticks while both are pressed at the speeds ḋ ∓ u̇, and slips
+//! forwards or backwards while one of them is free and creeps without load. The loads have never
+//! been negative, so the facts of [`spring`](crate::contact::viscoelastic::spring) hold for both: at
+//! constant speeds the load of a pressed one passes zero at most once, and a free one creeps ever more
+//! slowly, so that slip begins at most once between two changes of speed and ends only at one.
+
+use super::FrictionError;
+use super::turning::Grip;
+use crate::contact::viscoelastic::layout::Layout;
+use crate::contact::viscoelastic::spring::{Free, Piece, Spring};
+use crate::contact::viscoelastic::{Motion, Spectrum};
+use crate::shape::Profile;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+/// A bed of viscoelastic springs with Coulomb friction, exact for motions of constant speeds.
+///
+/// There is no error of the time step: every instant at which a spring is touched, begins to slip or
+/// is released is a root. What remains is the sum over the springs. Valid for a constant Poisson's
+/// ratio (G*/E* constant in time) and elastic similarity. The heat of friction is not accounted apart
+/// from the heat of relaxation: the work done at the bed is the sum of both and of the energy stored.
+/// Check: without terms it is [`CoulombBed`](super::bed::CoulombBed).
+#[derive(Debug, Clone)]
+pub struct RelaxingBed {
+    spectrum: Arc<Spectrum>,
+    layout: Layout,
+    /// μ and m; moduli enter only by their ratio.
+    coefficient: f64,
+    reach: f64,
+    depth: f64,
+    speeds: (f64, f64),
+    springs: Vec<(Spring, Tangential)>,
+}
+
+/// Tangential state of a spring, divided by m.
+#[derive(Debug, Clone, PartialEq)]
+enum Tangential {
+    /// Under the indenter.
+    Held {
+        /// Displacement [m].
+        displacement: f64,
+        /// Element loads [N/m].
+        loads: Vec<f64>,
+        /// Whether and whither it slips.
+        slip: Slip,
+    },
+    /// Not under it.
+    Free(Free),
+}
+
+/// Whether a spring slips; +1 forwards, −1 backwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Slip {
+    No,
+    Towards(f64),
+}
+
+/// A stretch in which the spring stays under the indenter.
+struct Pressed<'a> {
+    start: f64,
+    loads: &'a [f64],
+    speed: f64,
+    slide: f64,
+    duration: f64,
+}
+
+impl RelaxingBed {
+    /// A bed of `springs` springs between the axis and the distance `radius` [m], never touched.
+    ///
+    /// The moduli of `grip` count by their ratio only.
+    ///
+    /// # Errors
+    /// The profile ends before `radius`.
+    pub fn new(
+        profile: &dyn Profile,
+        spectrum: Arc<Spectrum>,
+        grip: Grip,
+        (springs, radius): (NonZeroUsize, f64),
+    ) -> Result<Self, FrictionError> {
+        let layout = Layout::uniform(profile, radius, springs.get());
+        if layout.height.iter().any(|height| height.is_nan()) {
+            return Err(FrictionError::BeyondRadius { radius });
+        }
+        let rest = Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] };
+        let springs = vec![(Spring::untouched(&spectrum), Tangential::Free(rest)); layout.len()];
+        let (coefficient, reach) = (grip.coefficient, grip.reach());
+        Ok(Self { spectrum, layout, coefficient, reach, depth: 0.0, speeds: (0.0, 0.0), springs })
+    }
+
+    /// Moves at the normal speed `speed` and the tangential speed `slide` [m/s] for `duration` [s].
+    pub fn advance(&mut self, (speed, slide): (f64, f64), duration: f64) {
+        let motion = Motion { start: self.depth, speed, duration };
+        let slide = if self.reach > 0.0 { slide / self.reach } else { 0.0 };
+        let spectrum = self.spectrum.as_ref();
+        for ((normal, tangential), height) in self.springs.iter_mut().zip(&self.layout.height) {
+            let seen = Motion { start: motion.start - height, ..motion };
+            let before = std::mem::replace(normal, Spring::Pressed(Vec::new()));
+            *normal = before.follow(spectrum, &seen, &mut |piece| tangential.follow(spectrum, piece, slide));
+        }
+        self.depth = motion.end();
+        self.speeds = (speed, slide);
+    }
+
+    /// Number of springs.
+    #[must_use]
+    pub fn springs(&self) -> usize {
+        self.springs.len()
+    }
+
+    /// Bytes of the springs: each with its place, and the loads of its elements twice.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let elements = 2 * self.spectrum.terms().len() * size_of::<f64>();
+        self.springs.len() * (size_of::<(Spring, Tangential)>() + 2 * size_of::<f64>() + elements)
+    }
+
+    /// Present depth [m].
+    #[must_use]
+    pub fn depth(&self) -> f64 {
+        self.depth
+    }
+
+    /// Normal and tangential force [N].
+    #[must_use]
+    pub fn forces(&self) -> (f64, f64) {
+        let loads = (0..self.springs.len()).map(|j| (self.layout.weight[j], self.line_loads(j)));
+        let sum = loads.fold((0.0, 0.0), |sum, (weight, load)| (sum.0 + weight * load.0, sum.1 + weight * load.1));
+        (sum.0, self.coefficient * sum.1)
+    }
+
+    /// Line loads q and q_x/μ [N/m] of the spring `j`; zero where it is free.
+    fn line_loads(&self, j: usize) -> (f64, f64) {
+        let (Spring::Pressed(loads), Tangential::Held { displacement, loads: own, slip }) = &self.springs[j] else {
+            return (0.0, 0.0);
+        };
+        let normal = self.spectrum.load(self.depth - self.layout.height[j], loads, self.speeds.0);
+        match slip {
+            Slip::Towards(side) => (normal, side * normal),
+            Slip::No => (normal, self.spectrum.load(*displacement, own, self.speeds.1)),
+        }
+    }
+
+    /// Number of springs under the indenter, and how many of them stick.
+    #[must_use]
+    pub fn held(&self) -> (usize, usize) {
+        let held = self.springs.iter().filter_map(|(normal, own)| match (normal, own) {
+            (Spring::Pressed(_), Tangential::Held { slip, .. }) => Some(usize::from(*slip == Slip::No)),
+            _ => None,
+        });
+        held.fold((0, 0), |(pressed, stuck), one| (pressed + 1, stuck + one))
+    }
+}
+
+impl Tangential {
+    /// Follows a stretch of the normal motion while the indenter slides at the speed `slide`.
+    fn follow(&mut self, spectrum: &Spectrum, piece: &Piece<'_>, slide: f64) {
+        match *piece {
+            Piece::Free { duration, .. } => self.recover(spectrum, duration),
+            Piece::Pressed { u, s, speed, duration } => {
+                self.drag(spectrum, &Pressed { start: u, loads: s, speed, slide, duration });
+            }
+        }
+    }
+
+    fn recover(&mut self, spectrum: &Spectrum, duration: f64) {
+        if let Self::Held { displacement, loads, .. } = self {
+            let mut free = Free::default();
+            spectrum.let_go((*displacement, loads), 0.0, &mut free);
+            *self = Self::Free(free);
+        }
+        if let Self::Free(free) = self {
+            spectrum.recover(free, duration);
+        }
+    }
+
+    fn drag(&mut self, spectrum: &Spectrum, pressed: &Pressed<'_>) {
+        let (mut displacement, mut loads, slip) = self.touched(spectrum);
+        if let Slip::Towards(side) = slip {
+            let free = pressed.difference(spectrum, side, (displacement, &loads));
+            if spectrum.recovery_speed(&free, 0.0) > pressed.speed - side * pressed.slide {
+                *self = pressed.slipped(spectrum, side, free);
+                return;
+            }
+        }
+        let first = pressed.first_slip(spectrum, (displacement, &loads));
+        let stuck = first.map_or(pressed.duration, |(time, _)| time);
+        spectrum.press(&mut loads, pressed.slide, stuck);
+        displacement += pressed.slide * stuck;
+        *self = match first {
+            None => Self::Held { displacement, loads, slip: Slip::No },
+            Some((time, side)) => {
+                let (start, mut normal) = (pressed.start + pressed.speed * time, pressed.loads.to_vec());
+                spectrum.press(&mut normal, pressed.speed, time);
+                let rest = Pressed { start, loads: &normal, duration: pressed.duration - time, ..*pressed };
+                let free = rest.difference(spectrum, side, (displacement, &loads));
+                rest.slipped(spectrum, side, free)
+            }
+        };
+    }
+
+    /// The state of a spring that is, or has just come, under the indenter.
+    fn touched(&self, spectrum: &Spectrum) -> (f64, Vec<f64>, Slip) {
+        match self {
+            Self::Held { displacement, loads, slip } => (*displacement, loads.clone(), *slip),
+            Self::Free(free) => {
+                let mut loads = vec![0.0; spectrum.terms().len()];
+                spectrum.loads_of_free(free, &mut loads);
+                (spectrum.recovered(free, 0.0), loads, Slip::No)
+            }
+        }
+    }
+}
+
+impl Pressed<'_> {
+    /// The spring n − side·v, let go.
+    fn difference(&self, spectrum: &Spectrum, side: f64, (displacement, loads): (f64, &[f64])) -> Free {
+        let elements: Vec<f64> = self.loads.iter().zip(loads).map(|(normal, own)| normal - side * own).collect();
+        let mut free = Free::default();
+        spectrum.let_go((self.start - side * displacement, &elements), 0.0, &mut free);
+        free
+    }
+
+    /// When and whither a sticking spring begins to slip.
+    fn first_slip(&self, spectrum: &Spectrum, (displacement, loads): (f64, &[f64])) -> Option<(f64, f64)> {
+        let time = |side: f64| {
+            let elements: Vec<f64> = self.loads.iter().zip(loads).map(|(normal, own)| normal - side * own).collect();
+            let state = (self.start - side * displacement, &elements[..]);
+            spectrum.release(state, self.speed - side * self.slide, self.duration).map(|time| (time, side))
+        };
+        match (time(1.0), time(-1.0)) {
+            (Some(forward), Some(backward)) => Some(if forward.0 <= backward.0 { forward } else { backward }),
+            (forward, backward) => forward.or(backward),
+        }
+    }
+
+    /// The end of a stretch slipped all along: v = side·(n − z) with the free difference z.
+    fn slipped(&self, spectrum: &Spectrum, side: f64, mut free: Free) -> Tangential {
+        spectrum.recover(&mut free, self.duration);
+        let mut normal = self.loads.to_vec();
+        spectrum.press(&mut normal, self.speed, self.duration);
+        let mut loads = vec![0.0; normal.len()];
+        spectrum.loads_of_free(&free, &mut loads);
+        for (own, normal) in loads.iter_mut().zip(&normal) {
+            *own = side * (normal - *own);
+        }
+        let displacement = side * (self.start + self.speed * self.duration - spectrum.recovered(&free, 0.0));
+        Tangential::Held { displacement, loads, slip: Slip::Towards(side) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{CoulombBed, Position};
+    use super::*;
+    use crate::input::quantity::Length;
+    use crate::material::Relaxation;
+    use crate::shape::Paraboloid;
+    use proptest::prelude::*;
+
+    const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.4 };
+
+    fn spectrum(equilibrium: f64, terms: &[(f64, f64)], viscosity: f64) -> Arc<Spectrum> {
+        Arc::new(Spectrum::new(&Relaxation { equilibrium, terms: terms.to_vec(), viscosity }))
+    }
+
+    fn bed(spectrum: &Arc<Spectrum>, grip: Grip) -> RelaxingBed {
+        let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
+        RelaxingBed::new(&shape, Arc::clone(spectrum), grip, (60.try_into().unwrap(), 1.2)).unwrap()
+    }
+
+    /// Speeds (normal, tangential) from integers, in motions of 0.1 s to 1 s.
+    fn motions() -> impl Strategy<Value = Vec<(i32, i32, i32)>> {
+        prop::collection::vec((-10i32..14, -10i32..10, 1i32..11), 1..14)
+    }
+
+    fn speeds((speed, slide, time): (i32, i32, i32)) -> ((f64, f64), f64) {
+        ((0.1 * f64::from(speed), 0.15 * f64::from(slide)), 0.1 * f64::from(time))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        /// Without terms it is the elastic bed, spring by spring.
+        #[test]
+        fn without_terms_it_is_the_elastic_bed(history in motions()) {
+            let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
+            let mut relaxing = bed(&spectrum(1.0, &[], 0.0), GRIP);
+            let mut elastic = CoulombBed::new(&shape, GRIP, (60.try_into().unwrap(), 1.2)).unwrap();
+            let mut to = Position::default();
+            for motion in history {
+                let ((speed, slide), time) = speeds(motion);
+                relaxing.advance((speed, slide), time);
+                // The same products as in the bed, so that both are touched at the same instants.
+                to = Position { indentation: to.indentation + speed * time, slide: to.slide + slide * time };
+                let force = elastic.advance(&[to])[0];
+                prop_assert!((relaxing.forces().1 - force).abs() < 1e-13, "{} {force}", relaxing.forces().1);
+            }
+        }
+
+        /// No error of the step: motions cut in three give the same; friction never passes μF.
+        #[test]
+        fn steps_do_not_matter(history in motions(), which in 0usize..4) {
+            let kinds = [
+                spectrum(0.2, &[(0.8, 0.3)], 0.0),
+                spectrum(0.0, &[(0.5, 0.05), (0.5, 2.0)], 0.0),
+                spectrum(0.1, &[(1.0, 0.01), (0.5, 0.4), (0.3, 30.0)], 0.0),
+                spectrum(0.5, &[(0.5, 0.3)], 0.05),
+            ];
+            let (mut whole, mut cut) = (bed(&kinds[which], GRIP), bed(&kinds[which], GRIP));
+            for motion in history {
+                let (pair, time) = speeds(motion);
+                whole.advance(pair, time);
+                for part in [0.2, 0.5, 0.3] {
+                    cut.advance(pair, part * time);
+                }
+                let ((normal, force), (_, other)) = (whole.forces(), cut.forces());
+                prop_assert!((force - other).abs() < 1e-11, "{force} {other}");
+                prop_assert!(force.abs() <= GRIP.coefficient * normal * (1.0 + 1e-12) + 1e-14);
+            }
+        }
+    }
+
+    /// Gross sliding: F_x = μF(t) while F relaxes.
+    #[test]
+    fn gross_sliding_follows_the_normal_force() {
+        let mut bed = bed(&spectrum(0.2, &[(0.8, 0.3)], 0.0), GRIP);
+        bed.advance((1.0, 0.0), 0.8);
+        bed.advance((0.0, 2.0), 1.0);
+        for _ in 0..20 {
+            bed.advance((0.0, 2.0), 0.05);
+            let (normal, force) = bed.forces();
+            assert!((force / (GRIP.coefficient * normal) - 1.0).abs() < 1e-14);
+            assert_eq!(bed.held().1, 0);
+        }
+    }
+
+    /// μ → ∞: every spring sticks, and a slide at constant speed after touch gives
+    /// F_x = 2a(G*/E*) ∫E*(t) dt u̇ over the springs in contact.
+    #[test]
+    fn without_slip_it_is_the_relaxation_of_the_punch() {
+        let grip = Grip { coefficient: 1e9, ..GRIP };
+        let mut bed = bed(&spectrum(0.2, &[(0.8, 0.3)], 0.0), grip);
+        bed.advance((1.0, 0.0), 0.8);
+        bed.advance((0.0, 0.01), 0.7);
+        let (held, stuck) = bed.held();
+        assert_eq!(held, stuck);
+        let relaxed = 0.2 * 0.7 + 0.8 * 0.3 * (1.0 - (-0.7f64 / 0.3).exp());
+        #[expect(clippy::cast_precision_loss, reason = "60 springs")]
+        let width = 2.0 * held as f64 * 0.02;
+        assert!((bed.forces().1 / (0.8 * width * 0.01 * relaxed) - 1.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,294 @@
+//! Relaxation and retardation of one spring: the same material seen from the strain and from the load.
+
+use super::secular::{self, Pole};
+use crate::material::Relaxation;
+
+/// Relaxation spectrum E*(t) = E∞ + Σ Eᵢ e^(−t/τᵢ) with its exact retardation spectrum
+/// J(t) = 1/E(0) + Σ Jₘ (1 − e^(−t/λₘ)) (+ t/η₀ for a liquid).
+///
+/// E∞, Eᵢ are moduli [Pa], τᵢ relaxation times [s], λₘ retardation times [s], Jₘ compliances [1/Pa],
+/// η₀ = η + Σ Eᵢτᵢ the viscosity of a liquid [Pa s]. The times interlace, τ₁ < λ₁ < τ₂ < … (Gross
+/// 1953, *Mathematical Structure of the Theories of Viscoelasticity*, ch. 5). A parallel dashpot η
+/// takes away the instantaneous compliance 1/E(0) and brings one more, short, retardation time.
+/// Terms of equal time are merged; terms of zero modulus or zero time are dropped, so that a series
+/// of such terms is exactly the elastic spring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spectrum {
+    equilibrium: f64,
+    viscosity: f64,
+    terms: Vec<Term>,
+    modes: Vec<Mode>,
+}
+
+/// One Maxwell element.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Term {
+    /// Modulus Eᵢ [Pa].
+    pub modulus: f64,
+    /// Relaxation time τᵢ [s].
+    pub time: f64,
+}
+
+/// One retardation mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// Retardation time λₘ [s].
+    pub time: f64,
+    /// Compliance Jₘ [1/Pa].
+    pub compliance: f64,
+    /// 1 / (λₘ − τᵢ) for every term i [1/s], free of cancellation.
+    pub(crate) inverse_gaps: Vec<f64>,
+}
+
+impl Spectrum {
+    /// The spectrum of a relaxation function.
+    #[must_use]
+    pub fn new(relaxation: &Relaxation) -> Self {
+        Self::of(relaxation.equilibrium, relaxation.viscosity, merged(&relaxation.terms))
+    }
+
+    fn of(equilibrium: f64, viscosity: f64, terms: Vec<Term>) -> Self {
+        let poles = poles(&terms, viscosity);
+        let dashpot = poles.len() - terms.len();
+        let modes = secular::roots(&poles, equilibrium)
+            .iter()
+            .map(|root| Mode {
+                time: root.value(&poles),
+                compliance: root.compliance(&poles),
+                inverse_gaps: root.gaps(&poles).skip(dashpot).map(f64::recip).collect(),
+            })
+            .collect();
+        Self { equilibrium, viscosity, terms, modes }
+    }
+
+    /// This material in series with an elastic one of modulus `elastic` [Pa]: the pair of a
+    /// viscoelastic and an elastic half-space, as a Prony series again.
+    ///
+    /// 1/E'(p) = 1/E(p) + 1/E_e: the new relaxation times are the zeros of E(p) + E_e, the new
+    /// moduli E_e² Jₘ with the compliances of that sum. Exact for every spectrum.
+    /// Check: one Maxwell element (E, τ) gives the time τ (E + E_e)/E_e.
+    #[must_use]
+    pub fn in_series_with(&self, elastic: f64) -> Self {
+        let poles = poles(&self.terms, self.viscosity);
+        let terms = secular::roots(&poles, self.equilibrium + elastic)
+            .iter()
+            .map(|root| Term { modulus: elastic * (elastic * root.compliance(&poles)), time: root.value(&poles) })
+            .collect();
+        let equilibrium = self.equilibrium / (1.0 + self.equilibrium / elastic);
+        Self::of(equilibrium, 0.0, terms)
+    }
+
+    /// E∞ [Pa].
+    #[must_use]
+    pub fn equilibrium(&self) -> f64 {
+        self.equilibrium
+    }
+
+    /// Viscosity η of the parallel dashpot [Pa s].
+    #[must_use]
+    pub fn viscosity(&self) -> f64 {
+        self.viscosity
+    }
+
+    /// Maxwell elements in ascending order of their times.
+    #[must_use]
+    pub fn terms(&self) -> &[Term] {
+        &self.terms
+    }
+
+    /// Retardation modes in ascending order of their times.
+    #[must_use]
+    pub fn modes(&self) -> &[Mode] {
+        &self.modes
+    }
+
+    /// E*(0) [Pa], the dashpot apart.
+    #[must_use]
+    pub fn instantaneous(&self) -> f64 {
+        self.equilibrium + self.terms.iter().map(|term| term.modulus).sum::<f64>()
+    }
+
+    /// E*(t) [Pa] at the time `t` ≥ 0 [s].
+    #[must_use]
+    pub fn relaxation(&self, t: f64) -> f64 {
+        self.equilibrium + self.terms.iter().map(|term| term.modulus * (-t / term.time).exp()).sum::<f64>()
+    }
+
+    /// Storage modulus E′(ω) = E∞ + Σ Eᵢ ω²τᵢ²/(1+ω²τᵢ²) [Pa] at the angular frequency `omega` [rad/s].
+    #[must_use]
+    pub fn storage(&self, omega: f64) -> f64 {
+        let part = |term: &Term| term.modulus / (1.0 + (omega * term.time).powi(-2));
+        self.equilibrium + self.terms.iter().map(part).sum::<f64>()
+    }
+
+    /// Loss modulus E″(ω) = ωη + Σ Eᵢ ωτᵢ/(1+ω²τᵢ²) [Pa] at the angular frequency `omega` [rad/s].
+    #[must_use]
+    pub fn loss(&self, omega: f64) -> f64 {
+        let part = |term: &Term| {
+            let x = omega * term.time;
+            term.modulus / (x + x.recip())
+        };
+        self.viscosity * omega + self.terms.iter().map(part).sum::<f64>()
+    }
+
+    /// Creep compliance J(t) [1/Pa] at the time `t` ≥ 0 [s] after a step of the load.
+    #[must_use]
+    pub fn creep(&self, t: f64) -> f64 {
+        let retarded = |mode: &Mode| -mode.compliance * (-t / mode.time).exp_m1();
+        self.glass_compliance() + t * self.fluidity() + self.modes.iter().map(retarded).sum::<f64>()
+    }
+
+    /// 1/E*(0) [1/Pa]; zero behind a parallel dashpot, which does not give at once.
+    #[must_use]
+    pub fn glass_compliance(&self) -> f64 {
+        if self.viscosity > 0.0 { 0.0 } else { self.instantaneous().recip() }
+    }
+
+    /// 1/η₀ [1/(Pa s)], the rate at which a liquid flows in the end; zero for a solid.
+    #[must_use]
+    pub fn fluidity(&self) -> f64 {
+        if self.equilibrium > 0.0 {
+            return 0.0;
+        }
+        let flow = self.viscosity + self.terms.iter().map(|term| term.modulus * term.time).sum::<f64>();
+        if flow > 0.0 { flow.recip() } else { 0.0 }
+    }
+
+    /// A time [s] in which nothing relaxes to the last bit: how long a jump is made to last.
+    #[must_use]
+    pub fn instant(&self) -> f64 {
+        let retarded = self.modes.first().map_or(f64::INFINITY, |mode| mode.time);
+        let shortest = self.shortest_time().min(retarded);
+        if shortest.is_finite() { 1e-20 * shortest } else { 1.0 }
+    }
+
+    /// The relaxation function this is the spectrum of.
+    #[must_use]
+    pub fn relaxation_function(&self) -> Relaxation {
+        let terms = self.terms.iter().map(|term| (term.modulus, term.time)).collect();
+        Relaxation { equilibrium: self.equilibrium, terms, viscosity: self.viscosity }
+    }
+
+    /// Shortest relaxation time [s]; infinite for an elastic spring.
+    #[must_use]
+    pub fn shortest_time(&self) -> f64 {
+        self.terms.first().map_or(f64::INFINITY, |term| term.time)
+    }
+}
+
+/// Terms in ascending order, equal times merged, terms without effect dropped.
+fn merged(terms: &[(f64, f64)]) -> Vec<Term> {
+    let mut sorted: Vec<(f64, f64)> = terms.iter().copied().filter(|&(e, tau)| e > 0.0 && tau > 0.0).collect();
+    sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut merged: Vec<Term> = Vec::with_capacity(sorted.len());
+    for (modulus, time) in sorted {
+        match merged.last_mut() {
+            Some(last) if last.time.total_cmp(&time).is_eq() => last.modulus += modulus,
+            _ => merged.push(Term { modulus, time }),
+        }
+    }
+    merged
+}
+
+/// Poles of E(p): one per Maxwell element, and one at time zero for the dashpot.
+fn poles(terms: &[Term], viscosity: f64) -> Vec<Pole> {
+    let dashpot = (viscosity > 0.0).then_some(Pole { time: 0.0, weight: viscosity });
+    let elements = terms.iter().map(|term| Pole { time: term.time, weight: term.modulus * term.time });
+    dashpot.into_iter().chain(elements).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::viscoelastic::laws::{Recipe, recipe};
+    use proptest::prelude::*;
+
+    /// E(p) = E∞ + ηp + Σ Eᵢ pτᵢ/(1+pτᵢ), the operational modulus.
+    fn operational(spectrum: &Spectrum, p: f64) -> f64 {
+        let part = |term: &Term| term.modulus / (1.0 + (p * term.time).recip());
+        spectrum.equilibrium() + spectrum.viscosity() * p + spectrum.terms().iter().map(part).sum::<f64>()
+    }
+
+    /// The operational compliance from the modes.
+    fn compliance(spectrum: &Spectrum, p: f64) -> f64 {
+        let part = |mode: &Mode| mode.compliance / (1.0 + p * mode.time);
+        spectrum.glass_compliance() + spectrum.fluidity() / p + spectrum.modes().iter().map(part).sum::<f64>()
+    }
+
+    #[test]
+    fn one_maxwell_element_by_hand() {
+        // Standard solid: λ = τ E(0)/E∞, J₁ = 1/E∞ − 1/E(0).
+        let spectrum = Spectrum::new(&Relaxation { equilibrium: 2.0, terms: vec![(6.0, 0.5)], viscosity: 0.0 });
+        let mode = &spectrum.modes()[0];
+        assert!((mode.time - 2.0).abs() < 1e-15 && (mode.compliance - 0.375).abs() < 1e-16, "{mode:?}");
+        let pair = spectrum.in_series_with(8.0);
+        assert!((pair.equilibrium() - 1.6).abs() < 1e-15);
+        assert!((pair.instantaneous() - 4.0).abs() < 1e-15);
+        assert!((pair.terms()[0].time - 0.5 * 16.0 / 10.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn terms_without_effect_are_elastic_to_the_last_bit() {
+        let with = Relaxation { equilibrium: 0.3, terms: vec![(0.0, 1.0), (5.0, 0.0)], viscosity: 0.0 };
+        let without = Relaxation { equilibrium: 0.3, terms: vec![], viscosity: 0.0 };
+        assert_eq!(Spectrum::new(&with), Spectrum::new(&without));
+    }
+
+    #[test]
+    fn equal_times_are_one_term() {
+        let twice = Relaxation { equilibrium: 0.3, terms: vec![(1.0, 2.0), (1.0, 1.0), (3.0, 2.0)], viscosity: 0.0 };
+        let once = Relaxation { equilibrium: 0.3, terms: vec![(1.0, 1.0), (4.0, 2.0)], viscosity: 0.0 };
+        assert_eq!(Spectrum::new(&twice), Spectrum::new(&once));
+    }
+
+    /// Polyisobutylene, 30 terms over 18 decades (`configs/polyisobutylene_prony.csv`).
+    fn polyisobutylene() -> Spectrum {
+        let table = include_str!("../../configs/polyisobutylene_prony.csv");
+        let number = |text: &str| text.trim().parse::<f64>().unwrap();
+        let rows = table.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit()));
+        let terms = rows.map(|row| row.split_once(',').unwrap()).map(|(tau, g)| (number(g), number(tau))).collect();
+        Spectrum::new(&Relaxation { equilibrium: 0.0, terms, viscosity: 0.0 })
+    }
+
+    #[test]
+    fn a_real_liquid_over_forty_decades() {
+        let spectrum = polyisobutylene();
+        assert_eq!((spectrum.terms().len(), spectrum.modes().len()), (30, 29));
+        for k in -200..200 {
+            let p = 10f64.powf(0.1 * f64::from(k));
+            let product = operational(&spectrum, p) * compliance(&spectrum, p);
+            assert!((product - 1.0).abs() < 1e-12, "{p:e}: {product:e}");
+        }
+    }
+
+    proptest! {
+        /// E(p)·p J(p) = 1 over all decades: both sides are sums of positive terms, so the bound is
+        /// the rounding of 2 × 40 terms and of the zeros.
+        #[test]
+        fn retardation_inverts_relaxation(recipe in recipe(30), k in -200i32..200) {
+            let spectrum = Spectrum::new(&recipe.relaxation());
+            let p = 10f64.powf(0.1 * f64::from(k));
+            let product = operational(&spectrum, p) * compliance(&spectrum, p);
+            prop_assert!((product - 1.0).abs() < 1e-12, "{product:e} {spectrum:?}");
+        }
+
+        #[test]
+        fn times_interlace(recipe in recipe(30)) {
+            let spectrum = Spectrum::new(&Recipe { viscosity: None, ..recipe }.relaxation());
+            for (k, mode) in spectrum.modes().iter().enumerate() {
+                prop_assert!(mode.time >= spectrum.terms()[k].time && mode.compliance > 0.0);
+                prop_assert!(spectrum.terms().get(k + 1).is_none_or(|next| mode.time <= next.time));
+            }
+        }
+
+        /// 1/E'(p) = 1/E(p) + 1/E_e.
+        #[test]
+        fn series_pair_adds_compliances(recipe in recipe(20), k in -200i32..200, e in -60i32..60) {
+            let spectrum = Spectrum::new(&recipe.relaxation());
+            let (p, elastic) = (10f64.powf(0.1 * f64::from(k)), 10f64.powf(0.1 * f64::from(e)));
+            let pair = operational(&spectrum.in_series_with(elastic), p);
+            let expected = (operational(&spectrum, p).recip() + elastic.recip()).recip();
+            prop_assert!((pair / expected - 1.0).abs() < 1e-12, "{pair:e} {expected:e}");
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Roots, quadrature and special functions: no physics.
+
+pub mod quadrature;
+pub mod root;
+pub mod special;

@@ -1,0 +1,56 @@
+//! How far rounding moves an edge: near a turning point the radius is known to few digits.
+
+use crate::contact::adhesion::Adhesion;
+use crate::contact::adhesion::equilibrium::{Control, Equilibrium};
+use crate::contact::adhesion::line::EdgeLine;
+use crate::run::record::Record;
+use crate::scene::history::{Driven, Entry, Motion};
+use crate::scene::setup::Setup;
+
+/// Error of a radius at a turning point: the root of the rounding.
+const TURNING: f64 = 1e-7;
+
+/// Largest relative error of a radius from the rounding of what is prescribed, Q = d or F:
+/// δa = 4ε·(terms of Q)/(dQ/da), at most that of a turning point.
+///
+/// The states just before a jump are roots of the slope itself, and not moved by it.
+#[must_use]
+pub fn moved_edge(setup: &Setup, records: &[Record]) -> f64 {
+    let work = match &setup.scene.adhesion {
+        None => 0.0,
+        Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
+        Some(Adhesion::Maugis(_)) => return 0.0,
+    };
+    let line = EdgeLine::new(setup.profile.as_ref(), setup.pair.normal, work);
+    let controls: Vec<Option<Control>> = setup.entries().map(|(entry, motion)| control(entry, motion)).collect();
+    let largest = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let jumps = |at: usize| records.get(at + 1).is_some_and(|next| (next.time - records[at].time).abs() <= 0.0);
+    let states = records.iter().enumerate().filter(|(at, _)| !jumps(*at)).map(|(_, record)| record);
+    let error = |record: &Record| {
+        let control = (*controls.get(record.entry)?)?;
+        Some((moved(&line, (control, record.normal.contact_radius?), setup.pair.normal)? / largest).min(TURNING))
+    };
+    states.filter_map(error).fold(0.0, f64::max)
+}
+
+/// What an entry prescribes; `None` where it keeps to what was.
+fn control(entry: &Entry, motion: Option<&Motion>) -> Option<Control> {
+    match (entry, motion.map(|motion| &motion.control)) {
+        (Entry::Press(_) | Entry::HoldForce(_), _) | (_, Some(Driven::Force(_))) => Some(Control::Force),
+        (Entry::Slide(_) | Entry::Shake(_), _) => None,
+        _ => Some(Control::Indentation),
+    }
+}
+
+/// How far rounding moves an edge at the radius `a` [m].
+fn moved(line: &EdgeLine<'_>, (control, a): (Control, f64), modulus: f64) -> Option<f64> {
+    if a <= 0.0 || a >= line.end() {
+        return None;
+    }
+    let elongation = match control {
+        Control::Indentation => line.elongation(a),
+        Control::Force => 2.0 * modulus * a * line.elongation(a),
+    };
+    let terms = line.value(control, a).abs() + 2.0 * elongation;
+    Some(4.0 * f64::EPSILON * terms / line.slope(control, a).abs()).filter(|moved| !moved.is_nan())
+}

@@ -1,0 +1,104 @@
+//! Fields over the radius and under the axis.
+
+use super::contact::NormalContact;
+use super::shear::TangentialContact;
+use crate::contact::state::Normal;
+use crate::contact::stress::Loading;
+use crate::contact::stress::StressRow;
+use crate::material::Body;
+use crate::run::record::{Field, FieldRow};
+use crate::scene::setup::Setup;
+use std::f64::consts::FRAC_PI_2;
+
+/// Radii inside the contact, denser towards the edge.
+const INSIDE: usize = 160;
+/// Radii outside, out to three times the reach of the contact.
+const OUTSIDE: usize = 64;
+/// Depths below the surface.
+const DEPTHS: usize = 96;
+
+/// A normal contact and what rubs in it.
+type Parts<'c> = (&'c dyn NormalContact, Option<&'c (dyn TangentialContact + 'c)>);
+
+/// Pressure, shear stress and surface of a contact; `None` where the bodies are apart.
+#[must_use]
+pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Option<Field> {
+    if !contact.joined() {
+        return None;
+    }
+    let pressed = tangential.and_then(TangentialContact::pressed);
+    let (a, reach) = match &pressed {
+        Some(pressed) => (pressed.contact_radius, pressed.contact_radius),
+        None => (contact.state().contact_radius?, contact.reach()),
+    };
+    let mut radii = radii(a, reach);
+    radii.extend(about_stick(tangential, a));
+    radii.sort_by(f64::total_cmp);
+    let shear = tangential.map_or_else(|| vec![None; radii.len()], |part| part.stress(contact, &radii));
+    let row = |(radius, shear): (f64, Option<f64>)| {
+        let (pressure, displacement) = match &pressed {
+            Some(pressed) => (pressed.pressure_at(radius), Some(pressed.surface_at(radius))),
+            None => (contact.pressure(radius), contact.surface(radius)),
+        };
+        FieldRow { radius, pressure, displacement, shear }
+    };
+    let rows = radii.into_iter().zip(shear).map(row).collect();
+    let stress_intensity = match &pressed {
+        Some(pressed) => pressed.stress_intensity(),
+        None => contact.stress_intensity(),
+    };
+    Some(Field { label, time, contact_radius: a, stress_intensity, rows })
+}
+
+/// Radii on both sides of the border of stick, where the shear stress has a corner.
+fn about_stick(tangential: Option<&dyn TangentialContact>, a: f64) -> Vec<f64> {
+    let border = tangential.map(|part| part.state().stick_radius).filter(|&c| c > 0.0 && c < a);
+    let beside = |c: f64| [-2e-2, -8e-3, -2e-3, -2e-4, 2e-4].map(|part| (1.0 + part) * c);
+    border.map_or_else(Vec::new, |c| beside(c).into_iter().filter(|&r| r < a).collect())
+}
+
+/// Adds the field at the largest depth to those at the ends of the entries; where it is one of them, its
+/// label says so.
+pub fn with_deepest(fields: &mut Vec<Field>, deepest: Option<Field>) {
+    let Some(deepest) = deepest else { return };
+    let same = |field: &&mut Field| (field.time - deepest.time).abs() <= 0.0 && field.rows == deepest.rows;
+    if let Some(end) = fields.iter_mut().find(same) {
+        end.label.push_str(" (largest depth)");
+        return;
+    }
+    let place = fields.iter().position(|field| field.time > deepest.time).unwrap_or(fields.len());
+    fields.insert(place, deepest);
+}
+
+#[expect(clippy::cast_precision_loss, reason = "few radii")]
+fn radii(a: f64, reach: f64) -> Vec<f64> {
+    let inside = (0..=INSIDE).map(|k| a * (FRAC_PI_2 * k as f64 / INSIDE as f64).sin());
+    let ring = (1..=INSIDE / 4).map(|k| a + (reach - a) * k as f64 / (INSIDE / 4) as f64);
+    let outside = (1..=OUTSIDE).map(|k| reach * (1.0 + 2.0 * (k as f64 / OUTSIDE as f64).powi(2)));
+    let mut all: Vec<f64> = inside.filter(|_| a > 0.0).collect();
+    if reach > a {
+        all.extend(ring);
+    }
+    all.extend(outside);
+    all
+}
+
+/// Stresses on the axis in the first body that can deform, at the given state.
+#[must_use]
+pub fn stresses(setup: &Setup, normal: &Normal) -> Vec<StressRow> {
+    let Some(a) = normal.contact_radius.filter(|&a| a > 0.0) else { return Vec::new() };
+    let profile = setup.profile.as_ref();
+    let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
+    let edge_load = setup.pair.normal * edge;
+    let poisson = poisson(&setup.scene.bodies);
+    Loading { profile, modulus: setup.pair.normal, poisson, contact_radius: a, edge_load }.profile_down(DEPTHS)
+}
+
+fn poisson(bodies: &(Body, Body)) -> f64 {
+    let of = |body: &Body| match body {
+        Body::Rigid => None,
+        Body::Elastic(elastic) => Some(elastic.poisson.si()),
+        Body::Viscoelastic(viscoelastic) => Some(viscoelastic.poisson.si()),
+    };
+    of(&bodies.0).or_else(|| of(&bodies.1)).unwrap_or(0.5)
+}

@@ -1,0 +1,199 @@
+//! Rough shapes: the bed of a rough line, one member of an ensemble after the other.
+
+use super::contact::{ContactError, Event, NormalContact};
+use super::{Contact, SimulationError, Wanted, follow, results};
+use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::adhesion::line::Energy;
+use crate::contact::state::Normal;
+use crate::run::record::{Ensemble, EnsembleRow, ErrorEstimate, Outcome, Record};
+use crate::scene::plan;
+use crate::scene::setup::Setup;
+use crate::scene::surface::Surface;
+use crate::shape::rough::{BedState, RoughBed, RoughError, RoughLine, Scatter, VALIDITY};
+use crate::shape::{Profile, Rim};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Part of the line at either end that a contact on a curved shape must not reach.
+const MARGIN: f64 = 1.0 / 16.0;
+
+/// The contact grows out of the line.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "at an indentation of {indentation:e} m the contact reaches the ends of the rough line: expected a `length` well above {length:e} m"
+)]
+pub struct LineTooShort {
+    /// Indentation [m].
+    pub indentation: f64,
+    /// Length of the line [m].
+    pub length: f64,
+}
+
+/// The bed of a rough line; indentation counts from first touch.
+#[derive(Debug, Clone)]
+struct RoughContact {
+    bed: Arc<RoughBed>,
+    state: BedState,
+    /// Indentation from first touch [m].
+    depth: f64,
+    /// Least gap near the ends of a line on a curved shape [m], and the length of the line [m].
+    ends: (f64, f64),
+}
+
+impl RoughContact {
+    fn new(setup: &Setup, surface: &Surface, seed: u64) -> Result<Self, RoughError> {
+        let profile = setup.profile.as_ref();
+        let line = RoughLine::new(&surface.rings, seed);
+        let bed = RoughBed::under(&line, surface.points, setup.pair.normal, |x| profile.reduced(x))?;
+        let state = bed.at_indentation(bed.first_touch());
+        let ends = (least_gap_at_ends(profile, &line, surface.points)?, line.length());
+        Ok(Self { bed: Arc::new(bed), state, depth: 0.0, ends })
+    }
+}
+
+/// Least gap near the ends of the line; infinite over a flat, whose edge the contact may reach.
+fn least_gap_at_ends(profile: &dyn Profile, line: &RoughLine, points: usize) -> Result<f64, RoughError> {
+    let half = 0.5 * line.length();
+    if matches!(profile.rim(), Rim::Wall(end) if end <= half) {
+        return Ok(f64::INFINITY);
+    }
+    let places = line.places(points);
+    let near = places.iter().zip(line.heights(points)?).filter(|(x, _)| x.abs() > (1.0 - MARGIN) * half);
+    Ok(near.map(|(x, z)| profile.reduced(x.abs()) + z).fold(f64::INFINITY, f64::min))
+}
+
+impl NormalContact for RoughContact {
+    fn advance(&mut self, control: Control, to: f64, _until: f64) -> Result<Vec<Event>, ContactError> {
+        let touch = self.bed.first_touch();
+        (self.state, self.depth) = match control {
+            Control::Indentation => (self.bed.at_indentation(touch + to), to),
+            Control::Force => {
+                let state = self.bed.at_force(to);
+                (state, state.indentation - touch)
+            }
+        };
+        if self.state.indentation > self.ends.0 {
+            return Err(LineTooShort { indentation: self.depth, length: self.ends.1 }.into());
+        }
+        Ok(Vec::new())
+    }
+
+    fn state(&self) -> Normal {
+        Normal {
+            indentation: Some(self.depth),
+            force: self.state.force,
+            contact_radius: None,
+            stiffness: self.state.stiffness,
+            stored: Energy { elastic: self.state.energy, surface: 0.0 },
+            dissipated: 0.0,
+        }
+    }
+
+    fn last_depth(&self, _speed: f64) -> Result<f64, ContactError> {
+        Ok(0.0)
+    }
+
+    fn pressure(&self, _r: f64) -> Option<f64> {
+        None
+    }
+
+    fn surface(&self, _r: f64) -> Option<f64> {
+        None
+    }
+
+    fn stress_intensity(&self) -> Option<f64> {
+        None
+    }
+
+    fn joined(&self) -> bool {
+        self.state.force > 0.0
+    }
+
+    fn reach(&self) -> f64 {
+        0.0
+    }
+
+    fn snapshot(&self) -> Box<dyn NormalContact + '_> {
+        Box::new(self.clone())
+    }
+}
+
+/// Runs a scene with a rough shape, all members of its ensemble in parallel; `done` is told the share behind.
+pub(super) fn run(setup: &Setup, surface: &Surface, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
+    let behind = std::sync::atomic::AtomicUsize::new(0);
+    let member = |&seed: &u64| {
+        let records = member(setup, surface, seed);
+        let count = behind.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+        done(count as f64 / surface.seeds.len() as f64);
+        records
+    };
+    let members: Vec<Result<_, SimulationError>> = surface.seeds.par_iter().map(member).collect();
+    let members = members.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let ensemble = (members.len() > 1).then(|| ensemble(&members));
+    let records = mean(&members);
+    Ok(Outcome {
+        results: results::rough(surface, &records, ensemble.as_ref()),
+        records,
+        fields: Vec::new(),
+        stresses: Vec::new(),
+        fretting: Vec::new(),
+        error_estimate: estimate(),
+        warnings: vec![format!("{VALIDITY}; indentation counts from first touch")],
+        plan: plan::of_rough(setup, surface),
+        ensemble,
+        impacts: None,
+    })
+}
+
+fn member(setup: &Setup, surface: &Surface, seed: u64) -> Result<Vec<Record>, SimulationError> {
+    let contact = RoughContact::new(setup, surface, seed);
+    let contact = contact.map_err(|error| SimulationError::Refused(format!("shape, seed {seed}: {error}")))?;
+    let run = follow(setup, Contact { normal: Box::new(contact), tangential: None }, Wanted::NOTHING)?;
+    Ok(run.records)
+}
+
+/// Mean and scatter of every record over the members.
+fn ensemble(members: &[Vec<Record>]) -> Ensemble {
+    let row = |k: usize| {
+        let of = |value: fn(&Record) -> f64| {
+            Scatter::of(&members.iter().filter_map(|records| records.get(k).map(value)).collect::<Vec<_>>())
+        };
+        Some(EnsembleRow {
+            time: of(|record| record.time)?.mean,
+            indentation: of(|record| record.normal.indentation.unwrap_or(0.0))?,
+            force: of(|record| record.normal.force)?,
+            stiffness: of(|record| record.normal.stiffness)?,
+        })
+    };
+    let length = members.iter().map(Vec::len).min().unwrap_or(0);
+    Ensemble { members: members.len(), rows: (0..length).filter_map(row).collect() }
+}
+
+/// The mean of the members, record by record.
+fn mean(members: &[Vec<Record>]) -> Vec<Record> {
+    let Some(first) = members.first() else { return Vec::new() };
+    let length = members.iter().map(Vec::len).min().unwrap_or(0);
+    let mean = |k: usize, of: &dyn Fn(&Record) -> f64| {
+        let values: Vec<f64> = members.iter().map(|records| of(&records[k])).collect();
+        Scatter::of(&values).map_or(f64::NAN, |scatter| scatter.mean)
+    };
+    let record = |(k, record): (usize, &Record)| Record {
+        time: mean(k, &|record| record.time),
+        normal: Normal {
+            indentation: record.normal.indentation.map(|_| mean(k, &|record| record.normal.indentation.unwrap_or(0.0))),
+            force: mean(k, &|record| record.normal.force),
+            stiffness: mean(k, &|record| record.normal.stiffness),
+            stored: Energy { elastic: mean(k, &|record| record.normal.stored.elastic), surface: 0.0 },
+            ..record.normal
+        },
+        ..*record
+    };
+    first.iter().enumerate().take(length).map(record).collect()
+}
+
+fn estimate() -> ErrorEstimate {
+    ErrorEstimate {
+        relative: 0.2,
+        basis: "approximate: stiffness against the full half-space over H = 0.2 to 0.9; sums of the bed are exact to rounding".to_owned(),
+    }
+}

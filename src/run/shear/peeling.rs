@@ -1,0 +1,157 @@
+//! Sliding of an adhesive contact in a run: the shear stress peels its edge.
+
+use super::{Step, TangentialContact};
+use crate::contact::adhesion::Adhesion;
+use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::state::Normal;
+use crate::friction::peeling::{Sheared, ShearedAdhesion, UNIFORM};
+use crate::friction::sliding::Pressed;
+use crate::friction::state::Tangential;
+use crate::friction::strength::StrengthCurve;
+use crate::friction::{Friction, FrictionError};
+use crate::run::contact::{ContactError, NormalContact};
+use crate::scene::setup::Setup;
+
+/// The sheared adhesive contact of a scene under a uniform shear stress; `None` without adhesion of
+/// vanishing range.
+#[must_use]
+pub fn sheared(setup: &Setup) -> Option<ShearedAdhesion<'_>> {
+    let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
+    Some(ShearedAdhesion {
+        profile: setup.profile.as_ref(),
+        modulus: setup.pair.normal,
+        work: jkr.work.si(),
+        ratio: UNIFORM * setup.pair.tangential / setup.pair.normal,
+    })
+}
+
+/// An adhesive contact that slides under a uniform shear stress τ (Savkoor & Briggs 1977; Persson et
+/// al. 2008, eqs. 5–14 with F_x = πa²τ).
+///
+/// While the bodies slide or stand sheared, the contact is smaller than without shear. As soon as the
+/// normal contact moves again it is let go: the tangential force is gone and the edge closes.
+pub struct Peeling<'p> {
+    contact: ShearedAdhesion<'p>,
+    friction: &'p Friction,
+    curve: Option<&'p StrengthCurve>,
+    present: Option<Present>,
+    slide: f64,
+    stick_radius: f64,
+    dissipated: f64,
+}
+
+/// A sheared state and what holds it.
+#[derive(Clone, Copy)]
+struct Present {
+    state: Sheared,
+    /// Shear stress against the sliding [Pa].
+    stress: f64,
+    side: f64,
+    under: (Control, f64),
+    /// Radius of the contact without shear [m].
+    rest: f64,
+}
+
+impl<'p> Peeling<'p> {
+    /// Bodies that just touch.
+    #[must_use]
+    pub fn new(contact: ShearedAdhesion<'p>, setup: &'p Setup, friction: &'p Friction) -> Self {
+        let curve = setup.strength.as_ref();
+        Self { contact, friction, curve, present: None, slide: 0.0, stick_radius: 0.0, dissipated: 0.0 }
+    }
+
+    /// What holds the contact: what is prescribed, at its sheared value if it was sheared before.
+    fn under(&self, step: &Step<'_>, normal: &Normal) -> (Control, f64) {
+        match (&self.present, step.control) {
+            (Some(present), control) if present.under.0 == control => present.under,
+            (Some(present), Control::Indentation) => (Control::Indentation, present.state.indentation),
+            (None, Control::Indentation) => (Control::Indentation, normal.indentation.unwrap_or(0.0)),
+            (_, Control::Force) => (Control::Force, normal.force),
+        }
+    }
+
+    /// The state sheared by the stress of the present speed.
+    fn sheared(&self, step: &Step<'_>) -> Result<Present, FrictionError> {
+        let normal = step.contact.state();
+        let (rest, under) = (normal.contact_radius.unwrap_or(0.0), self.under(step, &normal));
+        let stress = self.friction.law(step.speed, self.curve)?.stress(0.0);
+        let state = match under {
+            (Control::Indentation, depth) => self.contact.at_depth(depth, stress, rest)?,
+            (Control::Force, force) => self.contact.under_stress(force, stress)?,
+        };
+        let side = (step.slide.1 - step.slide.0).signum();
+        Ok(Present { state, stress, side, under, rest })
+    }
+
+    fn edge_load(&self, state: &Sheared) -> f64 {
+        let edge = state.indentation - self.contact.profile.reduced(state.contact_radius);
+        // Where no adhesion is left the edge is that of the plain contact, to rounding.
+        if edge < 0.0 { self.contact.modulus * edge } else { 0.0 }
+    }
+}
+
+impl TangentialContact for Peeling<'_> {
+    fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError> {
+        let way = step.slide.1 - step.slide.0;
+        if way.abs() <= 0.0 || !step.contact.joined() {
+            self.slide = step.slide.1;
+            self.stick_radius = self.normal(step.contact.state()).contact_radius.unwrap_or(0.0);
+            return Ok(None);
+        }
+        let before = self.state().force;
+        let present = self.sheared(step)?;
+        self.present = Some(present);
+        self.stick_radius = 0.0;
+        let onset = self.state();
+        self.slide = step.slide.1;
+        self.dissipated += present.state.tangential_force * way.abs();
+        Ok(((onset.force - before).abs() > 0.0).then_some(onset))
+    }
+
+    fn let_go(&mut self) {
+        self.present = None;
+    }
+
+    fn state(&self) -> Tangential {
+        let (slide, stick_radius, dissipated) = (self.slide, self.stick_radius, Some(self.dissipated));
+        let at_rest = Tangential { slide, stick_radius, dissipated, stored: Some(0.0), ..Tangential::default() };
+        let Some(Present { state, side, rest, .. }) = self.present else { return at_rest };
+        Tangential {
+            force: side * state.tangential_force,
+            stored: Some(0.5 * state.tangential_force * state.slide),
+            area_ratio: Some((state.contact_radius / rest).powi(2)),
+            ..at_rest
+        }
+    }
+
+    fn normal(&self, normal: Normal) -> Normal {
+        let Some(Present { state, .. }) = self.present else { return normal };
+        let (a, modulus) = (state.contact_radius, self.contact.modulus);
+        let line = EdgeLine::new(self.contact.profile, modulus, self.contact.work);
+        let balance = line.under_wall(a, state.indentation);
+        let stored = line.energy(a, state.indentation - self.contact.profile.reduced(a));
+        Normal {
+            indentation: Some(state.indentation),
+            force: balance.force,
+            contact_radius: Some(a),
+            stiffness: 2.0 * modulus * a,
+            stored,
+            ..normal
+        }
+    }
+
+    fn pressed(&self) -> Option<Pressed<'_>> {
+        let Present { state, .. } = self.present?;
+        let (profile, modulus) = (self.contact.profile, self.contact.modulus);
+        Some(Pressed { profile, modulus, contact_radius: state.contact_radius, edge_load: self.edge_load(&state) })
+    }
+
+    fn stress(&self, _contact: &dyn NormalContact, radii: &[f64]) -> Vec<Option<f64>> {
+        let stress = |r: &f64| match &self.present {
+            Some(present) if *r <= present.state.contact_radius => present.side * present.stress,
+            _ => 0.0,
+        };
+        radii.iter().map(|r| Some(stress(r))).collect()
+    }
+}

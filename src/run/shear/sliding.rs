@@ -1,0 +1,117 @@
+//! Gross sliding in a run, under laws that act on the pressure.
+
+use super::{Step, TangentialContact};
+use crate::contact::state::Normal;
+use crate::friction::sliding::{Pressed, SlidingLaw};
+use crate::friction::state::Tangential;
+use crate::friction::strength::StrengthCurve;
+use crate::friction::{Friction, FrictionError};
+use crate::run::contact::{ContactError, NormalContact};
+use crate::scene::setup::Setup;
+use crate::shape::{Profile, Rim};
+
+/// A contact that slips everywhere at once, or stands.
+///
+/// While it slides, F_x = 2π∫τ(p) r dr against the sliding. While it stands it keeps the tangential
+/// force it was left with, as far as the present load can hold it. Elastic tangential displacements are
+/// left out. Valid without adhesion.
+pub struct Sliding<'p> {
+    interface: Interface<'p>,
+    law: Option<Box<dyn SlidingLaw>>,
+    state: Tangential,
+    /// Largest tangential force the present load can hold [N].
+    limit: f64,
+}
+
+/// What slides on what.
+pub struct Interface<'p> {
+    profile: &'p dyn Profile,
+    modulus: f64,
+    friction: &'p Friction,
+    curve: Option<&'p StrengthCurve>,
+}
+
+impl<'p> Interface<'p> {
+    /// The interface of a scene with this friction.
+    #[must_use]
+    pub fn new(setup: &'p Setup, friction: &'p Friction) -> Self {
+        Self { profile: setup.profile.as_ref(), modulus: setup.pair.normal, friction, curve: setup.strength.as_ref() }
+    }
+
+    fn law(&self, speed: f64) -> Result<Box<dyn SlidingLaw>, FrictionError> {
+        Ok(self.friction.law(speed, self.curve)?)
+    }
+
+    /// Friction force [N] of the whole contact; only a wall carries a load at the edge.
+    fn limit(&self, law: &dyn SlidingLaw, normal: &Normal) -> f64 {
+        let Some(a) = normal.contact_radius.filter(|&a| a > 0.0) else { return 0.0 };
+        let (profile, modulus) = (self.profile, self.modulus);
+        let edge_load = match (profile.rim(), normal.indentation) {
+            (Rim::Wall(end), Some(depth)) if a >= end => modulus * (depth - profile.reduced(a)),
+            _ => 0.0,
+        };
+        Pressed { profile, modulus, contact_radius: a, edge_load }.sliding_force(law)
+    }
+}
+
+impl<'p> Sliding<'p> {
+    /// Bodies that just touch.
+    #[must_use]
+    pub fn new(interface: Interface<'p>) -> Self {
+        let state = Tangential { stored: Some(0.0), dissipated: Some(0.0), ..Tangential::default() };
+        Self { interface, law: None, state, limit: 0.0 }
+    }
+
+    /// Slides on from the slide it has to `to` [m].
+    fn slide(&mut self, to: f64, step: &Step<'_>) -> Result<(), ContactError> {
+        let law = self.interface.law(step.speed)?;
+        self.limit = self.interface.limit(law.as_ref(), &step.contact.state());
+        self.law = Some(law);
+        let way = to - self.state.slide;
+        self.state.force = way.signum() * self.limit;
+        self.state.stick_radius = 0.0;
+        Ok(())
+    }
+
+    /// Stands while the load changes.
+    fn stand(&mut self, step: &Step<'_>) {
+        let normal = step.contact.state();
+        self.limit = self.law.as_ref().map_or(0.0, |law| self.interface.limit(law.as_ref(), &normal));
+        self.state.force = self.state.force.clamp(-self.limit, self.limit);
+        self.state.stick_radius = normal.contact_radius.unwrap_or(0.0);
+    }
+}
+
+impl TangentialContact for Sliding<'_> {
+    fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError> {
+        let way = step.slide.1 - step.slide.0;
+        if way.abs() <= 0.0 {
+            self.stand(step);
+            return Ok(None);
+        }
+        let before = self.state.force;
+        self.slide(step.slide.1, step)?;
+        let begins = (before - self.state.force).abs() > 0.0;
+        let onset = begins.then_some(self.state);
+        self.state.slide = step.slide.1;
+        *self.state.dissipated.get_or_insert(0.0) += self.limit * way.abs();
+        Ok(onset)
+    }
+
+    fn state(&self) -> Tangential {
+        self.state
+    }
+
+    fn stress(&self, contact: &dyn NormalContact, radii: &[f64]) -> Vec<Option<f64>> {
+        // A contact that has been let go below its limit has slipped somewhere; how much is not known.
+        let at_limit = self.state.force.abs() >= self.limit;
+        let a = contact.state().contact_radius.unwrap_or(0.0);
+        let stress = |&r: &f64| match &self.law {
+            _ if r > a => Some(0.0),
+            Some(law) if at_limit => Some(self.state.force.signum() * law.stress(contact.pressure(r)?)),
+            Some(_) => None,
+            None => Some(0.0),
+        };
+        radii.iter().map(stress).collect()
+    }
+}

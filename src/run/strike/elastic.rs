@@ -1,0 +1,42 @@
+//! Impacts of elastic bodies on the direct path.
+
+use super::{Followed, RECORDS, failed};
+use crate::drive::impact::{Impact, Passage};
+use crate::run::contact::{Direct, NormalContact};
+use crate::run::record::ImpactRow;
+use crate::run::{SimulationError, Wanted, direct, fields};
+use crate::scene::setup::Setup;
+use std::num::NonZeroUsize;
+
+/// Radii at which the largest pressure is looked for.
+const LOOKS: u32 = 32;
+
+/// Follows an impact; records and fields only where `wanted`.
+///
+/// # Errors
+/// The contact would leave its profile, or cannot be followed.
+pub fn follow(setup: &Setup, impact: Impact, wanted: Option<Wanted>) -> Result<Followed, SimulationError> {
+    let contact = direct(setup)?;
+    let passage = Passage::new(contact.contact(), impact, setup.accuracy()).map_err(failed)?;
+    let deepest = passage.deepest().map(|contact| Direct::new(contact, setup.pair.normal));
+    let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(peak));
+    let row = ImpactRow { speed: impact.speed, rebound, oblique: None, peak_pressure };
+    let records = setup.scene.steps.map_or(RECORDS, NonZeroUsize::get);
+    let moments = if wanted.is_some() { passage.moments(records) } else { Vec::new() };
+    let time = moments.iter().max_by(|x, y| x.depth.total_cmp(&y.depth)).map_or(0.0, |moment| moment.time);
+    let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
+    let field = field.and_then(|contact| fields::field((contact, None), "greatest depth".to_owned(), time));
+    let stressed = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses));
+    let stresses = stressed.map_or_else(Vec::new, |contact| fields::stresses(setup, &contact.state()));
+    Ok(Followed { row, moments, field, stresses, bytes: passage.bytes() })
+}
+
+/// Largest pressure [Pa], unless a sharp edge or tip has an infinite one.
+fn peak(contact: &Direct<'_>) -> Option<f64> {
+    if contact.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
+        return None;
+    }
+    let a = contact.state().contact_radius?;
+    let pressures = (0..LOOKS).map(|k| contact.pressure(a * f64::from(k) / f64::from(LOOKS)));
+    pressures.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
+}

@@ -1,0 +1,60 @@
+//! Impacts on viscoelastic bodies.
+
+use super::{Followed, RECORDS, failed};
+use crate::contact::adhesion::{Adhesion, Edge};
+use crate::contact::viscoelastic::Spectrum;
+use crate::contact::viscoelastic::opening::Attraction;
+use crate::drive::impact::{Driven, Flight, Impact};
+use crate::material::Relaxation;
+use crate::run::record::{Field, FieldRow, ImpactRow};
+use crate::run::{SimulationError, Wanted};
+use crate::scene::setup::Setup;
+use std::f64::consts::FRAC_PI_2;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+/// Radii at which the pressure is given, denser towards the edge.
+const RADII: u32 = 64;
+
+/// Follows an impact; records and fields only where `wanted`.
+///
+/// # Errors
+/// The contact would outgrow the profile, or comes to no end.
+pub fn follow(
+    setup: &Setup,
+    relaxation: &Relaxation,
+    (impact, wanted): (Impact, Option<Wanted>),
+) -> Result<Followed, SimulationError> {
+    let spectrum = Arc::new(Spectrum::new(relaxation));
+    let attraction = setup.scene.adhesion.as_ref().and_then(|adhesion| attraction(adhesion, &spectrum));
+    let driven = Driven { spectrum, profile: setup.profile.clone(), attraction };
+    let flight = driven.flight(&impact, setup.accuracy()).map_err(failed)?;
+    let peak_pressure = flight.peak_pressure();
+    let row = ImpactRow { speed: impact.speed, rebound: flight.rebound(), oblique: None, peak_pressure };
+    let records = setup.scene.steps.map_or(RECORDS, NonZeroUsize::get);
+    let moments = if wanted.is_some() { flight.moments(records) } else { Vec::new() };
+    let field = wanted.is_some_and(|wanted| wanted.fields).then(|| field(&flight)).flatten();
+    Ok(Followed { row, moments, field, stresses: Vec::new(), bytes: flight.bytes() })
+}
+
+/// What holds the edge; a scene with another law is refused before it comes here.
+fn attraction(adhesion: &Adhesion, spectrum: &Spectrum) -> Option<Attraction> {
+    let Adhesion::Jkr(jkr) = adhesion else { return None };
+    match jkr.edge.as_ref()? {
+        Edge::Relaxed => Some(Attraction::relaxed(jkr.work.si(), spectrum)),
+        Edge::Instantaneous => Some(Attraction::instantaneous(jkr.work.si(), spectrum)),
+        Edge::Rate(_) => None,
+    }
+}
+
+/// The pressure at the greatest depth.
+fn field(flight: &Flight) -> Option<Field> {
+    flight.peak_pressure()?;
+    let (time, a) = (flight.turn(), flight.deepest_radius());
+    let row = |k: u32| {
+        let radius = a * (FRAC_PI_2 * f64::from(k) / f64::from(RADII)).sin();
+        FieldRow { radius, pressure: Some(flight.pressure(time, radius)), displacement: None, shear: None }
+    };
+    let rows = (0..=RADII).map(row).collect();
+    Some(Field { label: "greatest depth".to_owned(), time, contact_radius: a, stress_intensity: None, rows })
+}

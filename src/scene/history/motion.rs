@@ -1,0 +1,111 @@
+//! A history read from a table.
+
+use crate::input::table::{Columns, TableError, Tables};
+use std::path::Path;
+
+/// Motion given by a table: time, what is controlled, and the tangential displacement if any.
+///
+/// Between two rows every column is linear in time; the first row is reached at once.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Times [s], strictly increasing.
+    pub time: Vec<f64>,
+    /// What is controlled, one value per time.
+    pub control: Driven,
+    /// Tangential displacement [m], one value per time.
+    pub slide: Option<Vec<f64>>,
+    /// Row of the file in which each line of values stands.
+    pub rows: Vec<usize>,
+}
+
+/// What a table drives.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Driven {
+    /// Indentation [m].
+    Indentation(Vec<f64>),
+    /// Normal force [N].
+    Force(Vec<f64>),
+}
+
+const RIGHT: &str = "expected time_s, one of indentation_m and force_n, and slide_m if it slides";
+
+impl Motion {
+    /// The motion in the table at `path`: columns `time_s`, `indentation_m` or `force_n`, and
+    /// perhaps `slide_m`.
+    ///
+    /// # Errors
+    /// The table cannot be read, a column is missing or one too many, there are fewer than two
+    /// rows, or the times do not increase.
+    pub fn read(path: &Path, tables: &dyn Tables) -> Result<Self, TableError> {
+        let names = tables.names(path)?;
+        let wanted = wanted(&names).map_err(|message| TableError::whole(path, message))?;
+        let Columns { mut values, rows } = tables.columns(path, &wanted)?;
+        let slide = if wanted.len() > 2 { values.pop() } else { None };
+        let (Some(control), Some(time)) = (values.pop(), values.pop()) else {
+            return Err(TableError::whole(path, RIGHT));
+        };
+        increasing(path, &time, &rows)?;
+        let control = if wanted[1] == "force_n" { Driven::Force(control) } else { Driven::Indentation(control) };
+        Ok(Self { time, control, slide, rows })
+    }
+}
+
+/// The columns to ask for, in the order time, control, slide.
+fn wanted(names: &[String]) -> Result<Vec<&'static str>, String> {
+    let has = |name: &str| names.iter().any(|known| known == name);
+    let known = ["time_s", "indentation_m", "force_n", "slide_m"];
+    if let Some(extra) = names.iter().find(|name| !known.contains(&name.as_str())) {
+        return Err(format!("the column \"{extra}\" is not known: {RIGHT}"));
+    }
+    if !has("time_s") {
+        return Err(format!("the column time_s is missing: {RIGHT}"));
+    }
+    let control = match (has("indentation_m"), has("force_n")) {
+        (true, true) => return Err(format!("indentation_m and force_n cannot both be controlled: {RIGHT}")),
+        (true, false) => "indentation_m",
+        (false, true) => "force_n",
+        (false, false) => return Err(format!("neither indentation_m nor force_n is there: {RIGHT}")),
+    };
+    Ok([Some("time_s"), Some(control), has("slide_m").then_some("slide_m")].into_iter().flatten().collect())
+}
+
+fn increasing(path: &Path, time: &[f64], rows: &[usize]) -> Result<(), TableError> {
+    if time.len() < 2 {
+        return Err(TableError::whole(path, format!("has {} rows: expected at least two", time.len())));
+    }
+    let Some(at) = time.windows(2).position(|pair| pair[1] <= pair[0]) else { return Ok(()) };
+    let message = format!("time_s goes from {} to {}: expected increasing times", time[at], time[at + 1]);
+    Err(TableError::at(path, rows.get(at + 1).copied().unwrap_or(at + 1), message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::table::InMemory;
+
+    fn read(columns: &[(&str, &[f64])]) -> Result<Motion, String> {
+        let tables = InMemory::default().with("h.csv", columns);
+        Motion::read(Path::new("h.csv"), &tables).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn columns_may_stand_in_any_order() {
+        let motion = read(&[("slide_m", &[0.0, 1.0]), ("force_n", &[2.0, 3.0]), ("time_s", &[0.0, 0.5])]).unwrap();
+        assert_eq!(motion.time, [0.0, 0.5]);
+        assert_eq!(motion.control, Driven::Force(vec![2.0, 3.0]));
+        assert_eq!(motion.slide, Some(vec![0.0, 1.0]));
+    }
+
+    #[test]
+    fn a_wrong_table_is_refused_with_its_row() {
+        let time: (&str, &[f64]) = ("time_s", &[0.0, 1.0, 1.0]);
+        let depth: (&str, &[f64]) = ("indentation_m", &[0.0, 1.0, 2.0]);
+        let error = |columns: &[(&str, &[f64])]| read(columns).unwrap_err();
+        assert_eq!(error(&[time, depth]), "h.csv, row 4: time_s goes from 1 to 1: expected increasing times");
+        assert!(error(&[depth]).contains("time_s is missing"));
+        assert!(error(&[time]).contains("neither indentation_m nor force_n"));
+        assert!(error(&[time, depth, ("force_n", &[0.0, 1.0, 2.0])]).contains("cannot both"));
+        assert!(error(&[time, depth, ("depth", &[0.0, 1.0, 2.0])]).contains("\"depth\" is not known"));
+        assert!(error(&[("time_s", &[0.0]), ("force_n", &[0.0])]).contains("has 1 rows"));
+    }
+}

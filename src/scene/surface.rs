@@ -1,0 +1,196 @@
+//! What lies on the smooth profile of a scene: roughness, made ready.
+
+use crate::friction::Friction;
+use crate::input::problem::Problem;
+use crate::input::table::Tables;
+use crate::material::Body;
+use crate::scene::Scene;
+use crate::scene::history::Entry;
+use crate::shape::rough::{Border, HeightMap, Rings, Roughness, SourceError, Spectrum};
+use crate::shape::{Rim, RoughShape, Shape};
+use std::sync::Arc;
+
+/// Most springs of a rough line: their state alone has a gigabyte.
+const MOST_POINTS: usize = 1 << 25;
+/// Most members of an ensemble.
+const MOST_MEMBERS: usize = 100_000;
+/// Springs per ring under a height map, and at least.
+const PER_RING: usize = 8;
+const LEAST_POINTS: usize = 1 << 14;
+
+/// A rough surface ready to be pressed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    /// Variance by rings of wavevectors.
+    pub rings: Rings,
+    /// Where the roughness comes from.
+    pub source: Source,
+    /// Springs of the equivalent line.
+    pub points: usize,
+    /// One seed per member of the ensemble.
+    pub seeds: Vec<u64>,
+}
+
+/// Where a roughness comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Source {
+    /// A power spectrum.
+    Spectrum(Spectrum),
+    /// Measured or generated heights.
+    Map(Arc<HeightMap>),
+}
+
+impl Surface {
+    /// Side of the nominal area [m].
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.rings.length()
+    }
+
+    /// Root mean square height [m], slope and mean curvature [1/m].
+    #[must_use]
+    pub fn roughness(&self) -> Roughness {
+        match &self.source {
+            Source::Map(map) => map.roughness(Border::Cut),
+            Source::Spectrum(spectrum) => Roughness {
+                rms_height: spectrum.rms_height(),
+                rms_slope: spectrum.rms_slope(),
+                rms_curvature: spectrum.rms_curvature(),
+                peak_to_valley: f64::NAN,
+            },
+        }
+    }
+}
+
+/// The roughness of a scene, if its shape has one, or what is wrong with it.
+///
+/// # Errors
+/// Spectra that do not fit the line, tables that cannot be read, parts that cannot be computed on a rough shape.
+pub fn of(scene: &Scene, tables: &dyn Tables) -> Result<Option<Surface>, Vec<Problem>> {
+    let (name, made) = match &scene.shape {
+        Shape::RoughLine(line) => ("RoughLine", of_line(line, tables)),
+        Shape::HeightMap(path, pixel) => {
+            let map = tables.heights(path).map_err(|error| error.to_string());
+            let map = map.and_then(|heights| {
+                HeightMap::new(heights, (pixel.si(), pixel.si())).map_err(|e| format!("{}: {e}", path.display()))
+            });
+            ("HeightMap", map.map(of_map).map_err(|what| vec![Problem::new("shape", what)]))
+        }
+        Shape::PlaneWave(_) | Shape::PlaneWavy(_) => {
+            let problems = plane_misfits(scene);
+            return if problems.is_empty() { Ok(None) } else { Err(problems) };
+        }
+        _ => return Ok(None),
+    };
+    let mut problems = misfits(scene, &format!("the rough shape {name}"));
+    if let Some(friction) = &scene.friction {
+        problems.push(refused("friction", friction.name(), &format!("the rough shape {name}")));
+    }
+    let surface = made.map_err(|found| problems.extend(found)).ok();
+    if problems.is_empty() { Ok(surface) } else { Err(problems) }
+}
+
+fn of_line(line: &RoughShape, tables: &dyn Tables) -> Result<Surface, Vec<Problem>> {
+    let mut problems = sizes(line);
+    problems.extend(beyond_base(line, tables));
+    let spectrum = line.spectrum.spectrum(tables);
+    let rings = spectrum.and_then(|spectrum| {
+        let rings = Rings::of(&spectrum, line.length.si(), line.points.get());
+        Ok((rings.map_err(SourceError::from)?, spectrum))
+    });
+    match rings {
+        Ok((rings, spectrum)) if problems.is_empty() => {
+            let source = Source::Spectrum(spectrum);
+            Ok(Surface { rings, source, points: line.points.get(), seeds: line.seeds() })
+        }
+        Ok(_) => Err(problems),
+        Err(error) => {
+            problems.push(Problem::new("shape.spectrum", error.to_string()));
+            Err(problems)
+        }
+    }
+}
+
+/// Numbers of springs and members that are too large.
+fn sizes(line: &RoughShape) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    let mut too_many = |field: &str, count: usize, most: usize| {
+        if count > most {
+            problems.push(Problem::new(field, format!("{count} is too many: expected at most {most}")));
+        }
+    };
+    too_many("shape.points", line.points.get(), MOST_POINTS);
+    too_many("shape.seeds", line.seeds.map_or(0, std::num::NonZeroUsize::get), MOST_MEMBERS);
+    too_many("shape.seed", line.seed.as_ref().map_or(0, |seeds| seeds.0.len()), MOST_MEMBERS);
+    if line.seed.is_some() && line.seeds.is_some() {
+        problems.push(Problem::new("shape.seeds", "is given beside `seed`: expected one of the two"));
+    }
+    problems
+}
+
+/// A line that is longer than the shape it lies on, or lies on another rough shape.
+fn beyond_base(line: &RoughShape, tables: &dyn Tables) -> Option<Problem> {
+    let base = line.base.as_deref()?;
+    if base.is_rough() {
+        return Some(Problem::new("shape.base", "is rough itself: expected a smooth shape"));
+    }
+    let Ok(profile) = base.profile(tables) else { return None };
+    let Rim::End(end) = profile.rim() else { return None };
+    (0.5 * line.length.si() > end).then(|| {
+        Problem::new("shape.length", format!("reaches beyond the end of the base: expected at most {:e} m", 2.0 * end))
+    })
+}
+
+fn of_map(map: HeightMap) -> Surface {
+    let rings = map.rings(Border::Cut);
+    let points = (PER_RING * rings.variances().len()).max(LEAST_POINTS);
+    Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] }
+}
+
+fn refused(path: &str, part: &str, shape: &str) -> Problem {
+    Problem::new(path, format!("{part} cannot be computed on {shape}: expected none"))
+}
+
+/// Parts of a scene that can be computed on neither rough nor plane shapes.
+fn misfits(scene: &Scene, shape: &str) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    if let Some(adhesion) = &scene.adhesion {
+        problems.push(refused("adhesion", adhesion.name(), shape));
+    }
+    if scene.springs.is_some() {
+        problems.push(refused("springs", "a number of springs", shape));
+    }
+    for (path, body) in [("bodies.0", &scene.bodies.0), ("bodies.1", &scene.bodies.1)] {
+        if matches!(body, Body::Viscoelastic(_)) {
+            problems.push(refused(path, "a viscoelastic body", shape));
+        }
+    }
+    let impacts = scene.history.iter().position(|entry| matches!(entry, Entry::Impact(_)));
+    problems.extend(impacts.map(|index| refused(&format!("history[{index}]"), "Impact", shape)));
+    problems
+}
+
+/// Parts of a scene that cannot be computed on a plane shape.
+fn plane_misfits(scene: &Scene) -> Vec<Problem> {
+    let (shape, by_force) = match &scene.shape {
+        Shape::PlaneWavy(_) => ("PlaneWavy", true),
+        _ => ("PlaneWave", false),
+    };
+    let mut problems = misfits(scene, shape);
+    match &scene.friction {
+        Some(friction @ Friction::Pressure(_)) => problems.push(refused("friction", friction.name(), shape)),
+        Some(friction) if by_force => problems.push(refused("friction", friction.name(), shape)),
+        _ => {}
+    }
+    for (index, entry) in scene.history.iter().enumerate() {
+        let right = match entry {
+            Entry::Slide(_) | Entry::Shake(_) => "none: the force of gross sliding is a result of the friction alone",
+            Entry::Press(_) | Entry::HoldForce(_) => continue,
+            _ if by_force => "Press(…) or HoldForce(…)",
+            _ => continue,
+        };
+        let what = format!("cannot be computed on {shape}: expected {right}");
+        problems.push(Problem::new(format!("history[{index}]"), what));
+    }
+    problems
+}
