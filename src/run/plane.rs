@@ -1,7 +1,8 @@
 //! Plane shapes: a wave on the half-plane in closed form, a wavy parabola by its Chebyshev series.
 
 use super::contact::{ContactError, Event, NormalContact};
-use super::{Contact, SimulationError, Wanted, follow, results};
+use super::follow::follow;
+use super::{Contact, SimulationError, Wanted, results};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::plane::{ConnectivityError, PlaneContact, WavyParabola, Westergaard};

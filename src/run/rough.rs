@@ -1,7 +1,8 @@
 //! Rough shapes: the bed of a rough line, one member of an ensemble after the other.
 
 use super::contact::{ContactError, Event, NormalContact};
-use super::{Contact, SimulationError, Wanted, follow, results};
+use super::follow::follow;
+use super::{Contact, SimulationError, Wanted, results};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::state::Normal;

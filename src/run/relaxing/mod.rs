@@ -11,7 +11,8 @@ mod cycle;
 mod instants;
 
 use super::contact::{ContactError, Drive, Event, Loop, Moment, NormalContact};
-use super::{Contact, Run, Wanted, follow};
+use super::follow::{Run, follow};
+use super::{Contact, Wanted};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::adhesion::{Adhesion, Edge};
