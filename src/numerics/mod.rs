@@ -1,5 +1,6 @@
-//! Roots, quadrature and special functions: no physics.
+//! Roots, extrema, quadrature and special functions: no physics.
 
+pub mod extremum;
 pub mod quadrature;
 pub mod root;
 pub mod special;

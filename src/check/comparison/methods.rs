@@ -4,6 +4,7 @@ use super::{Fineness, Measured, Method, State, state_of, timed};
 use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::springs::SpringBed;
+use crate::numerics::extremum;
 use crate::run::record::Record;
 use crate::run::{self, NormalContact, SimulationError, Wanted};
 use crate::scene::plan;
@@ -149,11 +150,5 @@ fn peak_at(contact: &dyn NormalContact) -> Option<f64> {
     if best == 0 {
         return pressure(0.0).is_finite().then_some(0.0);
     }
-    let (mut low, mut high) = (place(best - 1), place(best + 1));
-    // Golden section: 40 steps take the place to 1e-8 of the radius, the pressure to its square.
-    for _ in 0..40 {
-        let (inner, outer) = (high - 0.618_033_988_75 * (high - low), low + 0.618_033_988_75 * (high - low));
-        if pressure(inner) > pressure(outer) { high = outer } else { low = inner }
-    }
-    Some(0.5 * (low + high))
+    Some(extremum::greatest(pressure, place(best - 1), place(best + 1)).place)
 }

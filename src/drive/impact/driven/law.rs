@@ -9,7 +9,7 @@
 use super::Driven;
 use super::collocation::Fading;
 use super::piece::{Piece, at};
-use crate::numerics::root;
+use crate::numerics::{extremum, root};
 use crate::shape::Rim;
 
 /// What the bed does at one time.
@@ -154,7 +154,8 @@ impl<'p> Shrinking<'p> {
             (outer, reach) = (inner, (1.6 * reach).min(last / 32.0));
         }
         let around = ((best.0 - last / 16.0).max(0.0), (best.0 + last / 16.0).min(last));
-        summit(&margin, around).and_then(|holds| root::brent(margin, holds, around.1).ok())
+        let holds = extremum::reaches_zero(margin, around.0, around.1)?;
+        root::brent(margin, holds, around.1).ok()
     }
 
     /// q + √(2πaE_c w) of the spring touched at the time `t`; negative if it is torn off.
@@ -188,18 +189,4 @@ pub fn touch_of(model: &Driven, loading: &[Piece], x: f64) -> (f64, f64) {
     let Some(piece) = loading.get(number).filter(|_| height > 0.0) else { return (0.0, height) };
     let theta = root::within(|theta| piece.depth(theta) - height, 0.0, 1.0);
     (piece.start.time + theta * piece.span, height)
-}
-
-/// A place between `low` and `high` at which the margin is not negative, by the golden section.
-fn summit(margin: &impl Fn(f64) -> f64, (mut low, mut high): (f64, f64)) -> Option<f64> {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    for _ in 0..60 {
-        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        let (at_left, at_right) = (margin(left), margin(right));
-        if at_left.max(at_right) >= 0.0 {
-            return Some(if at_right >= 0.0 { right } else { left });
-        }
-        if at_left > at_right { high = right } else { low = left }
-    }
-    None
 }

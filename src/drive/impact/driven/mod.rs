@@ -14,7 +14,7 @@ mod twin;
 use super::{Impact, ImpactError, Moment, Rebound};
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::opening::Attraction;
-use crate::numerics::root;
+use crate::numerics::{extremum, root};
 use crate::shape::Profile;
 use law::{Answer, Place, Shrinking};
 use piece::{Instant, Piece};
@@ -311,20 +311,14 @@ impl Flight {
     }
 }
 
-/// Greatest deceleration in a piece: the best of a few places, and about it by the golden section.
+/// Greatest deceleration in a piece: the best of a few places, and the top about it.
 fn strongest(piece: &Piece) -> f64 {
     const LOOKS: u32 = 16;
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let at = |theta: f64| -piece.acceleration(theta);
     let looks = (0..=LOOKS).map(|k| f64::from(k) / f64::from(LOOKS));
     let best = looks.max_by(|&x, &y| at(x).total_cmp(&at(y))).unwrap_or(0.0);
     let cell = 1.0 / f64::from(LOOKS);
-    let (mut low, mut high) = ((best - cell).max(0.0), (best + cell).min(1.0));
-    for _ in 0..40 {
-        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        if at(left) > at(right) { high = right } else { low = left }
-    }
-    at(best).max(at(0.5 * (low + high)))
+    at(best).max(extremum::greatest(at, (best - cell).max(0.0), (best + cell).min(1.0)).value)
 }
 
 /// Where a function that is positive at the beginning of a step passes zero.
