@@ -1,6 +1,6 @@
 //! Contact mechanics by Popov's method of dimensionality reduction (MDR).
 //!
-//! Folders stand in the order of use: each one may use only those above it (`tests/layers.rs`).
+//! Folders stand in the order of use: each one may use only those above it (`tests/all/layers.rs`).
 
 pub mod numerics;
 pub mod input;

@@ -1,7 +1,5 @@
 //! Friction through whole scenes: laws that hold for every history, and limits.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use proptest::prelude::*;
 use springbed::check::validity;
 use springbed::contact::adhesion::{Adhesion, Jkr};

@@ -1,7 +1,5 @@
 //! Laws of viscoelastic contacts that hold for whole scenes.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use proptest::prelude::*;
 use springbed::contact::adhesion::{Adhesion, Edge, Jkr, Rate};
 use springbed::input::quantity::{

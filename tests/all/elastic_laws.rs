@@ -4,8 +4,6 @@
 //! Bound 1e-11 as in `hertz_and_jkr.rs`: a root to two units in the last place, a few dozen roundings,
 //! conditioning of the states drawn at most 10³.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use proptest::prelude::*;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::adhesion::range::RangeDisc;

@@ -2,9 +2,6 @@
 //!
 //! `FUZZ_INPUTS=1000000 cargo test --release --test fuzz` tries a million inputs of each kind.
 
-#![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use springbed::app::fault::Paint;

@@ -1,8 +1,5 @@
 //! Rough shapes as a person or a script meets them.
 
-#![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::path::Path;
 use std::process::{Command, Stdio};
 use tempfile::TempDir;

@@ -1,8 +1,5 @@
 //! VALIDATION.md says what the cases are.
 
-#![cfg(all(feature = "cli", feature = "half-space"))]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use springbed::app::export::validation;
 use springbed::check::{case::Case, cases};
 

@@ -1,9 +1,6 @@
 //! What a person reads who gives the program something wrong: each file in `tests/bad` holds the
 //! messages it must bring, as `// expect: line:column: text`.
 
-#![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use tempfile::TempDir;

@@ -4,8 +4,6 @@
 //! function from its integral: the stable path under a growing or falling depth is the running
 //! maximum from the left or the running minimum from the right.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use proptest::prelude::*;
 use springbed::contact::adhesion::line::{EdgeLine, Energy};
 use springbed::contact::direct::{Attraction, Jump, QuasiStatic};

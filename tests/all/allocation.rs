@@ -1,6 +1,5 @@
 //! A scene pays for what it uses: memory taken on the way, counted by the allocator.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![allow(unsafe_code, reason = "an allocator that counts is one by nature")]
 
 use springbed::friction::{Coulomb, Friction};

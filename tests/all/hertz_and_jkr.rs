@@ -4,8 +4,6 @@
 //! Bound 1e-11: a root to two units in the last place, a few dozen roundings, and the conditioning
 //! of the states drawn (at most 10³ away from a turning point): 10³ · 50 · 2⁻⁵³ < 1e-11.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use proptest::prelude::*;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::adhesion::range::RangeDisc;

@@ -1,8 +1,5 @@
 //! `springbed compare` as a person or a script meets it.
 
-#![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use serde_json::Value;
 use std::process::{Command, Output, Stdio};
 use tempfile::TempDir;

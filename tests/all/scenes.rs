@@ -3,9 +3,6 @@
 //! A comment `// answer: pull_off_force_n = -494.8008429e-6` holds the result of that name to half a
 //! unit of its last digit. The answers are from the formulas named beside them, computed with 20 digits.
 
-#![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use springbed::app::run::{Format, compute, products};
 use springbed::app::scene_file::SceneFile;
 use springbed::run::record::{Outcome, Value};

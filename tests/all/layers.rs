@@ -1,8 +1,6 @@
 //! The order of the folders in `src/lib.rs` is a law: each one uses only those above it, and below
 //! `check` nothing knows of files, clocks or formats. Direction holds only where something holds it.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-
 use std::path::{Path, PathBuf};
 
 fn sources(folder: &Path) -> Vec<PathBuf> {
@@ -129,5 +127,17 @@ fn below_the_check_no_file_is_opened_no_clock_read_and_nothing_printed() {
         ] {
             assert!(!code.contains(word), "{} holds {word}", path.display());
         }
+    }
+}
+
+/// A test nobody names is never run.
+#[test]
+fn every_file_of_tests_is_run() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let main = std::fs::read_to_string(tests.join("all/main.rs")).unwrap();
+    for path in sources(&tests).into_iter().filter(|path| !path.ends_with("all/main.rs")) {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let named = path == tests.join("all").join(format!("{name}.rs")) && main.contains(&format!("\nmod {name};"));
+        assert!(named, "{} is not a module of tests/all/main.rs", path.display());
     }
 }

@@ -1,0 +1,25 @@
+//! The tests of the library and of the program from outside, one program: each file is a module.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod allocation;
+#[cfg(feature = "cli")]
+mod bad_scenes;
+#[cfg(feature = "cli")]
+mod compare;
+mod elastic_laws;
+mod friction;
+#[cfg(feature = "cli")]
+mod fuzz;
+mod hertz_and_jkr;
+mod layers;
+#[cfg(feature = "cli")]
+mod program;
+#[cfg(feature = "cli")]
+mod rough;
+#[cfg(feature = "cli")]
+mod scenes;
+#[cfg(all(feature = "cli", feature = "half-space"))]
+mod validation;
+mod viscoelastic_scenes;
+mod wavy_jumps;
