@@ -3,23 +3,23 @@
 #![expect(clippy::unwrap_used, reason = "a benchmark of known good inputs")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use springbed::friction::oblique::{Ball, Flight, SOLID};
-use springbed::friction::{CoulombBed, Grip, Position, TangentialMemory};
+use springbed::friction::oblique::{Ball, BallMotion, SOLID};
+use springbed::friction::{CoulombBed, Grip, Pose, TangentialMemory};
 use springbed::input::quantity::Length;
 use springbed::shape::{Paraboloid, Profile};
 use std::hint::black_box;
 
 const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.3 };
 
-fn loops(records: u32) -> Vec<Position> {
+fn loops(records: u32) -> Vec<Pose> {
     let wave = |k: u32| (f64::from(k) * 0.02).sin();
-    (0..records).map(|k| Position { indentation: 1.0 + 0.2 * wave(3 * k), slide: 0.25 * wave(k) }).collect()
+    (0..records).map(|k| Pose { indentation: 1.0 + 0.2 * wave(3 * k), slide: 0.25 * wave(k) }).collect()
 }
 
 fn friction(criterion: &mut Criterion) {
     let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
     let path = loops(1000);
-    let level: Vec<Position> = path.iter().map(|at| Position { indentation: 1.0, ..*at }).collect();
+    let level: Vec<Pose> = path.iter().map(|at| Pose { indentation: 1.0, ..*at }).collect();
     for (name, path) in [("1000 records, fretting", &level), ("1000 records, load varied while sheared", &path)] {
         criterion.bench_function(name, |bencher| {
             bencher.iter(|| {
@@ -38,10 +38,10 @@ fn friction(criterion: &mut Criterion) {
     });
     let grip = Grip { normal_modulus: 115e9, tangential_modulus: 95e9, coefficient: 0.1 };
     let ball = Ball { grip, radius: 5e-3, mass: 4e-3, gyration: SOLID };
-    let angles: Vec<Flight> = (0..100)
+    let angles: Vec<BallMotion> = (0..100)
         .map(|k| {
             let (sine, cosine) = (0.89 * f64::from(k)).to_radians().sin_cos();
-            Flight { normal_speed: cosine, tangential_speed: sine, spin: 0.0 }
+            BallMotion { normal_speed: cosine, tangential_speed: sine, spin: 0.0 }
         })
         .collect();
     group.bench_function("100 oblique impacts", |bencher| {

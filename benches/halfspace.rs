@@ -1,7 +1,7 @@
 //! Half-space solver: Hertz on a window of three contact radii, and one product with the influence matrix's cost.
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use ndarray::Array2;
-use springbed::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
+use springbed::halfspace::{Boundary, Prescribed, PressedMap, Settings, Start, solve};
 
 /// Paraboloid of radius 1 on n×n pixels over 0.3, contact radius 0.1.
 fn paraboloid(n: usize) -> (Array2<f64>, f64) {
@@ -16,12 +16,12 @@ fn hertz(criterion: &mut Criterion) {
     for n in [64, 128, 256, 512] {
         let (heights, pixel) = paraboloid(n);
         for (name, start) in [("coarser", Start::Coarser), ("nothing", Start::Nothing)] {
-            let problem = Problem {
+            let problem = PressedMap {
                 heights: heights.view(),
                 pixel: [pixel; 2],
                 modulus: 1.0,
                 boundary: Boundary::Free,
-                control: Control::Indentation(0.01),
+                control: Prescribed::Indentation(0.01),
             };
             group.bench_with_input(BenchmarkId::new(name, n), &problem, |bencher, problem| {
                 bencher.iter(|| solve(problem, start, &Settings::default()));

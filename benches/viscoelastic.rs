@@ -8,7 +8,7 @@ use springbed::contact::viscoelastic::direct::Direct;
 use springbed::contact::viscoelastic::layout::Layout;
 use springbed::contact::viscoelastic::lazy::Lazy;
 use springbed::contact::viscoelastic::memory::Memory;
-use springbed::drive::impact::{Driven, Impact};
+use springbed::drive::impact::{Projectile, StruckHalfSpace};
 use springbed::input::quantity::Length;
 use springbed::material::Relaxation;
 use springbed::shape::Paraboloid;
@@ -85,8 +85,8 @@ fn impacts(c: &mut Criterion) {
     let mut group = c.benchmark_group("impact");
     let kelvin_voigt = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![], viscosity: 0.1 }));
     for (name, spectrum) in [("kelvin_voigt", kelvin_voigt), ("ten_terms", spectrum(10))] {
-        let driven = Driven { spectrum, profile: Arc::new(ball()), attraction: None };
-        let impact = Impact { mass: 1.0, speed: 1.0 };
+        let driven = StruckHalfSpace { spectrum, profile: Arc::new(ball()), attraction: None };
+        let impact = Projectile { mass: 1.0, speed: 1.0 };
         group.bench_function(name, |b| b.iter(|| driven.flight(black_box(&impact), 1e-6)));
     }
 }

@@ -1,6 +1,6 @@
 //! Error, time and memory of the half-space solver on the Hertz contact: `cargo run --release --example halfspace_hertz 512 1024`.
 use ndarray::Array2;
-use springbed::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
+use springbed::halfspace::{Boundary, Prescribed, PressedMap, Settings, Start, solve};
 
 fn main() {
     let (radius, depth) = (1.0, 0.01_f64);
@@ -13,12 +13,12 @@ fn main() {
             let place = |index: usize| (index as f64 - (n / 2) as f64) * pixel;
             (place(row).powi(2) + place(column).powi(2)) / (2.0 * radius)
         });
-        let problem = Problem {
+        let problem = PressedMap {
             heights: heights.view(),
             pixel: [pixel; 2],
             modulus: 1.0,
             boundary: Boundary::Free,
-            control: Control::Indentation(depth),
+            control: Prescribed::Indentation(depth),
         };
         let clock = cpu_seconds();
         match solve(&problem, Start::Coarser, &Settings::default()) {

@@ -3,7 +3,7 @@
 //! wave numbers from 4 to n/8 of 1/L, rms slope 0.1); `-- heights.npy` reads one (square, f64, period 1 m).
 use ndarray::Array2;
 use rustfft::{FftPlanner, num_complex::Complex};
-use springbed::halfspace::{Boundary, Control, Problem, Settings, Solution, Start, solve};
+use springbed::halfspace::{Boundary, Prescribed, PressedMap, Settings, Solution, Start, solve};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("grid start cpu_s iterations_of_ten area_fractions peak_mb");
@@ -25,9 +25,10 @@ fn press(heights: &Array2<f64>, kind: &str) -> Result<(), Box<dyn std::error::Er
     let mut last: Option<Solution> = None;
     let (mut iterations, mut fractions) = (0, Vec::new());
     for load in 1..=10 {
-        let control = Control::Force(0.0005 * f64::from(load));
+        let control = Prescribed::Force(0.0005 * f64::from(load));
         let pixel = [1.0 / heights.nrows() as f64; 2];
-        let problem = Problem { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Periodic, control };
+        let problem =
+            PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Periodic, control };
         let start = match &last {
             Some(solution) if kind == "last load" => Start::Pressure(solution.pressure.view()),
             _ => Start::Coarser,

@@ -2,7 +2,7 @@
 //! the pressure of the spring bed: `cargo run --release --example halfspace_start -- 128 256 512`.
 use ndarray::Array2;
 use springbed::contact::springs::SpringBed;
-use springbed::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Start, solve};
+use springbed::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start, solve};
 use springbed::input::quantity::{Length, QuantityError};
 use springbed::shape::Paraboloid;
 
@@ -22,12 +22,12 @@ fn iterations(n: usize) -> Result<[usize; 3], HalfSpaceError> {
     let place = |index: usize| (index as f64 - (n / 2) as f64) * pixel;
     let distance = |(row, column): (usize, usize)| place(row).hypot(place(column));
     let heights = Array2::from_shape_fn((n, n), |at| 0.5 * distance(at).powi(2));
-    let problem = Problem {
+    let problem = PressedMap {
         heights: heights.view(),
         pixel: [pixel; 2],
         modulus: 1.0,
         boundary: Boundary::Free,
-        control: Control::Indentation(depth),
+        control: Prescribed::Indentation(depth),
     };
     let rings = bed_pressure(depth, 1.1 * radius).unwrap_or_default();
     let sample = |at| rings.get(rings.partition_point(|ring| ring.0 < distance(at))).map_or(0.0, |ring| ring.1);

@@ -1,8 +1,10 @@
 //! The rough bed held against the full half-space: where they agree and where they do not.
 
 use super::theory::{StiffnessLaw, area_fraction, stiffness_exponent};
-use crate::halfspace::{self, Boundary, Control, HalfSpaceError, Problem, Settings, Start};
-use crate::shape::rough::{Rings, RoughBed, RoughError, RoughLine, Scatter, Spectrum, ensemble, rough_surface};
+use crate::halfspace::{self, Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start};
+use crate::shape::rough::{
+    Rings, RoughBed, RoughError, RoughLine, RoughnessSpectrum, Scatter, ensemble, rough_surface,
+};
 use std::f64::consts::TAU;
 
 /// A study of self-affine squares of side L, of full-band roughness: longest wave L, shortest `pixels_per_wave` pixels.
@@ -118,14 +120,14 @@ impl Agreement {
     }
 
     /// Self-affine from the side to the shortest wave, rms height `HEIGHT`.
-    fn spectrum(&self, hurst: f64) -> Result<Spectrum, RoughError> {
+    fn spectrum(&self, hurst: f64) -> Result<RoughnessSpectrum, RoughError> {
         #[expect(clippy::cast_precision_loss, reason = "grids are far below 2^53")]
         let range = self.points as f64 / self.pixels_per_wave as f64;
-        let shape = Spectrum::table(&[(TAU, 1.0), (TAU * range, range.powf(-2.0 * (1.0 + hurst)))])?;
+        let shape = RoughnessSpectrum::table(&[(TAU, 1.0), (TAU * range, range.powf(-2.0 * (1.0 + hurst)))])?;
         Ok(shape.scaled((HEIGHT / shape.rms_height()).powi(2)))
     }
 
-    fn bed(&self, spectrum: &Spectrum, seed: u64) -> Result<Curve, AgreementError> {
+    fn bed(&self, spectrum: &RoughnessSpectrum, seed: u64) -> Result<Curve, AgreementError> {
         let line = RoughLine::new(&Rings::of(spectrum, 1.0, self.springs)?, seed);
         let bed = RoughBed::under(&line, self.springs, 1.0, |_| 0.0)?;
         let at = |force: &f64| {
@@ -136,16 +138,16 @@ impl Agreement {
         Ok(self.forces.iter().map(at).collect())
     }
 
-    fn half_space(&self, spectrum: &Spectrum, seed: u64) -> Result<Curve, AgreementError> {
+    fn half_space(&self, spectrum: &RoughnessSpectrum, seed: u64) -> Result<Curve, AgreementError> {
         let heights = rough_surface(spectrum, 1.0, (self.points, seed))?;
         let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
         #[expect(clippy::cast_precision_loss, reason = "grids are far below 2^53")]
         let pixel = 1.0 / self.points as f64;
         let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
         let at = |force: &f64| {
-            let control = Control::Force(force * HEIGHT);
+            let control = Prescribed::Force(force * HEIGHT);
             let (view, boundary) = (heights.view(), Boundary::Free);
-            let problem = Problem { heights: view, pixel: [pixel; 2], modulus: 1.0, boundary, control };
+            let problem = PressedMap { heights: view, pixel: [pixel; 2], modulus: 1.0, boundary, control };
             let solution = halfspace::solve(&problem, Start::Coarser, &settings)?;
             Ok((solution.indentation - lowest, solution.area_fraction()))
         };

@@ -1,6 +1,6 @@
 //! Where the contact of a scene stays in one piece, in words.
 
-use super::theory::{PlaneContact, Verdict, WavyParabola, Westergaard, exact_ranges};
+use super::theory::{Connection, PlaneContact, WavyParabola, Westergaard, exact_ranges};
 use crate::run::record::Outcome;
 use crate::scene::history::Entry;
 use crate::scene::reach;
@@ -100,7 +100,7 @@ fn limit(profile: &dyn Profile, largest: f64) -> f64 {
 /// The round contact: where g stops growing, and the loads at which the mapping is exact.
 fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
     // A flat does not grow either, but it does not fall.
-    let fall = profile.simply_connected_up_to().filter(|&fall| fall < limit);
+    let fall = profile.first_fall().filter(|&fall| fall < limit);
     let Some(fall) = fall else {
         let (where_to, loads) = match profile.feature() {
             None => ("everywhere".to_owned(), "at every load"),
@@ -151,8 +151,8 @@ fn plane(setup: &Setup, limit: f64) -> Vec<String> {
     vec![format!(
         "as a cylinder on a half-plane (R = {radius:.3e} m), loads up to {:.3e} N/m: one contact {}; by the sufficient condition (Kudish et al. 2.18) {}",
         range.1,
-        words(Verdict::InOnePiece),
-        words(Verdict::Sure)
+        words(Connection::InOnePiece),
+        words(Connection::Sure)
     )]
 }
 

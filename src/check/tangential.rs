@@ -143,9 +143,9 @@ pub fn amontons_limit_on_hertz(radius: f64, modulus: f64, (coefficient, limit): 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::friction::peeling::{Shear, ShearedAdhesion};
+    use crate::friction::peeling::{ShearedAdhesion, TangentialLoad};
     use crate::friction::sliding::Pressed;
-    use crate::friction::{CoulombBed, CoulombOrowan, Grip, Position, TangentialMemory};
+    use crate::friction::{CoulombBed, CoulombOrowan, Grip, Pose, TangentialMemory};
     use crate::input::quantity::{Length, Modulus, Ratio};
     use crate::shape::{Paraboloid, Profile};
     use proptest::prelude::*;
@@ -162,8 +162,8 @@ mod tests {
         CattaneoMindlin { force: 8.0 / 3.0, contact_radius: 1.0, tangential_modulus: 1.5, coefficient: 0.3 }
     }
 
-    fn at(slide: f64) -> Position {
-        Position { indentation: 1.0, slide }
+    fn at(slide: f64) -> Pose {
+        Pose { indentation: 1.0, slide }
     }
 
     proptest! {
@@ -222,7 +222,7 @@ mod tests {
             prop_assert!((critical.tangential_force / exact.critical_force(force) - 1.0).abs() < 1e-11);
             // Near the jump a depends on the root of a difference: the force is kept 0.1 % below it.
             let shear = 0.999e-3 * f64::from(part) * exact.critical_force(force);
-            let a = contact.under(force, Shear::Force(shear)).unwrap().contact_radius;
+            let a = contact.under(force, TangentialLoad::Force(shear)).unwrap().contact_radius;
             prop_assert!((a / exact.contact_radius(force, shear) - 1.0).abs() < 1e-10, "{a}");
         }
     }
@@ -268,7 +268,7 @@ mod tests {
         };
         let mut most = 0;
         for _ in 0..1_000_000 {
-            let to = Position { indentation: 1.2 * draw() - 0.01, slide: 1.2 * GRIP.reach() * (draw() - 0.5) };
+            let to = Pose { indentation: 1.2 * draw() - 0.01, slide: 1.2 * GRIP.reach() * (draw() - 0.5) };
             memory.advance(to).unwrap();
             bed.advance(&[to]);
             most = most.max(memory.turning_points());

@@ -8,8 +8,8 @@ use crate::contact::viscoelastic::direct::Direct;
 use crate::contact::viscoelastic::layout::Layout;
 use crate::contact::viscoelastic::lazy::Lazy;
 use crate::contact::viscoelastic::memory::Memory;
-use crate::friction::oblique::{Ball, Flight, SOLID};
-use crate::friction::{CoulombBed, Grip, Position, TangentialMemory};
+use crate::friction::oblique::{Ball, BallMotion, SOLID};
+use crate::friction::{CoulombBed, Grip, Pose, TangentialMemory};
 use crate::input::quantity::Length;
 use crate::material::Relaxation;
 use crate::shape::Paraboloid;
@@ -209,8 +209,8 @@ fn copy(springs: usize) -> Kernel {
 
 const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.3 };
 
-fn shaken(records: u32) -> Vec<Position> {
-    (0..records).map(|k| Position { indentation: 1.0, slide: 0.25 * (0.02 * f64::from(k)).sin() }).collect()
+fn shaken(records: u32) -> Vec<Pose> {
+    (0..records).map(|k| Pose { indentation: 1.0, slide: 0.25 * (0.02 * f64::from(k)).sin() }).collect()
 }
 
 /// A loop by turning points.
@@ -241,9 +241,9 @@ fn oblique() -> Kernel {
         let ball = Ball { grip, radius: 5e-3, mass: 4e-3, gyration: SOLID };
         let flight = |k: i32| {
             let (sine, cosine) = (0.89 * f64::from(k)).to_radians().sin_cos();
-            Flight { normal_speed: cosine, tangential_speed: sine, spin: 0.0 }
+            BallMotion { normal_speed: cosine, tangential_speed: sine, spin: 0.0 }
         };
-        let flights: Vec<Flight> = (0..100).map(flight).collect();
+        let flights: Vec<BallMotion> = (0..100).map(flight).collect();
         Some(move || ball.hits(black_box(&flights), 1e-6).is_ok())
     })
 }
@@ -251,7 +251,7 @@ fn oblique() -> Kernel {
 /// Hertz on the full half-space.
 #[cfg(feature = "half-space")]
 fn grid(n: u16) -> Kernel {
-    use crate::halfspace::{Boundary, Control, Problem, Settings, Start, solve};
+    use crate::halfspace::{Boundary, Prescribed, PressedMap, Settings, Start, solve};
     let pixels = usize::from(n) * usize::from(n);
     Kernel::new(("half-space, Hertz", "pixels"), pixels, move || {
         let pixel = 0.3 / f64::from(n);
@@ -261,12 +261,12 @@ fn grid(n: u16) -> Kernel {
         let heights =
             ndarray::Array2::from_shape_fn(shape, |(row, column)| 0.5 * (place(row).powi(2) + place(column).powi(2)));
         Some(move || {
-            let problem = Problem {
+            let problem = PressedMap {
                 heights: heights.view(),
                 pixel: [pixel; 2],
                 modulus: 1.0,
                 boundary: Boundary::Free,
-                control: Control::Indentation(0.01),
+                control: Prescribed::Indentation(0.01),
             };
             solve(&problem, Start::Coarser, &Settings::default()).is_ok()
         })

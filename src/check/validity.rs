@@ -98,7 +98,7 @@ fn two_radii(setup: &Setup) -> Option<String> {
 
 /// With adhesion the contact is taken to be connected even where the waves would part.
 fn connected(setup: &Setup, a: f64) -> Option<String> {
-    let limit = setup.profile.simply_connected_up_to().filter(|&limit| a > limit)?;
+    let limit = setup.profile.first_fall().filter(|&limit| a > limit)?;
     Some(format!(
         "beyond the radius {limit:.3e} m the one-dimensional profile falls: the contact is assumed to stay connected, which only adhesion can bring about (Guduru 2007)"
     ))

@@ -1,7 +1,7 @@
 //! The plain bed of Coulomb springs, twin of the memory of turning points.
 
 use super::FrictionError;
-use super::turning::{Grip, Position};
+use super::turning::{Grip, Pose};
 use crate::shape::Profile;
 use ndarray::Array1;
 use std::num::NonZeroUsize;
@@ -26,14 +26,14 @@ pub struct CoulombBed {
     /// Depth g(x) at which each spring is touched, ascending.
     depths: Array1<f64>,
     slips: Array1<f64>,
-    at: Position,
+    at: Pose,
 }
 
 /// A straight step as all springs of a bed see it.
 #[derive(Clone, Copy)]
-struct Step {
-    from: Position,
-    to: Position,
+struct BedStep {
+    from: Pose,
+    to: Pose,
     reach: f64,
 }
 
@@ -53,19 +53,19 @@ impl CoulombBed {
         if depths.iter().any(|depth| depth.is_nan()) {
             return Err(FrictionError::BeyondRadius { radius });
         }
-        Ok(Self { grip, width, slips: Array1::zeros(depths.len()), depths, at: Position::default() })
+        Ok(Self { grip, width, slips: Array1::zeros(depths.len()), depths, at: Pose::default() })
     }
 
     /// Moves on straight lines along `path`; the tangential force [N] at each of its points.
     ///
     /// Springs do not know of each other, so a block of them goes the whole way at once.
-    pub fn advance(&mut self, path: &[Position]) -> Vec<f64> {
+    pub fn advance(&mut self, path: &[Pose]) -> Vec<f64> {
         let mut sums = vec![0.0; path.len()];
         let (depths, slips) = (self.depths.as_slice().unwrap_or(&[]), self.slips.as_slice_mut().unwrap_or(&mut []));
         for (depths, slips) in depths.chunks(BLOCK).zip(slips.chunks_mut(BLOCK)) {
             let mut from = self.at;
             for (&to, sum) in path.iter().zip(&mut sums) {
-                *sum += Step { from, to, reach: self.grip.reach() }.take(depths, slips);
+                *sum += BedStep { from, to, reach: self.grip.reach() }.take(depths, slips);
                 from = to;
             }
         }
@@ -89,10 +89,10 @@ impl CoulombBed {
     }
 }
 
-impl Step {
+impl BedStep {
     /// Moves the springs of a block; Σ v over those in contact.
     fn take(self, depths: &[f64], slips: &mut [f64]) -> f64 {
-        let touched = |position: Position| depths.partition_point(|&depth| depth < position.indentation);
+        let touched = |position: Pose| depths.partition_point(|&depth| depth < position.indentation);
         let (before, after) = (touched(self.from), touched(self.to));
         for (depth, slip) in depths.iter().zip(slips.iter_mut()).take(after).skip(before) {
             *slip = self.slide_at(*depth);

@@ -1,7 +1,7 @@
 //! The memory driven by forces instead of displacements.
 
 use super::FrictionError;
-use super::turning::{Position, TangentialMemory};
+use super::turning::{Pose, TangentialMemory};
 use crate::numerics::root::brent;
 
 /// Halvings after which a curved step is taken as straight.
@@ -20,7 +20,7 @@ impl TangentialMemory<'_> {
         let start = self.position().slide;
         // As far as every spring slips for certain: the present slip of each is within the present reach.
         let far = 2.0 * self.grip().reach() * (indentation.max(0.0) + self.position().indentation.max(0.0));
-        let at = |way: f64| self.force_at(Position { indentation, slide: start + way });
+        let at = |way: f64| self.force_at(Pose { indentation, slide: start + way });
         let (least, most) = (at(-far)?, at(far)?);
         if !(force > least && force < most) {
             return Err(FrictionError::GrossSlip { force, limit: most });
@@ -53,22 +53,22 @@ impl TangentialMemory<'_> {
 /// large a one shifts the memory by that part of the depth. Only a contact that grows while it is slid
 /// remembers the curve; any other takes one step, which is exact for every monotone path.
 #[must_use]
-pub fn chords(depth: &dyn Fn(f64) -> f64, slides: (f64, f64), accuracy: f64) -> Vec<Position> {
+pub fn chords(depth: &dyn Fn(f64) -> f64, slides: (f64, f64), accuracy: f64) -> Vec<Pose> {
     let allowed = accuracy * depth(0.0).abs().max(depth(1.0).abs());
     let mut ends = Vec::new();
-    Curve { depth, slides, allowed }.cut((0.0, 1.0), MOST_HALVINGS, &mut ends);
+    DrivenCurve { depth, slides, allowed }.cut((0.0, 1.0), MOST_HALVINGS, &mut ends);
     ends
 }
 
 /// A curve and the bend [m] at which a piece of it counts as straight.
-struct Curve<'d> {
+struct DrivenCurve<'d> {
     depth: &'d dyn Fn(f64) -> f64,
     slides: (f64, f64),
     allowed: f64,
 }
 
-impl Curve<'_> {
-    fn cut(&self, (from, to): (f64, f64), halvings: u32, ends: &mut Vec<Position>) {
+impl DrivenCurve<'_> {
+    fn cut(&self, (from, to): (f64, f64), halvings: u32, ends: &mut Vec<Pose>) {
         let depth = self.depth;
         let grows = depth(to) > depth(from) && (self.slides.1 - self.slides.0).abs() > 0.0;
         let middle = 0.5 * (from + to);
@@ -78,7 +78,7 @@ impl Curve<'_> {
             self.cut((middle, to), halvings - 1, ends);
         } else {
             let slide = if to >= 1.0 { self.slides.1 } else { self.slides.0 + to * (self.slides.1 - self.slides.0) };
-            ends.push(Position { indentation: depth(to), slide });
+            ends.push(Pose { indentation: depth(to), slide });
         }
     }
 }
@@ -105,13 +105,13 @@ mod tests {
         fn the_slide_under_a_force_gives_the_force(history in prop::collection::vec((1i32..12, -99i32..100), 1..16)) {
             let shape = lens();
             let mut memory = TangentialMemory::new(&shape, GRIP);
-            memory.advance(Position { indentation: 0.5, slide: 0.0 }).unwrap();
+            memory.advance(Pose { indentation: 0.5, slide: 0.0 }).unwrap();
             for (depth, part) in history {
                 let indentation = 0.1 * f64::from(depth);
                 let limit = GRIP.coefficient * 2.0 * shape.load_integral(indentation.sqrt());
                 let force = 0.01 * f64::from(part) * limit;
                 let slide = memory.slide_under(indentation, force).unwrap();
-                memory.advance(Position { indentation, slide }).unwrap();
+                memory.advance(Pose { indentation, slide }).unwrap();
                 // The slide is found to its rounding, of the order of the reach; the stiffness is at most 2G*a.
                 prop_assert!((memory.state().tangential_force - force).abs() < 1e-14, "{force}");
             }

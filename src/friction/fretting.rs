@@ -1,6 +1,6 @@
 //! Fretting maps: where in the contact friction takes its energy.
 
-use super::turning::{Grip, Position};
+use super::turning::{Grip, Pose};
 use crate::shape::{Profile, Rim};
 use std::f64::consts::{FRAC_2_PI, PI};
 
@@ -11,13 +11,13 @@ use std::f64::consts::{FRAC_2_PI, PI};
 #[derive(Debug, Clone)]
 pub struct FrettingMap {
     grip: Grip,
-    at: Position,
-    springs: Vec<Spring>,
+    at: Pose,
+    springs: Vec<MappedSpring>,
 }
 
 /// One spring of a map.
 #[derive(Debug, Clone, Copy)]
-struct Spring {
+struct MappedSpring {
     x: f64,
     depth: f64,
     slip: f64,
@@ -31,12 +31,12 @@ impl FrettingMap {
     /// A map over springs at the distances `positions` ≥ 0 from the axis [m], ascending.
     #[must_use]
     pub fn new(profile: &dyn Profile, grip: Grip, positions: &[f64]) -> Self {
-        let spring = |&x: &f64| Spring { x, depth: profile.reduced(x), slip: 0.0, lost: 0.0, way: 0.0 };
-        Self { grip, at: Position::default(), springs: positions.iter().map(spring).collect() }
+        let spring = |&x: &f64| MappedSpring { x, depth: profile.reduced(x), slip: 0.0, lost: 0.0, way: 0.0 };
+        Self { grip, at: Pose::default(), springs: positions.iter().map(spring).collect() }
     }
 
     /// Moves on a straight line to `to`.
-    pub fn advance(&mut self, to: Position) {
+    pub fn advance(&mut self, to: Pose) {
         let reach = self.grip.reach();
         for spring in &mut self.springs {
             spring.step((self.at, to), reach);
@@ -75,7 +75,7 @@ impl<'a> WearMap<'a> {
     }
 
     /// Moves on a straight line to `to`.
-    pub fn advance(&mut self, to: Position) {
+    pub fn advance(&mut self, to: Pose) {
         let from = self.springs.at.indentation;
         let level = (to.indentation - from).abs() <= 0.0;
         if !level {
@@ -131,7 +131,7 @@ fn pressure(profile: &dyn Profile, r: f64, (edge, depth): (Option<f64>, f64)) ->
 }
 
 /// (2/π)∫₀^r s(x) dx/√(r²−x²) at the last spring, s linear between springs.
-fn surface_slip(springs: &[Spring]) -> f64 {
+fn surface_slip(springs: &[MappedSpring]) -> f64 {
     let Some(&last) = springs.last() else { return 0.0 };
     let r = last.x;
     if r <= 0.0 {
@@ -139,7 +139,7 @@ fn surface_slip(springs: &[Spring]) -> f64 {
     }
     let turn = |x: f64| (x / r).min(1.0).asin();
     let root = |x: f64| ((r - x) * (r + x)).max(0.0).sqrt();
-    let cell = |pair: &[Spring]| {
+    let cell = |pair: &[MappedSpring]| {
         let (low, high) = (pair[0], pair[1]);
         let slope = (high.way - low.way) / (high.x - low.x);
         (low.way - slope * low.x) * (turn(high.x) - turn(low.x)) + slope * (root(low.x) - root(high.x))
@@ -148,9 +148,9 @@ fn surface_slip(springs: &[Spring]) -> f64 {
     FRAC_2_PI * (first + springs.windows(2).map(cell).sum::<f64>())
 }
 
-impl Spring {
+impl MappedSpring {
     /// Follows a straight step while the spring is in contact.
-    fn step(&mut self, (from, to): (Position, Position), reach: f64) {
+    fn step(&mut self, (from, to): (Pose, Pose), reach: f64) {
         let (mut low, mut high) = (from.indentation - self.depth, to.indentation - self.depth);
         let (mut start, mut end) = (from.slide, to.slide);
         if low <= 0.0 && high <= 0.0 {
@@ -200,7 +200,7 @@ mod tests {
                     let from = memory.position();
                     let part = reach * part;
                     let t = 1.0 / f64::from(5 - k);
-                    Position {
+                    Pose {
                         indentation: from.indentation + t * (depth - from.indentation),
                         slide: from.slide + t * (part - from.slide),
                     }

@@ -30,14 +30,14 @@ const NARROW: f64 = 0.125;
 /// The place of a spring in the bed: the depth h = g(x) at which it is touched, kept as a
 /// difference so that springs near the edge keep their digits.
 #[derive(Debug, Clone, Copy)]
-pub struct Place {
+pub struct SpringDepth {
     reference: f64,
     below: f64,
     /// Distance x of the spring from the axis [m].
     pub radius: f64,
 }
 
-impl Place {
+impl SpringDepth {
     /// The axis, where contact begins.
     pub const AXIS: Self = Self { reference: 0.0, below: 0.0, radius: 0.0 };
 
@@ -58,18 +58,18 @@ impl Place {
 }
 
 /// A slice of the bed between two places, `lower` nearer to the axis.
-pub type Slice = (Place, Place);
+pub type Slice = (SpringDepth, SpringDepth);
 
 /// Product of two factors linear in the depth, each by its values at the lower and upper place.
 #[derive(Debug, Clone, Copy)]
-pub struct Product {
+pub struct LinearProduct {
     /// First factor.
     pub first: (f64, f64),
     /// Second factor.
     pub second: (f64, f64),
 }
 
-impl Product {
+impl LinearProduct {
     /// Value at the fraction `t` of the slice, counted from the upper place downwards.
     fn at(self, t: f64) -> f64 {
         let linear = |(lower, upper): (f64, f64)| upper + t * (lower - upper);
@@ -102,16 +102,16 @@ impl<'a> LoadCurve<'a> {
     }
 
     /// The place touched at the depth `reference` − `below`; `None` beyond the end of the profile.
-    pub fn place(&self, reference: f64, below: f64) -> Option<Place> {
+    pub fn place(&self, reference: f64, below: f64) -> Option<SpringDepth> {
         let depth = reference - below;
         let radius = if depth > 0.0 { self.profile.edge(depth)? } else { 0.0 };
-        Some(Place { reference, below, radius })
+        Some(SpringDepth { reference, below, radius })
     }
 
     /// The radius and depth of a vertical wall, if the indentation `d` [m] reaches above it.
-    pub fn wall_below(&self, d: f64) -> Option<Place> {
+    pub fn wall_below(&self, d: f64) -> Option<SpringDepth> {
         (d >= self.wall).then_some(())?;
-        Some(Place { reference: self.wall, below: 0.0, radius: self.profile.edge(d)? })
+        Some(SpringDepth { reference: self.wall, below: 0.0, radius: self.profile.edge(d)? })
     }
 
     /// ∫ a(h) dh over the slice [m²]; 2E* times it is the increment of the normal force.
@@ -123,18 +123,19 @@ impl<'a> LoadCurve<'a> {
         if self.is_narrow((lower, upper)) {
             return rise * self.mean((lower, upper), |_, x| x);
         }
-        let load = |at: Place| self.profile.load_integral(at.radius) + at.radius * (at.depth() - self.wall).max(0.0);
+        let load =
+            |at: SpringDepth| self.profile.load_integral(at.radius) + at.radius * (at.depth() - self.wall).max(0.0);
         load(upper) - load(lower)
     }
 
     /// ∫ P dx over the springs of the slice, P a product of linear functions of the depth.
-    pub fn integral(&self, (lower, upper): Slice, product: Product) -> f64 {
+    pub fn integral(&self, (lower, upper): Slice, product: LinearProduct) -> f64 {
         let rise = lower.rise(upper);
         if lower.depth() > self.wall {
             return 0.0;
         }
         if upper.depth() > self.wall {
-            let top = Place { reference: self.wall, below: 0.0, radius: upper.radius };
+            let top = SpringDepth { reference: self.wall, below: 0.0, radius: upper.radius };
             let t = if rise > 0.0 { top.rise(upper) / rise } else { 0.0 };
             return self.wide((lower, top), product.below(t));
         }
@@ -149,7 +150,7 @@ impl<'a> LoadCurve<'a> {
 
     /// The integral of [`integral`](Self::integral) from the moments ∫ zᵏ dx, z the depth below the
     /// upper place: ∫₀^x (d − g) dx = y x + N(x) and ∫₀^x (d − g)² dx = y² x + 2yN(x) + M(x), y = d − g(x).
-    fn wide(&self, (lower, upper): Slice, product: Product) -> f64 {
+    fn wide(&self, (lower, upper): Slice, product: LinearProduct) -> f64 {
         let rise = lower.rise(upper);
         let width = upper.radius - lower.radius;
         if rise <= 0.0 {
@@ -242,7 +243,7 @@ mod tests {
         for k in 0..=140 {
             let y = 10f64.powf(-0.1 * f64::from(k));
             let lower = curve.place(1.0, y).unwrap();
-            let square = Product { first: (y, 0.0), second: (y, 0.0) };
+            let square = LinearProduct { first: (y, 0.0), second: (y, 0.0) };
             let exact = std::f64::consts::FRAC_2_PI * y.powi(3) / 3.0;
             let error = curve.integral((lower, upper), square) / exact - 1.0;
             // Wide slices cancel down to y³ ≥ NARROW³ = 2·10⁻³.
@@ -256,7 +257,7 @@ mod tests {
         let curve = LoadCurve::new(&shape);
         let upper = curve.place(1.0, 0.0).unwrap();
         let lower = curve.place(1.0, 0.99 * NARROW).unwrap();
-        let product = Product { first: (1.0, 0.25), second: (0.5, 2.0) };
+        let product = LinearProduct { first: (1.0, 0.25), second: (0.5, 2.0) };
         let narrow = curve.integral((lower, upper), product);
         assert!((curve.wide((lower, upper), product) / narrow - 1.0).abs() < 1e-12);
     }
@@ -265,7 +266,7 @@ mod tests {
     fn pressure_slices_add_up() {
         let shape = parabola();
         let curve = LoadCurve::new(&shape);
-        let places: Vec<Place> = [1.0, 0.7, 0.1, 1e-3, 1e-9, 0.0].map(|y| curve.place(1.0, y).unwrap()).to_vec();
+        let places: Vec<SpringDepth> = [1.0, 0.7, 0.1, 1e-3, 1e-9, 0.0].map(|y| curve.place(1.0, y).unwrap()).to_vec();
         for r in [0.0, 0.3, 0.9, 0.999, 1.0] {
             let sum: f64 = places.windows(2).map(|w| curve.pressure(r, (w[0], w[1]))).sum();
             assert!((sum - shape.pressure_integral(r, 1.0)).abs() < 1e-14, "{r}");

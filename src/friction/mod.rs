@@ -19,7 +19,7 @@ pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
 pub use relaxing::RelaxingBed;
 pub use strength::{Strength, StrengthCurve};
-pub use turning::{Grip, Position, TangentialMemory, TangentialState};
+pub use turning::{Grip, Pose, TangentialMemory, TangentialState};
 
 use crate::input::quantity::{Modulus, Ratio};
 use serde::{Deserialize, Serialize};

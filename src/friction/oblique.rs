@@ -1,7 +1,7 @@
 //! Oblique impact of a ball with friction and spin.
 
 use super::FrictionError;
-use super::turning::{Grip, Position, TangentialMemory};
+use super::turning::{Grip, Pose, TangentialMemory};
 use crate::input::quantity::Length;
 use crate::numerics::quadrature::node_and_weight;
 use crate::shape::Paraboloid;
@@ -33,7 +33,7 @@ pub struct Ball {
 
 /// How a ball moves before or after the impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Flight {
+pub struct BallMotion {
     /// Speed along the normal [m/s], above zero: towards the surface before, away from it after.
     pub normal_speed: f64,
     /// Speed of the centre along the surface [m/s].
@@ -65,7 +65,7 @@ pub struct Phase {
 
 /// The non-dimensional course of an impact (Maw, Barber & Fawcett 1976).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Course {
+pub struct ObliquePath {
     /// ψ₂ after the impact.
     pub after: f64,
     /// Energy lost to friction over the kinetic energy of the normal motion, divided by μ²E*/G*:
@@ -83,9 +83,9 @@ pub struct Course {
 
 /// A rebound.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rebound {
+pub struct BallRebound {
     /// Motion afterwards.
-    pub flight: Flight,
+    pub flight: BallMotion,
     /// −w₂/w₁ with w the speed of the contact point; NaN without one before.
     pub tangential_restitution: f64,
     /// Angle of the path to the normal after the impact [rad].
@@ -101,7 +101,7 @@ pub struct Rebound {
     /// Non-dimensional speeds of the contact point, ψ = (G*/μE*) w/v, before and after.
     pub psi: (f64, f64),
     /// The course in detail; `None` without friction.
-    pub course: Option<Course>,
+    pub course: Option<ObliquePath>,
 }
 
 impl Ball {
@@ -122,7 +122,7 @@ impl Ball {
     ///
     /// # Errors
     /// The normal speed is not above zero.
-    pub fn hit(&self, before: Flight, accuracy: f64) -> Result<Rebound, FrictionError> {
+    pub fn hit(&self, before: BallMotion, accuracy: f64) -> Result<BallRebound, FrictionError> {
         if before.normal_speed.is_nan() || before.normal_speed <= 0.0 {
             return Err(FrictionError::NoApproach { speed: before.normal_speed });
         }
@@ -136,16 +136,16 @@ impl Ball {
     ///
     /// # Errors
     /// As of [`hit`](Self::hit).
-    pub fn hits(&self, before: &[Flight], accuracy: f64) -> Result<Vec<Rebound>, FrictionError> {
+    pub fn hits(&self, before: &[BallMotion], accuracy: f64) -> Result<Vec<BallRebound>, FrictionError> {
         before.par_iter().map(|&flight| self.hit(flight, accuracy)).collect()
     }
 
-    fn rebound(&self, before: Flight, speed: f64, course: Option<Course>) -> Rebound {
+    fn rebound(&self, before: BallMotion, speed: f64, course: Option<ObliquePath>) -> BallRebound {
         let unit = self.grip.reach() * before.normal_speed;
         let psi = course.as_ref().map_or((0.0, 0.0), |course| (speed / unit, course.after));
         // Δw = −(1 + mR²/I) P_x/m.
         let kick = unit * (psi.0 - psi.1) / (1.0 + self.gyration.recip());
-        let flight = Flight {
+        let flight = BallMotion {
             normal_speed: before.normal_speed,
             tangential_speed: before.tangential_speed - kick,
             spin: before.spin - kick / (self.gyration * self.radius),
@@ -153,7 +153,7 @@ impl Ball {
         let depth = self.largest_indentation(before.normal_speed);
         let energy = 0.5 * self.mass * before.normal_speed * before.normal_speed;
         let friction = self.grip.coefficient * self.grip.reach() * energy;
-        Rebound {
+        BallRebound {
             tangential_restitution: -(flight.tangential_speed + self.radius * flight.spin) / speed,
             angle: flight.tangential_speed.atan2(flight.normal_speed),
             dissipated: course.as_ref().map_or(0.0, |course| friction * course.dissipated),
@@ -182,7 +182,7 @@ impl Ball {
 ///
 /// # Errors
 /// None for finite numbers.
-pub fn course(before: f64, chi: f64, accuracy: f64) -> Result<Course, FrictionError> {
+pub fn course(before: f64, chi: f64, accuracy: f64) -> Result<ObliquePath, FrictionError> {
     let mut coarse = run(before, chi, FEWEST_STEPS)?;
     let mut change = f64::INFINITY;
     let mut steps = 2 * FEWEST_STEPS;
@@ -202,7 +202,7 @@ pub fn course(before: f64, chi: f64, accuracy: f64) -> Result<Course, FrictionEr
 
 /// A place on the way: depth, impulse so far, time so far.
 #[derive(Clone, Copy)]
-struct Tick {
+struct Waypoint {
     depth: f64,
     impulse: f64,
     time: f64,
@@ -211,28 +211,29 @@ struct Tick {
 /// The normal motion at `steps` + 1 nodes and the middles between them, even in φ^{4/5} up to the
 /// turning point and its mirror image after it.
 #[expect(clippy::cast_precision_loss, reason = "far fewer steps than 2^53")]
-fn ticks(steps: usize) -> Vec<Tick> {
+fn ticks(steps: usize) -> Vec<Waypoint> {
     let rule: [(f64, f64); 3] = std::array::from_fn(|k| node_and_weight(3, k));
     let width = FRAC_PI_2.powf(0.8) / steps as f64;
     let phase = |y: f64| y.powf(1.25);
     // dt = (4/5) sin^{−1/5}φ dφ = (φ/sin φ)^{1/5} dy.
     let rate = |y: f64| (phase(y) / phase(y).sin()).powf(0.2);
     let mut time = 0.0;
-    let mut half = vec![Tick { depth: 0.0, impulse: 0.0, time }];
+    let mut half = vec![Waypoint { depth: 0.0, impulse: 0.0, time }];
     for k in 0..steps {
         let low = k as f64 * width;
         time += 0.5 * width * rule.iter().map(|&(x, w)| w * rate(low + 0.5 * width * (1.0 + x))).sum::<f64>();
         let phi = phase(low + width);
-        half.push(Tick { depth: phi.sin().powf(0.8), impulse: 2.0 * (0.5 * phi).sin().powi(2), time });
+        half.push(Waypoint { depth: phi.sin().powf(0.8), impulse: 2.0 * (0.5 * phi).sin().powi(2), time });
     }
-    let mirrored = |tick: &Tick| Tick { depth: tick.depth, impulse: 2.0 - tick.impulse, time: 2.0 * time - tick.time };
-    let back: Vec<Tick> = half.iter().rev().skip(1).map(mirrored).collect();
+    let mirrored =
+        |tick: &Waypoint| Waypoint { depth: tick.depth, impulse: 2.0 - tick.impulse, time: 2.0 * time - tick.time };
+    let back: Vec<Waypoint> = half.iter().rev().skip(1).map(mirrored).collect();
     half.extend(back);
     half
 }
 
 /// One run of the leapfrog.
-fn run(before: f64, chi: f64, steps: usize) -> Result<Course, FrictionError> {
+fn run(before: f64, chi: f64, steps: usize) -> Result<ObliquePath, FrictionError> {
     let shape = Paraboloid { radius: Length::new(1.0).map_err(|_| FrictionError::BeyondRadius { radius: 1.0 })? };
     let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 1.0 };
     let mut memory = TangentialMemory::new(&shape, grip);
@@ -245,7 +246,7 @@ fn run(before: f64, chi: f64, steps: usize) -> Result<Course, FrictionError> {
     for k in (2..ticks.len()).step_by(2) {
         let (node, last) = (ticks[k], k + 1 >= ticks.len());
         slide += psi * (node.time - ticks[k - 2].time);
-        memory.advance(Position { indentation: if last { 0.0 } else { node.depth }, slide })?;
+        memory.advance(Pose { indentation: if last { 0.0 } else { node.depth }, slide })?;
         if !last {
             let state = memory.state();
             hold = 0.75 * state.tangential_force / (node.depth * node.depth.sqrt());
@@ -258,7 +259,7 @@ fn run(before: f64, chi: f64, steps: usize) -> Result<Course, FrictionError> {
         phase.until = 1.0;
     }
     let dissipated = 0.5 * (before - psi) * (before + psi) / chi;
-    Ok(Course { after: psi, dissipated, slip_work: 1.875 * memory.state().dissipated, phases, error: 0.0, steps })
+    Ok(ObliquePath { after: psi, dissipated, slip_work: 1.875 * memory.state().dissipated, phases, error: 0.0, steps })
 }
 
 fn regime(stick: f64) -> Regime {
@@ -287,7 +288,7 @@ mod tests {
         Ball { grip, radius: 5e-3, mass: 4e-3, gyration: SOLID }
     }
 
-    fn energy(ball: &Ball, flight: Flight) -> f64 {
+    fn energy(ball: &Ball, flight: BallMotion) -> f64 {
         let inertia = ball.gyration * ball.mass * ball.radius.powi(2);
         0.5 * ball.mass * (flight.normal_speed.powi(2) + flight.tangential_speed.powi(2))
             + 0.5 * inertia * flight.spin.powi(2)
@@ -328,7 +329,7 @@ mod tests {
         fn energy_and_angular_momentum_balance(angle in 0i32..179, spin in -20i32..20) {
             let ball = steel();
             let (sine, cosine) = (0.5 * f64::from(angle)).to_radians().sin_cos();
-            let before = Flight { normal_speed: cosine, tangential_speed: sine, spin: 10.0 * f64::from(spin) };
+            let before = BallMotion { normal_speed: cosine, tangential_speed: sine, spin: 10.0 * f64::from(spin) };
             let rebound = ball.hit(before, 1e-6).unwrap();
             let lost = energy(&ball, before) - energy(&ball, rebound.flight);
             prop_assert!((lost - rebound.dissipated).abs() < 1e-14 * energy(&ball, before));
@@ -338,7 +339,7 @@ mod tests {
             prop_assert!((course.slip_work - course.dissipated).abs() <= order, "{course:?}");
             prop_assert!(course.slip_work >= 0.0);
             // About the contact point nothing acts: m v_x R − Iω is kept.
-            let about = |f: Flight| f.tangential_speed - ball.gyration * ball.radius * f.spin;
+            let about = |f: BallMotion| f.tangential_speed - ball.gyration * ball.radius * f.spin;
             prop_assert!((about(before) - about(rebound.flight)).abs() < 1e-14 * (1.0 + before.spin.abs()));
             prop_assert!(rebound.impulse_ratio.abs() <= ball.grip.coefficient * (1.0 + 1e-12));
         }

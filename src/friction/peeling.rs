@@ -32,7 +32,7 @@ pub const UNIFORM: f64 = 3.0 * PI * PI / 32.0;
 
 /// Tangential load of an adhesive contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shear {
+pub enum TangentialLoad {
     /// Tangential force F_x [N], whatever the area.
     Force(f64),
     /// Shear stress τ [Pa], the force growing with the area: F_x = πa²τ.
@@ -107,23 +107,23 @@ impl ShearedAdhesion<'_> {
     /// # Errors
     /// The bodies part under the normal force alone; the tangential force is above the critical one,
     /// the stress above that of the contact without adhesion; the profile ends first.
-    pub fn under(&self, force: f64, shear: Shear) -> Result<Sheared, FrictionError> {
+    pub fn under(&self, force: f64, shear: TangentialLoad) -> Result<Sheared, FrictionError> {
         let share = |a: f64| match shear {
-            Shear::Force(tangential) => (tangential / a).powi(2) / (4.0 * self.ratio * self.modulus),
-            Shear::Stress(stress) => (PI * stress * a).powi(2) / (4.0 * self.ratio * self.modulus),
+            TangentialLoad::Force(tangential) => (tangential / a).powi(2) / (4.0 * self.ratio * self.modulus),
+            TangentialLoad::Stress(stress) => (PI * stress * a).powi(2) / (4.0 * self.ratio * self.modulus),
         };
         let excess = |a: f64| self.edge_energy(a, force) + share(a) - self.edge_limit(a);
         let least = match shear {
-            Shear::Force(_) => self.critical(force)?.contact_radius,
-            Shear::Stress(_) => self.plain_radius(force)?.max(f64::MIN_POSITIVE),
+            TangentialLoad::Force(_) => self.critical(force)?.contact_radius,
+            TangentialLoad::Stress(_) => self.plain_radius(force)?.max(f64::MIN_POSITIVE),
         };
         if excess(least) > 0.0 {
             return Err(FrictionError::Peeled { force });
         }
         let a = if self.wall().is_some() { least } else { self.grow_from(least, excess, force)? };
         let tangential = match shear {
-            Shear::Force(tangential) => tangential,
-            Shear::Stress(stress) => PI * a * a * stress,
+            TangentialLoad::Force(tangential) => tangential,
+            TangentialLoad::Stress(stress) => PI * a * a * stress,
         };
         self.with_force(a, force, tangential)
     }
@@ -136,8 +136,8 @@ impl ShearedAdhesion<'_> {
     ///
     /// # Errors
     /// The bodies part under the normal force alone; the profile ends first.
-    pub fn area_ratio(&self, force: f64, shear: Shear) -> Result<f64, FrictionError> {
-        let rest = self.under(force, Shear::Force(0.0))?.contact_radius;
+    pub fn area_ratio(&self, force: f64, shear: TangentialLoad) -> Result<f64, FrictionError> {
+        let rest = self.under(force, TangentialLoad::Force(0.0))?.contact_radius;
         let radius = match self.under(force, shear) {
             Ok(sheared) => sheared.contact_radius,
             Err(FrictionError::Peeled { .. }) => self.plain_radius(force)?,
@@ -153,8 +153,8 @@ impl ShearedAdhesion<'_> {
     /// The bodies part under the normal force alone, or peel with nothing that presses them; the
     /// profile ends first.
     pub fn under_stress(&self, force: f64, stress: f64) -> Result<Sheared, FrictionError> {
-        self.under(force, Shear::Force(0.0))?;
-        match self.under(force, Shear::Stress(stress)) {
+        self.under(force, TangentialLoad::Force(0.0))?;
+        match self.under(force, TangentialLoad::Stress(stress)) {
             Err(FrictionError::Peeled { .. }) if force > 0.0 => {
                 let a = self.plain_radius(force)?;
                 self.with_force(a, force, PI * a * a * stress)
@@ -258,7 +258,7 @@ mod tests {
         let shape = Power { coefficient: Positive::new(1.0).unwrap(), exponent: Positive::new(3.0).unwrap() };
         let contact = ShearedAdhesion { profile: &shape, modulus: 1.0, work: 0.1, ratio: 0.7 };
         let critical = contact.critical(0.1).unwrap();
-        let under = |part: f64| contact.under(0.1, Shear::Force(part * critical.tangential_force));
+        let under = |part: f64| contact.under(0.1, TangentialLoad::Force(part * critical.tangential_force));
         assert!(under(1.0 - 1e-9).is_ok());
         assert_eq!(under(1.0 + 1e-9), Err(FrictionError::Peeled { force: 0.1 }));
     }
@@ -268,7 +268,7 @@ mod tests {
     fn the_edge_releases_the_work_of_adhesion() {
         let shape = Power { coefficient: Positive::new(0.8).unwrap(), exponent: Positive::new(2.4).unwrap() };
         let contact = ShearedAdhesion { profile: &shape, modulus: 1.3, work: 0.2, ratio: 0.7 };
-        let state = contact.under(0.3, Shear::Force(0.2)).unwrap();
+        let state = contact.under(0.3, TangentialLoad::Force(0.2)).unwrap();
         let energy = |a: f64| {
             let edge = state.indentation - shape.reduced(a);
             let normal = shape.energy_integral(a) + 2.0 * edge * shape.load_integral(a) + a * edge * edge;
@@ -289,7 +289,7 @@ mod tests {
         let last = (8.0 * contact.ratio * contact.modulus * contact.work / (PI * hertz)).sqrt();
         let mut before = 1.0 + 1e-15;
         for k in 0..=1000 {
-            let ratio = contact.area_ratio(0.048, Shear::Stress(1e-3 * f64::from(k) * last)).unwrap();
+            let ratio = contact.area_ratio(0.048, TangentialLoad::Stress(1e-3 * f64::from(k) * last)).unwrap();
             assert!(ratio < before && before - ratio < 1e-2, "{k} {ratio}");
             before = ratio + 1e-15;
         }
@@ -302,7 +302,7 @@ mod tests {
         let modulus = 4.8e6 / 0.75;
         let contact = ShearedAdhesion { profile: &shape, modulus, work: 0.042, ratio: stuck_ratio(0.5) };
         let hertz = contact.plain_radius(0.048).unwrap();
-        let rest = contact.under(0.048, Shear::Force(0.0)).unwrap().contact_radius;
+        let rest = contact.under(0.048, TangentialLoad::Force(0.0)).unwrap().contact_radius;
         let last = contact.critical(0.048).unwrap().contact_radius;
         // The article's rounded numbers: 2.4e-4 m, 1.07 (from √1.14), 1.007 for (1 + 2F_a/F)^{1/3}.
         assert!((hertz - 2.4e-4).abs() < 0.05e-4);

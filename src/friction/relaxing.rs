@@ -34,12 +34,12 @@ pub struct RelaxingBed {
     reach: f64,
     depth: f64,
     speeds: (f64, f64),
-    springs: Vec<(Spring, Tangential)>,
+    springs: Vec<(Spring, SpringGrip)>,
 }
 
 /// Tangential state of a spring, divided by m.
 #[derive(Debug, Clone, PartialEq)]
-enum Tangential {
+enum SpringGrip {
     /// Under the indenter.
     Held {
         /// Displacement [m].
@@ -61,7 +61,7 @@ enum Slip {
 }
 
 /// A stretch in which the spring stays under the indenter.
-struct Pressed<'a> {
+struct UnderIndenter<'a> {
     start: f64,
     loads: &'a [f64],
     speed: f64,
@@ -87,7 +87,7 @@ impl RelaxingBed {
             return Err(FrictionError::BeyondRadius { radius });
         }
         let rest = Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] };
-        let springs = vec![(Spring::untouched(&spectrum), Tangential::Free(rest)); layout.len()];
+        let springs = vec![(Spring::untouched(&spectrum), SpringGrip::Free(rest)); layout.len()];
         let (coefficient, reach) = (grip.coefficient, grip.reach());
         Ok(Self { spectrum, layout, coefficient, reach, depth: 0.0, speeds: (0.0, 0.0), springs })
     }
@@ -116,7 +116,7 @@ impl RelaxingBed {
     #[must_use]
     pub fn bytes(&self) -> usize {
         let elements = 2 * self.spectrum.terms().len() * size_of::<f64>();
-        self.springs.len() * (size_of::<(Spring, Tangential)>() + 2 * size_of::<f64>() + elements)
+        self.springs.len() * (size_of::<(Spring, SpringGrip)>() + 2 * size_of::<f64>() + elements)
     }
 
     /// Present depth [m].
@@ -135,7 +135,7 @@ impl RelaxingBed {
 
     /// Line loads q and q_x/μ [N/m] of the spring `j`; zero where it is free.
     fn line_loads(&self, j: usize) -> (f64, f64) {
-        let (Spring::Pressed(loads), Tangential::Held { displacement, loads: own, slip }) = &self.springs[j] else {
+        let (Spring::Pressed(loads), SpringGrip::Held { displacement, loads: own, slip }) = &self.springs[j] else {
             return (0.0, 0.0);
         };
         let normal = self.spectrum.load(self.depth - self.layout.height[j], loads, self.speeds.0);
@@ -149,20 +149,20 @@ impl RelaxingBed {
     #[must_use]
     pub fn held(&self) -> (usize, usize) {
         let held = self.springs.iter().filter_map(|(normal, own)| match (normal, own) {
-            (Spring::Pressed(_), Tangential::Held { slip, .. }) => Some(usize::from(*slip == Slip::No)),
+            (Spring::Pressed(_), SpringGrip::Held { slip, .. }) => Some(usize::from(*slip == Slip::No)),
             _ => None,
         });
         held.fold((0, 0), |(pressed, stuck), one| (pressed + 1, stuck + one))
     }
 }
 
-impl Tangential {
+impl SpringGrip {
     /// Follows a stretch of the normal motion while the indenter slides at the speed `slide`.
     fn follow(&mut self, spectrum: &Spectrum, piece: &Piece<'_>, slide: f64) {
         match *piece {
             Piece::Free { duration, .. } => self.recover(spectrum, duration),
             Piece::Pressed { u, s, speed, duration } => {
-                self.drag(spectrum, &Pressed { start: u, loads: s, speed, slide, duration });
+                self.drag(spectrum, &UnderIndenter { start: u, loads: s, speed, slide, duration });
             }
         }
     }
@@ -178,7 +178,7 @@ impl Tangential {
         }
     }
 
-    fn drag(&mut self, spectrum: &Spectrum, pressed: &Pressed<'_>) {
+    fn drag(&mut self, spectrum: &Spectrum, pressed: &UnderIndenter<'_>) {
         let (mut displacement, mut loads, slip) = self.touched(spectrum);
         if let Slip::Towards(side) = slip {
             let free = pressed.difference(spectrum, side, (displacement, &loads));
@@ -196,7 +196,7 @@ impl Tangential {
             Some((time, side)) => {
                 let (start, mut normal) = (pressed.start + pressed.speed * time, pressed.loads.to_vec());
                 spectrum.press(&mut normal, pressed.speed, time);
-                let rest = Pressed { start, loads: &normal, duration: pressed.duration - time, ..*pressed };
+                let rest = UnderIndenter { start, loads: &normal, duration: pressed.duration - time, ..*pressed };
                 let free = rest.difference(spectrum, side, (displacement, &loads));
                 rest.slipped(spectrum, side, free)
             }
@@ -216,7 +216,7 @@ impl Tangential {
     }
 }
 
-impl Pressed<'_> {
+impl UnderIndenter<'_> {
     /// The spring n − side·v, let go.
     fn difference(&self, spectrum: &Spectrum, side: f64, (displacement, loads): (f64, &[f64])) -> Free {
         let elements: Vec<f64> = self.loads.iter().zip(loads).map(|(normal, own)| normal - side * own).collect();
@@ -239,7 +239,7 @@ impl Pressed<'_> {
     }
 
     /// The end of a stretch slipped all along: v = side·(n − z) with the free difference z.
-    fn slipped(&self, spectrum: &Spectrum, side: f64, mut free: Free) -> Tangential {
+    fn slipped(&self, spectrum: &Spectrum, side: f64, mut free: Free) -> SpringGrip {
         spectrum.recover(&mut free, self.duration);
         let mut normal = self.loads.to_vec();
         spectrum.press(&mut normal, self.speed, self.duration);
@@ -249,13 +249,13 @@ impl Pressed<'_> {
             *own = side * (normal - *own);
         }
         let displacement = side * (self.start + self.speed * self.duration - spectrum.recovered(&free, 0.0));
-        Tangential::Held { displacement, loads, slip: Slip::Towards(side) }
+        SpringGrip::Held { displacement, loads, slip: Slip::Towards(side) }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{CoulombBed, Position};
+    use super::super::{CoulombBed, Pose};
     use super::*;
     use crate::input::quantity::Length;
     use crate::material::Relaxation;
@@ -291,12 +291,12 @@ mod tests {
             let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
             let mut relaxing = bed(&spectrum(1.0, &[], 0.0), GRIP);
             let mut elastic = CoulombBed::new(&shape, GRIP, (60.try_into().unwrap(), 1.2)).unwrap();
-            let mut to = Position::default();
+            let mut to = Pose::default();
             for motion in history {
                 let ((speed, slide), time) = speeds(motion);
                 relaxing.advance((speed, slide), time);
                 // The same products as in the bed, so that both are touched at the same instants.
-                to = Position { indentation: to.indentation + speed * time, slide: to.slide + slide * time };
+                to = Pose { indentation: to.indentation + speed * time, slide: to.slide + slide * time };
                 let force = elastic.advance(&[to])[0];
                 prop_assert!((relaxing.forces().1 - force).abs() < 1e-13, "{} {force}", relaxing.forces().1);
             }

@@ -1,6 +1,6 @@
 //! Gross sliding under laws of soft matter, which act on the pressure p(r).
 
-use super::peeling::{Shear, ShearedAdhesion};
+use super::peeling::{ShearedAdhesion, TangentialLoad};
 use super::strength::{OutsideTable, Strength, StrengthCurve};
 use super::{Coulomb, CoulombOrowan, Friction, FrictionError};
 use crate::numerics::quadrature::panel_with_root_ends;
@@ -212,7 +212,7 @@ pub fn friction_curve(
     let pressed = |force: f64| -> Result<Pressed, FrictionError> {
         let (profile, modulus) = (contact.profile, contact.modulus);
         if contact.work > 0.0 {
-            let state = contact.under(force, Shear::Force(0.0))?;
+            let state = contact.under(force, TangentialLoad::Force(0.0))?;
             let edge_load = modulus * (state.indentation - profile.reduced(state.contact_radius));
             return Ok(Pressed { profile, modulus, contact_radius: state.contact_radius, edge_load });
         }

@@ -5,13 +5,13 @@
 //! which the spring was touched, so the loss of a piece of the memory is a sum of moments, and
 //! every term of it is positive.
 
-use super::load::{LoadCurve, Place, Product};
+use super::load::{LinearProduct, LoadCurve, SpringDepth};
 
 /// A vertex of the memory as a new position sees it; displacements are divided by m = μE*/G*.
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
     /// The spring.
-    pub place: Place,
+    pub place: SpringDepth,
     /// Its depth y [m] below the new indentation; negative if it has been left.
     pub below: f64,
     /// Its tangential displacement if it had stuck [m].
@@ -32,16 +32,16 @@ impl Node {
 
 /// A straight step: its depth and its slide, the latter divided by m, and the edge it leads to.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion {
+pub struct SlideStep {
     /// Growth of the indentation [m].
     pub depth: f64,
     /// Slide divided by m [m].
     pub slide: f64,
     /// The new edge.
-    pub edge: Place,
+    pub edge: SpringDepth,
 }
 
-impl Motion {
+impl SlideStep {
     /// Growth of y per unit of slip towards `side`.
     fn growth(self, side: f64) -> f64 {
         let ratio = self.depth / (side * self.slide - self.depth);
@@ -50,7 +50,7 @@ impl Motion {
 }
 
 /// ∫ ℓ (y₀ + y₁)/2 dx [m³] over the springs between two vertices, all of which slip.
-pub fn slip_work(curve: &LoadCurve, (lower, upper): (Node, Node), motion: Motion) -> f64 {
+pub fn slip_work(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
     if upper.below < 0.0 && lower.below > 0.0 {
         let edge = between(lower, upper, (upper.below / (upper.below - lower.below), motion.edge));
         return held(curve, (lower, edge), motion) + left(curve, (edge, upper), motion);
@@ -61,17 +61,17 @@ pub fn slip_work(curve: &LoadCurve, (lower, upper): (Node, Node), motion: Motion
 }
 
 /// Springs still in contact after the step.
-fn held(curve: &LoadCurve, (lower, upper): (Node, Node), motion: Motion) -> f64 {
+fn held(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
     let side = (lower.displacement + upper.displacement).signum();
     let growth = motion.growth(side);
     let way = |node: Node| (side * node.displacement - node.below).max(0.0);
     let limit = |node: Node| (node.below - 0.5 * growth * way(node)).max(0.5 * node.below);
-    let product = Product { first: (way(lower), way(upper)), second: (limit(lower), limit(upper)) };
+    let product = LinearProduct { first: (way(lower), way(upper)), second: (limit(lower), limit(upper)) };
     curve.integral((lower.place, upper.place), product)
 }
 
 /// Springs that have lost contact in the step; at the last they carried nothing.
-fn left(curve: &LoadCurve, (lower, upper): (Node, Node), motion: Motion) -> f64 {
+fn left(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
     let chord = motion.slide / motion.depth;
     let way = |node: Node| node.displacement - chord * node.below;
     let ways = (way(lower), way(upper));
@@ -86,14 +86,14 @@ fn left(curve: &LoadCurve, (lower, upper): (Node, Node), motion: Motion) -> f64 
     left_one_way(curve, (lower, upper), ways, motion)
 }
 
-fn left_one_way(curve: &LoadCurve, (lower, upper): (Node, Node), ways: (f64, f64), motion: Motion) -> f64 {
+fn left_one_way(curve: &LoadCurve, (lower, upper): (Node, Node), ways: (f64, f64), motion: SlideStep) -> f64 {
     let growth = motion.growth((ways.0 + ways.1).signum());
-    let product = Product { first: ways, second: ways };
+    let product = LinearProduct { first: ways, second: ways };
     (-0.5 * growth).max(0.0) * curve.integral((lower.place, upper.place), product)
 }
 
 /// The spring a fraction of the way from `upper` to `lower`, at a place already known.
-fn between(lower: Node, upper: Node, (fraction, place): (f64, Place)) -> Node {
+fn between(lower: Node, upper: Node, (fraction, place): (f64, SpringDepth)) -> Node {
     let mix = |lower: f64, upper: f64| upper + fraction * (lower - upper);
     Node { place, below: mix(lower.below, upper.below), displacement: mix(lower.displacement, upper.displacement) }
 }

@@ -14,8 +14,8 @@
 //! point; the memory is that of Masing and Preisach).
 
 use super::FrictionError;
-use super::load::{LoadCurve, Place, Product};
-use super::slipped::{Motion, Node, slip_work};
+use super::load::{LinearProduct, LoadCurve, SpringDepth};
+use super::slipped::{Node, SlideStep, slip_work};
 use crate::shape::Profile;
 use std::cmp::Ordering;
 
@@ -40,7 +40,7 @@ impl Grip {
 
 /// Where the indenter is: indentation and tangential displacement [m].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Position {
+pub struct Pose {
     /// Indentation d [m]; not above zero where the bodies are apart.
     pub indentation: f64,
     /// Tangential displacement u_x [m].
@@ -65,7 +65,7 @@ pub struct TangentialState {
 /// A vertex of the memory and the piece of it below, towards the axis.
 #[derive(Debug, Clone, Copy)]
 struct Turn {
-    place: Place,
+    place: SpringDepth,
     /// Slip s = `slide` − `behind` [m], kept as a difference like the place.
     slide: f64,
     behind: f64,
@@ -99,7 +99,7 @@ pub struct TangentialMemory<'a> {
     curve: LoadCurve<'a>,
     grip: Grip,
     reach: f64,
-    at: Position,
+    at: Pose,
     contact_radius: f64,
     stick_radius: f64,
     dissipated: f64,
@@ -114,7 +114,7 @@ impl<'a> TangentialMemory<'a> {
     #[must_use]
     pub fn new(profile: &'a dyn Profile, grip: Grip) -> Self {
         let curve = LoadCurve::new(profile);
-        let (reach, at) = (grip.reach(), Position::default());
+        let (reach, at) = (grip.reach(), Pose::default());
         Self { curve, grip, reach, at, contact_radius: 0.0, stick_radius: 0.0, dissipated: 0.0, turns: Vec::new() }
     }
 
@@ -122,7 +122,7 @@ impl<'a> TangentialMemory<'a> {
     ///
     /// # Errors
     /// The indentation leaves the profile; nothing has moved then.
-    pub fn advance(&mut self, to: Position) -> Result<(), FrictionError> {
+    pub fn advance(&mut self, to: Pose) -> Result<(), FrictionError> {
         let edge = self.edge(to.indentation)?;
         if self.at.indentation <= 0.0 && to.indentation > 0.0 {
             self.at = crossing(self.at, to);
@@ -146,22 +146,22 @@ impl<'a> TangentialMemory<'a> {
         if depth > 0.0 { self.place(depth, 0.0).map(|place| place.radius) } else { Ok(0.0) }
     }
 
-    fn place(&self, reference: f64, below: f64) -> Result<Place, FrictionError> {
+    fn place(&self, reference: f64, below: f64) -> Result<SpringDepth, FrictionError> {
         self.curve.place(reference, below).ok_or(FrictionError::BeyondProfile { depth: reference - below })
     }
 
     /// The vertex on the axis of springs that are `behind` the present slide.
     fn axis(&self, behind: f64) -> Turn {
-        Turn { place: Place::AXIS, slide: self.at.slide, behind, slope: 0.0, sum: 0.0 }
+        Turn { place: SpringDepth::AXIS, slide: self.at.slide, behind, slope: 0.0, sum: 0.0 }
     }
 
     /// Depth below `to` and displacement of the spring at a vertex, the latter divided by m.
-    fn seen(&self, turn: &Turn, to: Position) -> Node {
+    fn seen(&self, turn: &Turn, to: Pose) -> Node {
         let displacement = ((to.slide - turn.slide) + turn.behind) / self.reach;
         Node { place: turn.place, below: turn.place.below(to.indentation), displacement }
     }
 
-    fn advance_in_contact(&mut self, to: Position) -> Result<(), FrictionError> {
+    fn advance_in_contact(&mut self, to: Pose) -> Result<(), FrictionError> {
         if to == self.at && self.turns.len() > 1 {
             return Ok(());
         }
@@ -184,7 +184,7 @@ impl<'a> TangentialMemory<'a> {
     }
 
     /// What stays of the memory when the contact moves to `to`.
-    fn cut(&self, to: Position) -> Result<Cut, FrictionError> {
+    fn cut(&self, to: Pose) -> Result<Cut, FrictionError> {
         let kept = self.turns.partition_point(|turn| self.seen(turn, to).is_inside());
         let end = self.place(to.indentation, 0.0)?;
         let inner = kept.checked_sub(1).and_then(|k| self.turns.get(k));
@@ -209,9 +209,9 @@ impl<'a> TangentialMemory<'a> {
     }
 
     /// Energy [J] the springs lose that slip on the way to `to`.
-    fn slip_work(&self, cut: &Cut, to: Position) -> Result<f64, FrictionError> {
+    fn slip_work(&self, cut: &Cut, to: Pose) -> Result<f64, FrictionError> {
         let Some(corner) = cut.corner else { return Ok(0.0) };
-        let motion = Motion {
+        let motion = SlideStep {
             depth: to.indentation - self.at.indentation,
             slide: (to.slide - self.at.slide) / self.reach,
             edge: cut.end.place,
@@ -234,7 +234,7 @@ impl<'a> TangentialMemory<'a> {
 
     /// Where the indenter is.
     #[must_use]
-    pub fn position(&self) -> Position {
+    pub fn position(&self) -> Pose {
         self.at
     }
 
@@ -270,7 +270,7 @@ impl<'a> TangentialMemory<'a> {
     ///
     /// # Errors
     /// The indentation leaves the profile.
-    pub fn force_at(&self, to: Position) -> Result<f64, FrictionError> {
+    pub fn force_at(&self, to: Pose) -> Result<f64, FrictionError> {
         if to.indentation <= 0.0 || self.reach <= 0.0 {
             return Ok(0.0);
         }
@@ -287,7 +287,7 @@ impl<'a> TangentialMemory<'a> {
     pub fn stored(&self) -> f64 {
         let square = |pair: &[Turn]| {
             let [lower, upper] = [0, 1].map(|k| self.seen(&pair[k], self.at).displacement);
-            let product = Product { first: (lower, upper), second: (lower, upper) };
+            let product = LinearProduct { first: (lower, upper), second: (lower, upper) };
             self.curve.integral((pair[0].place, pair[1].place), product)
         };
         let sum: f64 = self.turns.windows(2).map(square).sum();
@@ -330,9 +330,9 @@ impl<'a> TangentialMemory<'a> {
 }
 
 /// The position on the straight line at which the bodies touch or part.
-fn crossing(from: Position, to: Position) -> Position {
+fn crossing(from: Pose, to: Pose) -> Pose {
     let fraction = from.indentation / (from.indentation - to.indentation);
-    Position { indentation: 0.0, slide: from.slide + fraction * (to.slide - from.slide) }
+    Pose { indentation: 0.0, slide: from.slide + fraction * (to.slide - from.slide) }
 }
 
 /// Where a piece of slope `slope` leaves the cone: depth below the apex, and the side.
@@ -384,8 +384,8 @@ mod tests {
         Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient }
     }
 
-    fn at(indentation: f64, slide: f64) -> Position {
-        Position { indentation, slide }
+    fn at(indentation: f64, slide: f64) -> Pose {
+        Pose { indentation, slide }
     }
 
     /// Normal force at a depth.
@@ -497,7 +497,7 @@ mod tests {
         (-20i32..20, prop::collection::vec((-2i32..12, -30i32..30), 1..24))
     }
 
-    fn positions(coefficient: f64, knots: &[(i32, i32)]) -> Vec<Position> {
+    fn positions(coefficient: f64, knots: &[(i32, i32)]) -> Vec<Pose> {
         let reach = grip(coefficient).reach();
         knots.iter().map(|&(d, u)| at(0.1 * f64::from(d), 0.1 * f64::from(u) * reach)).collect()
     }

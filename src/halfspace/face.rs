@@ -18,7 +18,7 @@ pub(super) enum Goal {
 }
 
 /// The contact on one grid.
-pub(super) struct Contact<'a> {
+pub(super) struct GridContact<'a> {
     /// Pressure → displacement.
     pub(super) influence: &'a Multiplier,
     /// Approximately displacement → pressure.
@@ -33,7 +33,7 @@ pub(super) struct Contact<'a> {
 
 /// Work done so far and where it must stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Effort {
+pub(super) struct Budget {
     pub(super) iterations: usize,
     pub(super) products: usize,
     pub(super) limit: usize,
@@ -41,7 +41,7 @@ pub(super) struct Effort {
 
 /// Outcome on one grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Outcome {
+pub(super) struct GridSolution {
     pub(super) approach: f64,
     pub(super) residual: f64,
     pub(super) converged: bool,
@@ -86,7 +86,7 @@ const SETTLED: f64 = 8.0;
 const PATIENCE: f64 = 0.9;
 
 /// Vectors of the iteration.
-struct State {
+struct Iterate {
     /// Displacement + height, i.e. gap + approach.
     lift: Vec<f64>,
     contact: Vec<bool>,
@@ -101,15 +101,15 @@ struct State {
     settled: f64,
 }
 
-impl Contact<'_> {
+impl GridContact<'_> {
     /// Pressure that solves the contact to the relative tolerance, from a start ≥ 0.
     pub(super) fn solve(
         &self,
         pressure: &mut [f64],
         tolerance: f64,
-        effort: &mut Effort,
+        effort: &mut Budget,
         scratch: &mut Scratch,
-    ) -> Outcome {
+    ) -> GridSolution {
         let mut state = self.start(pressure, effort, scratch);
         loop {
             let approach = self.approach(&state);
@@ -119,7 +119,7 @@ impl Contact<'_> {
             let pulls = misfit.pull_square > 0.0;
             let converged = residual <= tolerance && !pulls;
             if converged || effort.iterations >= effort.limit {
-                return Outcome { approach, residual, converged };
+                return GridSolution { approach, residual, converged };
             }
             state.threshold = 0.5 * tolerance * scale;
             let wrong = misfit.overlap_square + (self.compliance * self.compliance) * misfit.pull_square;
@@ -134,10 +134,10 @@ impl Contact<'_> {
         }
     }
 
-    fn start(&self, pressure: &[f64], effort: &mut Effort, scratch: &mut Scratch) -> State {
+    fn start(&self, pressure: &[f64], effort: &mut Budget, scratch: &mut Scratch) -> Iterate {
         let pixels = pressure.len();
         let prescribed_sum = matches!(self.goal, Goal::Sum(_));
-        let mut state = State {
+        let mut state = Iterate {
             lift: vec![0.0; pixels],
             contact: pressure.iter().map(|&p| p > 0.0).collect(),
             residual: vec![0.0; pixels],
@@ -156,21 +156,21 @@ impl Contact<'_> {
     }
 
     /// Lift of the present pressure, computed afresh.
-    fn lift(&self, pressure: &[f64], state: &mut State, effort: &mut Effort, scratch: &mut Scratch) {
+    fn lift(&self, pressure: &[f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
         self.influence.apply(pressure, &mut state.lift, scratch);
         update(&mut state.lift, self.heights, |lift, height| *lift += height);
         effort.products += 1;
     }
 
     /// Prescribed approach, or the one that leaves no mean gap in the contact.
-    fn approach(&self, state: &State) -> f64 {
+    fn approach(&self, state: &Iterate) -> f64 {
         match self.goal {
             Goal::Approach(approach) => approach,
             Goal::Sum(_) => mean_where(&state.lift, &state.contact),
         }
     }
 
-    fn misfit(&self, pressure: &[f64], state: &State, approach: f64) -> Misfit {
+    fn misfit(&self, pressure: &[f64], state: &Iterate, approach: f64) -> Misfit {
         let piece = |range: std::ops::Range<usize>| {
             let mut misfit = Misfit::default();
             for index in range {
@@ -188,7 +188,7 @@ impl Contact<'_> {
     }
 
     /// Contact from the present pressure and gap: pulling pixels leave it, overlapping ones join.
-    fn correct(&self, pressure: &mut [f64], state: &mut State, approach: f64) {
+    fn correct(&self, pressure: &mut [f64], state: &mut Iterate, approach: f64) {
         let (lift, threshold) = (&state.lift, state.threshold);
         let both = state.contact.par_iter_mut().zip(pressure.par_iter_mut());
         both.enumerate().for_each(|(index, (contact, p))| {
@@ -200,7 +200,7 @@ impl Contact<'_> {
     }
 
     /// Everything that follows from a pressure whose pulling part was cut off.
-    fn refresh(&self, pressure: &mut [f64], state: &mut State, effort: &mut Effort, scratch: &mut Scratch) {
+    fn refresh(&self, pressure: &mut [f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
         if let Goal::Sum(wanted) = self.goal {
             let factor = wanted / total(pressure);
             pressure.par_iter_mut().for_each(|p| *p *= factor);
@@ -209,7 +209,7 @@ impl Contact<'_> {
     }
 
     /// Stiffness of the present contact against a uniform displacement.
-    fn stiffen(&self, state: &mut State, scratch: &mut Scratch) {
+    fn stiffen(&self, state: &mut Iterate, scratch: &mut Scratch) {
         if state.uniform.is_empty() {
             return;
         }
@@ -220,7 +220,7 @@ impl Contact<'_> {
     }
 
     /// One step of the conjugate gradients on the present contact.
-    fn step(&self, pressure: &mut [f64], state: &mut State, effort: &mut Effort, scratch: &mut Scratch) {
+    fn step(&self, pressure: &mut [f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
         let approach = self.approach(state);
         let (lift, contact) = (&state.lift, &state.contact);
         state.residual.par_iter_mut().enumerate().for_each(|(index, residual)| {

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::kernel::{Kernel, Rectangle};
+use super::kernel::{Influence, Rectangle};
 use super::transform::{Multiplier, Size, good_length, spectrum_of_even};
 
 /// Fewest pixels a side may have to be halved once more.
@@ -164,13 +164,13 @@ impl Operators {
     pub(super) fn new(grid: &Grid, size: Size, law: Law) -> Self {
         match law {
             Law::PeriodicSpace | Law::PeriodicPlane => Self::periodic(grid),
-            Law::FreeSpace => Self::free(size, Kernel::Rectangle(Rectangle::new(grid.pixel[0], grid.pixel[1]))),
-            Law::FreePlane(datum) => Self::free(size, Kernel::Strip { datum: datum / grid.unit() }),
+            Law::FreeSpace => Self::free(size, Influence::Rectangle(Rectangle::new(grid.pixel[0], grid.pixel[1]))),
+            Law::FreePlane(datum) => Self::free(size, Influence::Strip { datum: datum / grid.unit() }),
         }
     }
 
     /// Zero-padded convolution, and the inverse of the circulant nearest to it (T. Chan 1988).
-    fn free(size: Size, kernel: Kernel) -> Self {
+    fn free(size: Size, kernel: Influence) -> Self {
         let (period, table) = kernel_table(size, kernel);
         let circulant = Size { rows: period.rows.div_ceil(2), columns: period.columns / 2 };
         let nearest = circulant_table(&table, period, circulant);
@@ -196,7 +196,7 @@ impl Operators {
 }
 
 /// Padded period of a free window and the influence of one pixel over a quarter of it.
-pub(super) fn kernel_table(size: Size, kernel: Kernel) -> (Size, Vec<f64>) {
+pub(super) fn kernel_table(size: Size, kernel: Influence) -> (Size, Vec<f64>) {
     let rows = if size.rows == 1 { 1 } else { 2 * good_length(size.rows) };
     let period = Size { rows, columns: 2 * good_length(size.columns) };
     let half = period.columns / 2 + 1;

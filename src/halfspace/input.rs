@@ -3,9 +3,9 @@
 use ndarray::ArrayView2;
 
 use super::grid::{Grid, Law};
-use super::run::{Answer, Origin, Task, Wanted};
+use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
-use super::{Control, HalfSpaceError, Settings, Start};
+use super::{HalfSpaceError, Prescribed, Settings, Start};
 
 /// A problem without its heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub(super) struct Input {
     pub(super) pixel: [f64; 2],
     pub(super) modulus: f64,
     pub(super) law: Law,
-    pub(super) control: Control,
+    pub(super) control: Prescribed,
 }
 
 /// Solution in SI units.
@@ -31,7 +31,7 @@ pub(super) struct Raw {
 
 /// Bounds of the heights, and their mean.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Range {
+struct HeightBounds {
     low: f64,
     high: f64,
     mean: f64,
@@ -77,12 +77,12 @@ impl Input {
 
     fn check_control(&self) -> Result<(), HalfSpaceError> {
         match self.control {
-            Control::Indentation(value) => within("indentation", value, f64::MIN..=f64::MAX, "finite"),
-            Control::Force(value) => within("force", value, 0.0..=f64::MAX, "finite and not negative"),
+            Prescribed::Indentation(value) => within("indentation", value, f64::MIN..=f64::MAX, "finite"),
+            Prescribed::Force(value) => within("force", value, 0.0..=f64::MAX, "finite and not negative"),
         }
     }
 
-    fn range(&self, heights: &[f64]) -> Result<Range, HalfSpaceError> {
+    fn range(&self, heights: &[f64]) -> Result<HeightBounds, HalfSpaceError> {
         let refused = |height: f64| height.is_nan() || height <= f64::NEG_INFINITY;
         if let Some(index) = heights.iter().position(|&height| refused(height)) {
             let (row, column) = (index / self.size.columns, index % self.size.columns);
@@ -94,20 +94,20 @@ impl Input {
         }
         let high = heights.iter().copied().filter(|height| height.is_finite()).fold(low, f64::max);
         let mean = low + heights.iter().map(|height| height - low).sum::<f64>() / heights.len() as f64;
-        Ok(Range { low, high, mean })
+        Ok(HeightBounds { low, high, mean })
     }
 
     /// Height that becomes 1, or nothing if the bodies do not touch.
-    fn height_scale(&self, range: Range) -> Result<Option<f64>, HalfSpaceError> {
+    fn height_scale(&self, range: HeightBounds) -> Result<Option<f64>, HalfSpaceError> {
         match self.control {
-            Control::Indentation(depth) if depth <= range.low => Ok(None),
-            Control::Indentation(depth) if self.law.is_periodic() && depth >= range.mean => {
+            Prescribed::Indentation(depth) if depth <= range.low => Ok(None),
+            Prescribed::Indentation(depth) if self.law.is_periodic() && depth >= range.mean => {
                 Err(HalfSpaceError::FullContact { indentation: depth, mean: range.mean })
             }
-            Control::Indentation(depth) => Ok(Some(depth - range.low)),
-            Control::Force(force) if force <= 0.0 => Ok(None),
-            Control::Force(_) if range.high > range.low => Ok(Some(range.high - range.low)),
-            Control::Force(force) => Ok(Some(self.force_length(force))),
+            Prescribed::Indentation(depth) => Ok(Some(depth - range.low)),
+            Prescribed::Force(force) if force <= 0.0 => Ok(None),
+            Prescribed::Force(_) if range.high > range.low => Ok(Some(range.high - range.low)),
+            Prescribed::Force(force) => Ok(Some(self.force_length(force))),
         }
     }
 
@@ -131,8 +131,8 @@ impl Input {
 
     fn task(&self, heights: Vec<f64>, [low, scale]: [f64; 2], settings: &Settings) -> Task {
         let wanted = match self.control {
-            Control::Indentation(depth) => Wanted::Approach((depth - low) / scale),
-            Control::Force(force) => Wanted::Force(force / self.force_unit() / scale),
+            Prescribed::Indentation(depth) => ScaledLoad::Approach((depth - low) / scale),
+            Prescribed::Force(force) => ScaledLoad::Force(force / self.force_unit() / scale),
         };
         let law = match self.law {
             Law::FreePlane(datum) => Law::FreePlane(datum / self.unit()),
@@ -166,7 +166,7 @@ impl Input {
         Ok(if scaled.iter().any(|&value| value > 0.0) { Origin::Pressure(scaled) } else { Origin::Nothing })
     }
 
-    fn restore(&self, answer: Answer, [low, scale]: [f64; 2], pressure_unit: f64) -> Raw {
+    fn restore(&self, answer: ScaledSolution, [low, scale]: [f64; 2], pressure_unit: f64) -> Raw {
         let to_si = |mut values: Vec<f64>, unit: f64| {
             values.iter_mut().for_each(|value| *value *= unit);
             values
@@ -186,8 +186,8 @@ impl Input {
     fn apart(&self, lowest: f64, bytes: u64) -> Raw {
         let zeros = || vec![0.0; self.size.pixels()];
         let approach = match self.control {
-            Control::Indentation(depth) => depth,
-            Control::Force(_) => lowest,
+            Prescribed::Indentation(depth) => depth,
+            Prescribed::Force(_) => lowest,
         };
         Raw { pressure: zeros(), displacement: zeros(), approach, bytes, ..Raw::default() }
     }

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 /// Influence of a unit pressure on the pixel at the origin; lengths in pixels' mean size,
 /// displacement in (pressure × mean pixel size / E*).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Kernel {
+pub(super) enum Influence {
     /// Half-space under a uniformly loaded rectangle of these sides (product 1).
     Rectangle(Rectangle),
     /// Half-plane under a uniformly loaded strip of width 1, displacement zero at this distance.
@@ -15,7 +15,7 @@ pub(super) enum Kernel {
     },
 }
 
-impl Kernel {
+impl Influence {
     /// Displacement at the centre of the pixel `row`, `column` steps away.
     pub(super) fn at(&self, row: usize, column: usize) -> f64 {
         match self {
@@ -201,7 +201,7 @@ mod tests {
     /// Strips add up too: 3 strips of width 1 are one of width 3, whose datum is a third as many widths away.
     #[test]
     fn strips_add_up_to_a_wider_one() {
-        let (narrow, wide) = (Kernel::Strip { datum: 3e5 }, Kernel::Strip { datum: 1e5 });
+        let (narrow, wide) = (Influence::Strip { datum: 3e5 }, Influence::Strip { datum: 1e5 });
         for column in [0_usize, 1, 2, 7, 9, 100, 20_000] {
             let small: f64 = (0..3_usize).map(|k| narrow.at(0, (3 * column + k).abs_diff(1))).sum();
             assert!((small / (3.0 * wide.at(0, column)) - 1.0).abs() < 1e-14, "{column}");

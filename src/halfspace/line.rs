@@ -5,7 +5,7 @@ use ndarray::ArrayView1;
 use super::grid::Law;
 use super::input::{Input, Raw};
 use super::transform::Size;
-use super::{Control, HalfSpaceError, Settings, Start};
+use super::{HalfSpaceError, Prescribed, Settings, Start};
 
 /// What happens at the ends of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +34,7 @@ pub struct PlaneProblem<'a> {
     /// Ends of the line.
     pub boundary: PlaneBoundary,
     /// Prescribed indentation \[m\], or force per length \[N/m\].
-    pub control: Control,
+    pub control: Prescribed,
 }
 
 /// Solution of a half-plane contact.

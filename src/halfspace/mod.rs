@@ -47,7 +47,7 @@ pub enum Boundary {
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Control {
+pub enum Prescribed {
     /// Approach d of the height map's zero level and the undeformed surface \[m\].
     Indentation(f64),
     /// Normal force on the map \[N\], compression positive.
@@ -56,7 +56,7 @@ pub enum Control {
 
 /// A height map and how it is pressed.
 #[derive(Debug, Clone, Copy)]
-pub struct Problem<'a> {
+pub struct PressedMap<'a> {
     /// Heights of the rigid indenter, upwards, i.e. away from the half-space \[m\]: f(x, y) of a ball is
     /// r²/2R. +∞ where it has no material.
     pub heights: ArrayView2<'a, f64>,
@@ -67,7 +67,7 @@ pub struct Problem<'a> {
     /// Edge of the map.
     pub boundary: Boundary,
     /// Prescribed quantity.
-    pub control: Control,
+    pub control: Prescribed,
 }
 
 /// Numerical settings.
@@ -105,7 +105,7 @@ pub enum Start<'a> {
 /// # Errors
 /// [`HalfSpaceError`] for an empty map, a height that is NaN or −∞, a number out of range, a grid larger than
 /// the memory allowed, an indentation beyond full contact, and an iteration that does not converge.
-pub fn solve(problem: &Problem<'_>, start: Start<'_>, settings: &Settings) -> Result<Solution, HalfSpaceError> {
+pub fn solve(problem: &PressedMap<'_>, start: Start<'_>, settings: &Settings) -> Result<Solution, HalfSpaceError> {
     let (rows, columns) = problem.heights.dim();
     let law = match problem.boundary {
         Boundary::Free => Law::FreeSpace,

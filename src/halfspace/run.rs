@@ -1,7 +1,7 @@
 //! From a problem in the solver's units to its solution, coarse grids first.
 
 use super::HalfSpaceError;
-use super::face::{Contact, Effort, Goal, Outcome};
+use super::face::{Budget, Goal, GridContact, GridSolution};
 use super::grid::{Grid, Law, Operators, Window};
 use super::transform::Scratch;
 use super::vector::{total, update};
@@ -19,14 +19,14 @@ const MARGIN: usize = 3;
 pub(super) struct Task {
     pub(super) grid: Grid,
     pub(super) law: Law,
-    pub(super) wanted: Wanted,
+    pub(super) wanted: ScaledLoad,
     pub(super) tolerance: f64,
     pub(super) max_iterations: usize,
 }
 
 /// What is prescribed, whatever the grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Wanted {
+pub(super) enum ScaledLoad {
     /// Approach.
     Approach(f64),
     /// Σ of pressure × (pixel side) on a half-space, × 1 on a half-plane.
@@ -44,16 +44,16 @@ pub(super) enum Origin {
 }
 
 /// Solution in the solver's units.
-pub(super) struct Answer {
+pub(super) struct ScaledSolution {
     pub(super) pressure: Vec<f64>,
     pub(super) displacement: Vec<f64>,
     pub(super) approach: f64,
     pub(super) residual: f64,
-    pub(super) effort: Effort,
+    pub(super) effort: Budget,
 }
 
 impl Task {
-    pub(super) fn run(&self, origin: Origin) -> Result<Answer, HalfSpaceError> {
+    pub(super) fn run(&self, origin: Origin) -> Result<ScaledSolution, HalfSpaceError> {
         let mut scratch = Scratch::default();
         let start = match origin {
             Origin::Pressure(pressure) => pressure,
@@ -65,9 +65,9 @@ impl Task {
 
     fn goal(&self, grid: &Grid) -> Goal {
         match (self.wanted, self.law) {
-            (Wanted::Approach(approach), _) => Goal::Approach(approach),
-            (Wanted::Force(force), Law::FreePlane(_) | Law::PeriodicPlane) => Goal::Sum(force),
-            (Wanted::Force(force), _) => Goal::Sum(force / grid.unit()),
+            (ScaledLoad::Approach(approach), _) => Goal::Approach(approach),
+            (ScaledLoad::Force(force), Law::FreePlane(_) | Law::PeriodicPlane) => Goal::Sum(force),
+            (ScaledLoad::Force(force), _) => Goal::Sum(force / grid.unit()),
         }
     }
 
@@ -86,7 +86,7 @@ impl Task {
             return self.blank(grid);
         };
         let mut pressure = self.coarser_start(&coarse, scratch);
-        let mut effort = Effort { iterations: 0, products: 0, limit: self.max_iterations };
+        let mut effort = Budget { iterations: 0, products: 0, limit: self.max_iterations };
         if let Some(window) = self.window(&coarse, &pressure) {
             let operators = Operators::new(&coarse, window.size, self.law);
             let part = Part { operators: &operators, grid: &coarse, window, goal: self.goal(&coarse) };
@@ -101,15 +101,15 @@ impl Task {
             return Some(grid.whole());
         }
         grid.window(MARGIN, |index| pressure[index] > 0.0).or_else(|| match self.wanted {
-            Wanted::Approach(approach) => grid.window(0, |index| grid.heights[index] < approach),
-            Wanted::Force(_) => Some(grid.whole()),
+            ScaledLoad::Approach(approach) => grid.window(0, |index| grid.heights[index] < approach),
+            ScaledLoad::Force(_) => Some(grid.whole()),
         })
     }
 
     /// Solves the finest grid until the whole of it, not only the part worked on, obeys the tolerance.
-    fn finish(&self, mut pressure: Vec<f64>, scratch: &mut Scratch) -> Result<Answer, HalfSpaceError> {
+    fn finish(&self, mut pressure: Vec<f64>, scratch: &mut Scratch) -> Result<ScaledSolution, HalfSpaceError> {
         let grid = &self.grid;
-        let mut effort = Effort { iterations: 0, products: 0, limit: self.max_iterations };
+        let mut effort = Budget { iterations: 0, products: 0, limit: self.max_iterations };
         let mut rounds = 0;
         let mut window = self.window(grid, &pressure).unwrap_or(grid.whole());
         loop {
@@ -122,7 +122,7 @@ impl Task {
             effort.products += 1;
             let residual = self.residual(&pressure, &displacement, outcome.approach, whole.compliance);
             if residual <= self.tolerance {
-                return Ok(Answer { pressure, displacement, approach: outcome.approach, residual, effort });
+                return Ok(ScaledSolution { pressure, displacement, approach: outcome.approach, residual, effort });
             }
             rounds += 1;
             if effort.iterations >= effort.limit || rounds >= MOST_ROUNDS {
@@ -180,10 +180,16 @@ impl Part<'_> {
         part
     }
 
-    fn solve(&self, pressure: &mut Vec<f64>, tolerance: f64, effort: &mut Effort, scratch: &mut Scratch) -> Outcome {
+    fn solve(
+        &self,
+        pressure: &mut Vec<f64>,
+        tolerance: f64,
+        effort: &mut Budget,
+        scratch: &mut Scratch,
+    ) -> GridSolution {
         let heights = self.grid.cut(&self.grid.heights, self.window);
         let mut part = self.start(&self.grid.cut(pressure, self.window), &heights);
-        let contact = Contact {
+        let contact = GridContact {
             influence: &self.operators.influence,
             stiffness: &self.operators.stiffness,
             compliance: self.operators.compliance,

@@ -3,7 +3,7 @@
 use ndarray::Array2;
 
 use super::input::Raw;
-use super::{Boundary, Problem};
+use super::{Boundary, PressedMap};
 
 /// Solution of a half-space contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +33,7 @@ pub struct Solution {
 const EDGE_SHARE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
 
 impl Solution {
-    pub(super) fn new(problem: &Problem<'_>, raw: Raw) -> Self {
+    pub(super) fn new(problem: &PressedMap<'_>, raw: Raw) -> Self {
         let columns = problem.heights.ncols();
         let shape = |values: Vec<f64>| {
             Array2::from_shape_fn(problem.heights.dim(), |(row, column)| values[row * columns + column])

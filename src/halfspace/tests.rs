@@ -6,11 +6,11 @@ use crate::check::elliptic::EllipticHertz;
 
 const PI: f64 = std::f64::consts::PI;
 
-fn free(heights: &Array2<f64>, pixel: f64, control: Control) -> Problem<'_> {
-    Problem { heights: heights.view(), pixel: [pixel; 2], modulus: 1.0, boundary: Boundary::Free, control }
+fn free(heights: &Array2<f64>, pixel: f64, control: Prescribed) -> PressedMap<'_> {
+    PressedMap { heights: heights.view(), pixel: [pixel; 2], modulus: 1.0, boundary: Boundary::Free, control }
 }
 
-fn solved(problem: &Problem<'_>) -> Solution {
+fn solved(problem: &PressedMap<'_>) -> Solution {
     solve(problem, Start::Coarser, &Settings::default()).unwrap()
 }
 
@@ -24,7 +24,7 @@ fn sample(n: usize, pixel: f64, offset: f64, f: impl Fn(f64, f64) -> f64) -> Arr
 fn hertz(n: usize, offset: f64) -> [f64; 3] {
     let pixel = 0.3 / n as f64;
     let heights = sample(n, pixel, offset, |x, y| (x * x + y * y) / 2.0);
-    let solution = solved(&free(&heights, pixel, Control::Indentation(0.01)));
+    let solution = solved(&free(&heights, pixel, Prescribed::Indentation(0.01)));
     let force = 4.0 / 3.0 * 0.1 * 0.01;
     [
         solution.force() / force - 1.0,
@@ -67,12 +67,13 @@ fn no_grid_hangs_on_rounding() {
         let place = |index: usize| (index as f64 + 0.5) * pixel - 0.5 * n as f64 * pixel;
         place(row).powi(2) / 2.0 + place(column).powi(2) / 2.0
     });
-    let forces: Vec<f64> =
-        [&centred, &expanded].map(|heights| solved(&free(heights, pixel, Control::Indentation(0.01))).force()).into();
+    let forces: Vec<f64> = [&centred, &expanded]
+        .map(|heights| solved(&free(heights, pixel, Prescribed::Indentation(0.01))).force())
+        .into();
     assert!((forces[0] / forces[1] - 1.0).abs() < 1e-7, "{forces:?}");
     let tie = centred[[n / 2, n / 2 + 20]];
     let around: Vec<f64> = [tie.next_down(), tie, tie.next_up()]
-        .map(|depth| solved(&free(&centred, pixel, Control::Indentation(depth))).force())
+        .map(|depth| solved(&free(&centred, pixel, Prescribed::Indentation(depth))).force())
         .into();
     assert!((around[0] / around[1] - 1.0).abs() < 1e-7 && (around[2] / around[1] - 1.0).abs() < 1e-7, "{around:?}");
 }
@@ -82,7 +83,7 @@ fn no_grid_hangs_on_rounding() {
 fn pressure_has_the_symmetry_of_the_heights() {
     let n = 48;
     let heights = sample(n, 0.01, 0.5, |x, y| (x * x + y * y) / 2.0);
-    let pressure = solved(&free(&heights, 0.01, Control::Indentation(0.01))).pressure;
+    let pressure = solved(&free(&heights, 0.01, Prescribed::Indentation(0.01))).pressure;
     let peak = pressure.iter().copied().fold(0.0, f64::max);
     for ((row, column), p) in pressure.indexed_iter() {
         for other in [[column, row], [n - 1 - row, column], [row, n - 1 - column]] {
@@ -98,7 +99,7 @@ fn flat_punch_with_no_material_around_it() {
     let n = 96;
     let pixel = 0.025;
     let heights = sample(n, pixel, 0.5, |x, y| if x.hypot(y) <= 1.0 { 0.0 } else { f64::INFINITY });
-    let solution = solved(&free(&heights, pixel, Control::Indentation(0.1)));
+    let solution = solved(&free(&heights, pixel, Prescribed::Indentation(0.1)));
     assert!((solution.force() / (2.0 * solution.contact_radius() * 0.1) - 1.0).abs() < 0.5 * pixel);
     assert_eq!(solution.contact_pixels(), heights.iter().filter(|height| height.is_finite()).count());
     let under = solution.displacement.iter().zip(&heights).filter(|(_, height)| height.is_finite());
@@ -113,7 +114,7 @@ fn cone() {
     for n in [64, 128] {
         let pixel = 3.0 * radius / n as f64;
         let heights = sample(n, pixel, 0.5, |x, y| slope * x.hypot(y));
-        let force = solved(&free(&heights, pixel, Control::Indentation(depth))).force();
+        let force = solved(&free(&heights, pixel, Prescribed::Indentation(depth))).force();
         assert!((force * PI * slope / (2.0 * depth * depth) - 1.0).abs() < 0.5 * (pixel / radius).powi(2));
     }
 }
@@ -130,12 +131,12 @@ fn elliptic_hertz() {
             let (x, y) = ((column as f64 - 47.5) * pixel[0], (row as f64 - 47.5) * pixel[1]);
             x * x / 2.0 + y * y / (2.0 * ratio)
         });
-        let problem = Problem {
+        let problem = PressedMap {
             heights: heights.view(),
             pixel,
             modulus: 1.0,
             boundary: Boundary::Free,
-            control: Control::Force(exact.force),
+            control: Prescribed::Force(exact.force),
         };
         let solution = solved(&problem);
         let square = (3.0_f64 / 96.0).powi(2);
@@ -159,7 +160,7 @@ fn westergaard_wave() {
             step: 1.0 / n as f64,
             modulus: 1.0,
             boundary: PlaneBoundary::Periodic,
-            control: Control::Force(force),
+            control: Prescribed::Force(force),
         };
         let solution = solve_plane(&problem, None, &Settings::default()).unwrap();
         assert!(
@@ -186,7 +187,7 @@ fn cylinder_on_a_free_half_plane() {
             step,
             modulus: 1.0,
             boundary: PlaneBoundary::Free { datum },
-            control: Control::Force(force),
+            control: Prescribed::Force(force),
         };
         solve_plane(&problem, None, &Settings::default()).unwrap()
     };
@@ -209,12 +210,12 @@ fn full_contact_is_the_spectral_answer() {
         };
         let heights = Array2::from_shape_fn((rows, columns), |(row, column)| wave(row, column).iter().sum());
         let pixel = [1.0 / columns as f64, 1.0 / rows as f64];
-        let problem = Problem {
+        let problem = PressedMap {
             heights: heights.view(),
             pixel,
             modulus: 2.0,
             boundary: Boundary::Periodic,
-            control: Control::Force(0.1),
+            control: Prescribed::Force(0.1),
         };
         let solution = solved(&problem);
         for ((row, column), p) in solution.pressure.indexed_iter() {
@@ -233,7 +234,7 @@ fn a_good_start_saves_iterations() {
     let pixel = 0.3 / n as f64;
     let heights = sample(n, pixel, 0.0, |x, y| (x * x + y * y) / 2.0);
     let hertzian = sample(n, pixel, 0.0, |x, y| 0.2 / PI * (1.0 - (x * x + y * y) / 0.01).max(0.0).sqrt());
-    let problem = free(&heights, pixel, Control::Indentation(0.01));
+    let problem = free(&heights, pixel, Prescribed::Indentation(0.01));
     let run = |start: Start<'_>| solve(&problem, start, &Settings::default()).unwrap();
     let (blank, coarser, bed) = (run(Start::Nothing), run(Start::Coarser), run(Start::Pressure(hertzian.view())));
     assert!(coarser.iterations < blank.iterations && bed.iterations <= coarser.iterations + 1);
@@ -246,7 +247,7 @@ fn threads_do_not_change_a_bit() {
     let heights = sample(150, 0.002, 0.3, |x, y| (x * x + y * y) / 2.0 + 1e-4 * (700.0 * x).sin() * (500.0 * y).cos());
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| solved(&free(&heights, 0.002, Control::Force(1e-3))))
+        pool.install(|| solved(&free(&heights, 0.002, Prescribed::Force(1e-3))))
     };
     let one = on(1);
     assert!(one == on(2) && one == on(5));
@@ -256,11 +257,12 @@ fn threads_do_not_change_a_bit() {
 #[test]
 fn units_do_not_matter() {
     let heights = sample(40, 0.0075, 0.0, |x, y| (x * x + y * y) / 2.0);
-    let reference = solved(&free(&heights, 0.0075, Control::Indentation(0.01))).force();
+    let reference = solved(&free(&heights, 0.0075, Prescribed::Indentation(0.01))).force();
     for exponent in [-15, -6, 9, 15] {
         let unit = 10.0_f64.powi(exponent);
         let scaled = heights.mapv(|height| height * unit);
-        let problem = Problem { modulus: unit, ..free(&scaled, 0.0075 * unit, Control::Indentation(0.01 * unit)) };
+        let problem =
+            PressedMap { modulus: unit, ..free(&scaled, 0.0075 * unit, Prescribed::Indentation(0.01 * unit)) };
         assert!((solved(&problem).force() / (reference * unit * unit * unit) - 1.0).abs() < 1e-7);
     }
 }
@@ -268,29 +270,29 @@ fn units_do_not_matter() {
 #[test]
 fn bodies_apart_do_not_press() {
     let heights = sample(16, 0.1, 0.0, |x, y| 1.0 + x * x + y * y);
-    assert!(solved(&free(&heights, 0.1, Control::Indentation(1.0))).force() <= 0.0);
-    let touch = solved(&free(&heights, 0.1, Control::Force(0.0)));
+    assert!(solved(&free(&heights, 0.1, Prescribed::Indentation(1.0))).force() <= 0.0);
+    let touch = solved(&free(&heights, 0.1, Prescribed::Force(0.0)));
     assert!(touch.force() <= 0.0 && (touch.indentation - 1.0).abs() < 1e-15);
 }
 
 #[test]
 fn wrong_input_is_told_with_its_place() {
-    let message = |heights: &Array2<f64>, control: Control, settings: Settings| {
+    let message = |heights: &Array2<f64>, control: Prescribed, settings: Settings| {
         solve(&free(heights, 0.1, control), Start::Coarser, &settings).unwrap_err().to_string()
     };
     let good = sample(16, 0.1, 0.0, |x, y| x * x + y * y);
     let usual = Settings::default();
     let mut bad = good.clone();
     bad[[3, 5]] = f64::NAN;
-    let depth = Control::Indentation(0.1);
+    let depth = Prescribed::Indentation(0.1);
     assert!(message(&bad, depth, usual).starts_with("the height at row 3, column 5 is NaN"));
     bad[[3, 5]] = f64::NEG_INFINITY;
     assert!(message(&bad, depth, usual).starts_with("the height at row 3, column 5 is -inf"));
     bad.fill(f64::INFINITY);
     assert!(message(&bad, depth, usual).contains("no material"));
     assert!(message(&Array2::zeros((0, 7)), depth, usual).contains("empty (0 rows, 7 columns)"));
-    assert!(message(&good, Control::Force(-1.0), usual).starts_with("force is -1"));
-    assert!(message(&good, Control::Indentation(f64::NAN), usual).starts_with("indentation is NaN"));
+    assert!(message(&good, Prescribed::Force(-1.0), usual).starts_with("force is -1"));
+    assert!(message(&good, Prescribed::Indentation(f64::NAN), usual).starts_with("indentation is NaN"));
     assert!(message(&good, depth, Settings { tolerance: 0.0, ..usual }).starts_with("tolerance is 0"));
     assert!(message(&good, depth, Settings { memory_limit: 10_000, ..usual }).contains("10000 are allowed"));
     let short = message(&good, depth, Settings { max_iterations: 1, ..usual });
@@ -307,8 +309,13 @@ fn wrong_input_is_told_with_its_place() {
 fn a_grid_too_large_is_refused_before_it_is_made() {
     let row = Array2::<f64>::zeros((1, 1));
     let heights = row.broadcast((1_000_000, 1_000_000)).unwrap();
-    let problem =
-        Problem { heights, pixel: [1.0; 2], modulus: 1.0, boundary: Boundary::Free, control: Control::Force(1.0) };
+    let problem = PressedMap {
+        heights,
+        pixel: [1.0; 2],
+        modulus: 1.0,
+        boundary: Boundary::Free,
+        control: Prescribed::Force(1.0),
+    };
     assert!(matches!(solve(&problem, Start::Coarser, &Settings::default()), Err(HalfSpaceError::Memory { .. })));
 }
 
@@ -317,7 +324,7 @@ fn a_grid_too_large_is_refused_before_it_is_made() {
 fn periodic_indentation_beyond_full_contact_is_refused() {
     let heights = sample(16, 0.1, 0.0, |x, _| (2.0 * PI * x / 1.6).cos());
     let problem =
-        |depth: f64| Problem { boundary: Boundary::Periodic, ..free(&heights, 0.1, Control::Indentation(depth)) };
+        |depth: f64| PressedMap { boundary: Boundary::Periodic, ..free(&heights, 0.1, Prescribed::Indentation(depth)) };
     assert!(matches!(
         solve(&problem(0.1), Start::Coarser, &Settings::default()),
         Err(HalfSpaceError::FullContact { .. })
@@ -343,7 +350,7 @@ fn surface() -> impl Strategy<Value = (Array2<f64>, [f64; 2])> {
 }
 
 /// p ≥ 0, no overlap, p·g = 0, all to the stated residual, and the force that was asked for.
-fn obeys_the_laws(problem: &Problem<'_>) -> Result<(), TestCaseError> {
+fn obeys_the_laws(problem: &PressedMap<'_>) -> Result<(), TestCaseError> {
     let solution =
         solve(problem, Start::Coarser, &Settings::default()).map_err(|error| TestCaseError::fail(error.to_string()))?;
     let contact = solution.pressure.iter().zip(&solution.displacement).filter(|(p, _)| **p > 0.0);
@@ -356,7 +363,7 @@ fn obeys_the_laws(problem: &Problem<'_>) -> Result<(), TestCaseError> {
             "p = {p}, gap = {gap}, scale {scale}"
         );
     }
-    if let Control::Force(force) = problem.control {
+    if let Prescribed::Force(force) = problem.control {
         prop_assert!((solution.force() / force - 1.0).abs() < 1e-12);
     }
     Ok(())
@@ -368,13 +375,13 @@ proptest! {
     #[test]
     fn free_contact_obeys_its_laws((heights, pixel) in surface(), depth in 1..100_i32, load in any::<bool>()) {
         let depth = 0.005 * f64::from(depth);
-        let control = if load { Control::Force(depth) } else { Control::Indentation(depth) };
-        obeys_the_laws(&Problem { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Free, control })?;
+        let control = if load { Prescribed::Force(depth) } else { Prescribed::Indentation(depth) };
+        obeys_the_laws(&PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Free, control })?;
     }
 
     #[test]
     fn periodic_contact_obeys_its_laws((heights, pixel) in surface(), exponent in 0..100_i32) {
-        let control = Control::Force(10.0_f64.powf(-4.0 + 0.05 * f64::from(exponent)));
-        obeys_the_laws(&Problem { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Periodic, control })?;
+        let control = Prescribed::Force(10.0_f64.powf(-4.0 + 0.05 * f64::from(exponent)));
+        obeys_the_laws(&PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Periodic, control })?;
     }
 }

@@ -23,7 +23,7 @@ pub trait Dimension: Copy + fmt::Debug + 'static {
 }
 
 /// Which values make sense.
-pub trait Range: Copy + fmt::Debug + 'static {
+pub trait Domain: Copy + fmt::Debug + 'static {
     /// What would be right, in words.
     const RIGHT: &'static str;
     /// Whether `value` is in the range.
@@ -123,7 +123,7 @@ macro_rules! range {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub struct $name;
-        impl Range for $name {
+        impl Domain for $name {
             const RIGHT: &'static str = $right;
             fn holds($value: f64) -> bool {
                 $holds
@@ -181,9 +181,9 @@ pub type Accuracy = Quantity<Unity, AccuracyRange>;
 /// Hurst exponent.
 pub type Hurst = Quantity<Unity, HurstRange>;
 /// Angle of incidence [rad] from the surface normal.
-pub type Incidence = Quantity<Radian, IncidenceRange>;
+pub type IncidenceAngle = Quantity<Radian, IncidenceRange>;
 
-impl<D: Dimension, R: Range> Quantity<D, R> {
+impl<D: Dimension, R: Domain> Quantity<D, R> {
     /// A checked quantity from a number in SI units.
     ///
     /// # Errors
@@ -241,7 +241,7 @@ fn same_unit(given: &str, known: &str) -> bool {
     plain(given) == plain(known)
 }
 
-impl<D: Dimension, R: Range> FromStr for Quantity<D, R> {
+impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
     type Err = QuantityError;
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
@@ -268,7 +268,7 @@ impl<D: Dimension, R: Range> FromStr for Quantity<D, R> {
 
 struct QuantityVisitor<D, R>(PhantomData<(D, R)>);
 
-impl<D: Dimension, R: Range> de::Visitor<'_> for QuantityVisitor<D, R> {
+impl<D: Dimension, R: Domain> de::Visitor<'_> for QuantityVisitor<D, R> {
     type Value = Quantity<D, R>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -298,7 +298,7 @@ impl<D: Dimension, R: Range> de::Visitor<'_> for QuantityVisitor<D, R> {
     }
 }
 
-impl<'de, D: Dimension, R: Range> Deserialize<'de> for Quantity<D, R> {
+impl<'de, D: Dimension, R: Domain> Deserialize<'de> for Quantity<D, R> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
         deserializer.deserialize_any(QuantityVisitor(PhantomData))
     }

@@ -3,7 +3,7 @@
 mod secular;
 mod spectrum;
 
-pub use spectrum::Term as Element;
+pub use spectrum::Element;
 pub use spectrum::{Mode, Spectrum};
 
 use crate::input::problem::Problem;

@@ -16,13 +16,13 @@ use crate::material::Relaxation;
 pub struct Spectrum {
     equilibrium: f64,
     viscosity: f64,
-    terms: Vec<Term>,
+    terms: Vec<Element>,
     modes: Vec<Mode>,
 }
 
 /// One Maxwell element.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Term {
+pub struct Element {
     /// Modulus Eᵢ [Pa].
     pub modulus: f64,
     /// Relaxation time τᵢ [s].
@@ -47,7 +47,7 @@ impl Spectrum {
         Self::of(relaxation.equilibrium, relaxation.viscosity, merged(&relaxation.terms))
     }
 
-    fn of(equilibrium: f64, viscosity: f64, terms: Vec<Term>) -> Self {
+    fn of(equilibrium: f64, viscosity: f64, terms: Vec<Element>) -> Self {
         let poles = poles(&terms, viscosity);
         let dashpot = poles.len() - terms.len();
         let modes = secular::roots(&poles, equilibrium)
@@ -72,7 +72,7 @@ impl Spectrum {
         let poles = poles(&self.terms, self.viscosity);
         let terms = secular::roots(&poles, self.equilibrium + elastic)
             .iter()
-            .map(|root| Term { modulus: elastic * (elastic * root.compliance(&poles)), time: root.value(&poles) })
+            .map(|root| Element { modulus: elastic * (elastic * root.compliance(&poles)), time: root.value(&poles) })
             .collect();
         let equilibrium = self.equilibrium / (1.0 + self.equilibrium / elastic);
         Self::of(equilibrium, 0.0, terms)
@@ -92,7 +92,7 @@ impl Spectrum {
 
     /// Maxwell elements in ascending order of their times.
     #[must_use]
-    pub fn terms(&self) -> &[Term] {
+    pub fn terms(&self) -> &[Element] {
         &self.terms
     }
 
@@ -117,14 +117,14 @@ impl Spectrum {
     /// Storage modulus E′(ω) = E∞ + Σ Eᵢ ω²τᵢ²/(1+ω²τᵢ²) [Pa] at the angular frequency `omega` [rad/s].
     #[must_use]
     pub fn storage(&self, omega: f64) -> f64 {
-        let part = |term: &Term| term.modulus / (1.0 + (omega * term.time).powi(-2));
+        let part = |term: &Element| term.modulus / (1.0 + (omega * term.time).powi(-2));
         self.equilibrium + self.terms.iter().map(part).sum::<f64>()
     }
 
     /// Loss modulus E″(ω) = ωη + Σ Eᵢ ωτᵢ/(1+ω²τᵢ²) [Pa] at the angular frequency `omega` [rad/s].
     #[must_use]
     pub fn loss(&self, omega: f64) -> f64 {
-        let part = |term: &Term| {
+        let part = |term: &Element| {
             let x = omega * term.time;
             term.modulus / (x + x.recip())
         };
@@ -177,21 +177,21 @@ impl Spectrum {
 }
 
 /// Terms in ascending order, equal times merged, terms without effect dropped.
-fn merged(terms: &[(f64, f64)]) -> Vec<Term> {
+fn merged(terms: &[(f64, f64)]) -> Vec<Element> {
     let mut sorted: Vec<(f64, f64)> = terms.iter().copied().filter(|&(e, tau)| e > 0.0 && tau > 0.0).collect();
     sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let mut merged: Vec<Term> = Vec::with_capacity(sorted.len());
+    let mut merged: Vec<Element> = Vec::with_capacity(sorted.len());
     for (modulus, time) in sorted {
         match merged.last_mut() {
             Some(last) if last.time.total_cmp(&time).is_eq() => last.modulus += modulus,
-            _ => merged.push(Term { modulus, time }),
+            _ => merged.push(Element { modulus, time }),
         }
     }
     merged
 }
 
 /// Poles of E(p): one per Maxwell element, and one at time zero for the dashpot.
-fn poles(terms: &[Term], viscosity: f64) -> Vec<Pole> {
+fn poles(terms: &[Element], viscosity: f64) -> Vec<Pole> {
     let dashpot = (viscosity > 0.0).then_some(Pole { time: 0.0, weight: viscosity });
     let elements = terms.iter().map(|term| Pole { time: term.time, weight: term.modulus * term.time });
     dashpot.into_iter().chain(elements).collect()
@@ -205,7 +205,7 @@ mod tests {
 
     /// E(p) = E∞ + ηp + Σ Eᵢ pτᵢ/(1+pτᵢ), the operational modulus.
     fn operational(spectrum: &Spectrum, p: f64) -> f64 {
-        let part = |term: &Term| term.modulus / (1.0 + (p * term.time).recip());
+        let part = |term: &Element| term.modulus / (1.0 + (p * term.time).recip());
         spectrum.equilibrium() + spectrum.viscosity() * p + spectrum.terms().iter().map(part).sum::<f64>()
     }
 

@@ -28,8 +28,8 @@ pub enum RootError {
 /// # Errors
 /// The ends have the same sign, or the function gave NaN.
 pub fn brent(mut function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, RootError> {
-    let mut counter = Point::at(low, &mut function)?;
-    let mut best = Point::at(high, &mut function)?;
+    let mut counter = Evaluation::at(low, &mut function)?;
+    let mut best = Evaluation::at(high, &mut function)?;
     if counter.is_root() || best.is_root() {
         return Ok(if best.is_root() { best.x } else { counter.x });
     }
@@ -54,7 +54,7 @@ pub fn brent(mut function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Resul
         (step, step_before) = next_step((last, best, counter), (step, step_before), tolerance);
         last = best;
         let moved = if step.abs() > tolerance { step } else { tolerance.copysign(half) };
-        best = Point::at(best.x + moved, &mut function)?;
+        best = Evaluation::at(best.x + moved, &mut function)?;
     }
     Ok(best.x)
 }
@@ -63,12 +63,12 @@ pub fn brent(mut function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Resul
 const MOST_EVALUATIONS: usize = 2200;
 
 #[derive(Clone, Copy)]
-struct Point {
+struct Evaluation {
     x: f64,
     y: f64,
 }
 
-impl Point {
+impl Evaluation {
     fn at(x: f64, function: &mut impl FnMut(f64) -> f64) -> Result<Self, RootError> {
         let y = function(x);
         if y.is_nan() { Err(RootError::NotANumber { at: x }) } else { Ok(Self { x, y }) }
@@ -85,7 +85,7 @@ impl Point {
 
 /// The next step and the one before it: interpolation where it stays inside and shrinks fast
 /// enough, bisection elsewhere.
-fn next_step(points: (Point, Point, Point), steps: (f64, f64), tolerance: f64) -> (f64, f64) {
+fn next_step(points: (Evaluation, Evaluation, Evaluation), steps: (f64, f64), tolerance: f64) -> (f64, f64) {
     let (_, best, counter) = points;
     let half = 0.5 * (counter.x - best.x);
     match interpolated(points) {
@@ -102,7 +102,7 @@ fn next_step(points: (Point, Point, Point), steps: (f64, f64), tolerance: f64) -
 }
 
 /// Step from the best point by the secant or by inverse quadratic interpolation.
-fn interpolated((last, best, counter): (Point, Point, Point)) -> Option<f64> {
+fn interpolated((last, best, counter): (Evaluation, Evaluation, Evaluation)) -> Option<f64> {
     let s = best.y / last.y;
     if !s.is_finite() || s.abs() >= 1.0 {
         return None;

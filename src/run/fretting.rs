@@ -1,7 +1,7 @@
 //! Where in the contact friction takes its energy.
 
 use super::shear;
-use crate::friction::{Friction, Position, WearMap};
+use crate::friction::{Friction, Pose, WearMap};
 use crate::run::record::FrettingRow;
 use crate::scene::history::Entry;
 use crate::scene::setup::Setup;
@@ -21,7 +21,7 @@ pub fn is_fretting(setup: &Setup) -> bool {
 /// The fretting map of a path of straight steps.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "few positions")]
-pub fn map(setup: &Setup, path: &[Position]) -> Vec<FrettingRow> {
+pub fn map(setup: &Setup, path: &[Pose]) -> Vec<FrettingRow> {
     let Some(Friction::Coulomb(law)) = setup.scene.friction.as_ref().filter(|_| !path.is_empty()) else {
         return Vec::new();
     };

@@ -92,7 +92,7 @@ pub struct ImpactRow {
     /// Largest pressure [Pa], if there is a finite one.
     pub peak_pressure: Option<f64>,
     /// What comes of the tangential motion, if it is oblique.
-    pub oblique: Option<oblique::Rebound>,
+    pub oblique: Option<oblique::BallRebound>,
 }
 
 impl ImpactRow {
@@ -112,7 +112,7 @@ pub struct Incidence {
     /// Angle of incidence from the normal [rad].
     pub angle: f64,
     /// What comes of it.
-    pub rebound: oblique::Rebound,
+    pub rebound: oblique::BallRebound,
 }
 
 /// The impacts of a scene.

@@ -2,7 +2,7 @@
 
 use super::shear;
 use crate::friction::Friction;
-use crate::friction::peeling::Shear;
+use crate::friction::peeling::TangentialLoad;
 use crate::friction::state::Tangential;
 use crate::run::record::{Ensemble, EnsembleRow, Field, Record, Value};
 use crate::scene::history::Entry;
@@ -115,7 +115,7 @@ fn peeled(setup: &Setup, records: &[Record]) -> Vec<(&'static str, Value)> {
     let (Some(contact), Some(last), Some(least)) = (shear::sheared(setup), last, least) else { return Vec::new() };
     let (force, radius) = (least.normal.force, least.normal.contact_radius.unwrap_or(0.0));
     let mut results = vec![("area_ratio", last), ("least_area_ratio", ratio(least).unwrap_or(last))];
-    let rest = contact.under(force, Shear::Force(0.0)).map(|state| state.contact_radius);
+    let rest = contact.under(force, TangentialLoad::Force(0.0)).map(|state| state.contact_radius);
     if let (Ok(plain), Ok(rest)) = (contact.plain_radius(force), rest) {
         results.push(("hertz_area_ratio", (plain / rest).powi(2)));
     }

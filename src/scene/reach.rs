@@ -57,10 +57,6 @@ pub fn end(profile: &dyn Profile) -> Option<Bound> {
     Some(Bound { depth, load_integral, beyond: Beyond::End })
 }
 
-/// Most places at which a profile is searched for the first fall of g.
-const MOST_PLACES: usize = 1 << 17;
-/// Places per feature of the profile in that search.
-const PER_FEATURE: f64 = 16.0;
 /// Places at which the gap is looked at, near the contact and again farther out.
 const GAPS: usize = 128;
 /// Features of the profile that count as near.
@@ -78,7 +74,7 @@ const MOST_PIECES: usize = 200;
 /// Check: a wavy paraboloid of R = 1, h = 0.01, λ = 0.25 gives 3.127e-2.
 #[must_use]
 pub fn second_contact(profile: &dyn Profile) -> Option<Bound> {
-    let turn = first_fall(profile)?;
+    let turn = profile.first_fall()?;
     let places = outside(profile, turn);
     let least = places.iter().map(|&x| profile.reduced(x)).fold(profile.reduced(turn), f64::min);
     let safe = root::brent(|x| profile.reduced(x) - least, 0.0, turn).unwrap_or(0.0);
@@ -101,14 +97,6 @@ fn outside(profile: &dyn Profile, turn: f64) -> Vec<f64> {
     let far = 1.25 * profile.edge(profile.reduced(turn)).map_or(0.0, |outer| outer - turn);
     let spread = |reach: f64| (1..=GAPS).map(move |k| turn + reach * k as f64 / GAPS as f64);
     spread(near).chain(spread(far)).filter(|&r| inside(profile, r)).collect()
-}
-
-/// The smallest place at which g begins to fall.
-fn first_fall(profile: &dyn Profile) -> Option<f64> {
-    let step = profile.feature()? / PER_FEATURE;
-    let falls = |x: f64| profile.reduced_slope(x) < 0.0;
-    let after = (1..MOST_PLACES).map(|k| step * k as f64).take_while(|&x| inside(profile, x)).find(|&x| falls(x))?;
-    Some(root::brent(|x| profile.reduced_slope(x), after - step, after).unwrap_or(after - step))
 }
 
 fn inside(profile: &dyn Profile, r: f64) -> bool {
@@ -233,7 +221,7 @@ mod tests {
         let profile = wavy(0.01);
         let bound = second_contact(&profile).unwrap();
         let closest = |depth: f64| {
-            let a = root::brent(|x| profile.reduced(x) - depth, 0.0, first_fall(&profile).unwrap()).unwrap();
+            let a = root::brent(|x| profile.reduced(x) - depth, 0.0, profile.first_fall().unwrap()).unwrap();
             let gap = |r: f64| {
                 let from = (a / r).asin();
                 let angle = |k: i32| from + (std::f64::consts::FRAC_PI_2 - from) * (f64::from(k) + 0.5) / 500.0;

@@ -6,7 +6,7 @@ use crate::input::table::Tables;
 use crate::material::Body;
 use crate::scene::Scene;
 use crate::scene::history::Entry;
-use crate::shape::rough::{Border, HeightMap, Rings, Roughness, SourceError, Spectrum};
+use crate::shape::rough::{Border, HeightMap, Rings, Roughness, RoughnessSpectrum, SourceError};
 use crate::shape::{Rim, RoughShape, Shape};
 use std::sync::Arc;
 
@@ -35,7 +35,7 @@ pub struct Surface {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Source {
     /// A power spectrum.
-    Spectrum(Spectrum),
+    Spectrum(RoughnessSpectrum),
     /// Measured or generated heights.
     Map(Arc<HeightMap>),
 }

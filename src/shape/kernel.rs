@@ -69,9 +69,9 @@ const RANGE: f64 = 20.0;
 /// `slope` is always that product, as a function of x and q = √(x²−b²). All integrals are sums of
 /// terms of one sign after a substitution that takes every root away.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Beyond(pub f64);
+pub(super) struct OutsideKink(pub f64);
 
-impl Beyond {
+impl OutsideKink {
     /// (1/π)∫ g′ dx/√(x²−r²) over x from max(r, b) to a.
     ///
     /// With m = max(r, b), x² = m² + δ² sinh² u and δ² = |r²−b²| both roots become δ sinh u and

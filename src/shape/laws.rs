@@ -248,16 +248,16 @@ fn a_paraboloid_without_waves_is_a_paraboloid_to_the_bit() {
         };
         assert_eq!(all(&flat), all(&plain));
     }
-    assert_eq!(flat.simply_connected_up_to(), None);
+    assert_eq!(flat.first_fall(), None);
     assert_eq!(flat.feature(), None);
 }
 
 #[test]
 fn waves_break_the_contact_where_the_reduced_slope_first_turns() {
-    assert_eq!(wavy(1.0, 1e-4, 0.25).simply_connected_up_to(), None);
+    assert_eq!(wavy(1.0, 1e-4, 0.25).first_fall(), None);
     for (amplitude, wavelength) in [(0.01, 0.25), (0.005, 0.1), (0.02, 0.1), (1.0, 0.01)] {
         let shape = wavy(1.0, amplitude, wavelength);
-        let end = shape.simply_connected_up_to().unwrap();
+        let end = shape.first_fall().unwrap();
         let slope = |x: f64| shape.reduced_slope(x * end);
         assert!(slope(1.0 + 1e-9) < 0.0 && slope(1.0 - 1e-9) > 0.0);
         assert!((1..1000).all(|k| slope(f64::from(k) / 1000.0) > 0.0));

@@ -148,7 +148,7 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
 
     /// Radius [m] at which g′ first becomes negative: a larger contact would not stay simply
     /// connected and the mapping would not be exact. `None` if that never happens.
-    fn simply_connected_up_to(&self) -> Option<f64> {
+    fn first_fall(&self) -> Option<f64> {
         None
     }
 

@@ -1,7 +1,7 @@
 //! Cone with a rounded tip and flat punch with a rounded edge.
 
 use super::Profile;
-use super::kernel::{Beyond, arc_minus_sine, root_of_difference, sine_minus_arc_cosine};
+use super::kernel::{OutsideKink, arc_minus_sine, root_of_difference, sine_minus_arc_cosine};
 use super::paraboloid;
 use crate::input::quantity::{Length, Positive};
 use crate::numerics::root;
@@ -87,19 +87,19 @@ impl Profile for RoundedCone {
         let b = self.blend();
         let inner = a.min(b);
         let tip = 8.0 / 15.0 * inner * (inner * (inner / self.radius.si())).powi(2);
-        tip + Beyond(b).energy(|x, q| q * self.outer_slope(x, q), |x, q| self.outer_load(x, q), a)
+        tip + OutsideKink(b).energy(|x, q| q * self.outer_slope(x, q), |x, q| self.outer_load(x, q), a)
     }
 
     fn pressure_integral(&self, r: f64, a: f64) -> f64 {
         let b = self.blend();
         let tip = 2.0 * FRAC_1_PI / self.radius.si() * root_of_difference(a.min(b), r);
-        tip + Beyond(b).pressure(|x, q| q * self.outer_slope(x, q), r, a)
+        tip + OutsideKink(b).pressure(|x, q| q * self.outer_slope(x, q), r, a)
     }
 
     fn displacement_integral(&self, r: f64, a: f64) -> f64 {
         let b = self.blend();
         let tip = paraboloid::displacement(self.radius.si(), r, a.min(b));
-        tip + Beyond(b).displacement(|x, q| q * self.outer_slope(x, q), r, a)
+        tip + OutsideKink(b).displacement(|x, q| q * self.outer_slope(x, q), r, a)
     }
 
     fn edge(&self, d: f64) -> Option<f64> {
@@ -117,7 +117,7 @@ impl Profile for RoundedCone {
     }
 
     fn breaks(&self, a: f64) -> Vec<f64> {
-        Beyond(self.blend()).breaks(a)
+        OutsideKink(self.blend()).breaks(a)
     }
 
     fn kink(&self) -> Option<f64> {
@@ -126,8 +126,8 @@ impl Profile for RoundedCone {
 }
 
 impl RoundedPunch {
-    fn beyond(&self) -> Beyond {
-        Beyond(self.flat_radius.si())
+    fn beyond(&self) -> OutsideKink {
+        OutsideKink(self.flat_radius.si())
     }
 
     fn at(&self, x: f64) -> (f64, f64) {

@@ -1,7 +1,7 @@
 //! Cone and paraboloid with a worn-off tip.
 
 use super::Profile;
-use super::kernel::{Beyond, root_of_difference};
+use super::kernel::{OutsideKink, root_of_difference};
 use crate::input::quantity::{Length, Positive};
 use crate::numerics::quadrature;
 use crate::numerics::root;
@@ -37,8 +37,8 @@ pub struct TruncatedParaboloid {
 }
 
 impl TruncatedCone {
-    fn beyond(&self) -> Beyond {
-        Beyond(self.flat_radius.si())
+    fn beyond(&self) -> OutsideKink {
+        OutsideKink(self.flat_radius.si())
     }
 
     /// x, √(x²−b²) and arccos(b/x); the angle is 0 on the flat.
@@ -132,8 +132,8 @@ impl Profile for TruncatedCone {
 }
 
 impl TruncatedParaboloid {
-    fn beyond(&self) -> Beyond {
-        Beyond(self.flat_radius.si())
+    fn beyond(&self) -> OutsideKink {
+        OutsideKink(self.flat_radius.si())
     }
 
     fn root(&self, x: f64) -> f64 {

@@ -168,7 +168,7 @@ impl Profile for WavyParaboloid {
         self.is_wavy().then_some(self.wavelength.si())
     }
 
-    fn simply_connected_up_to(&self) -> Option<f64> {
+    fn first_fall(&self) -> Option<f64> {
         // |H₀ + zH₋₁| stays below 1 + 1.2√z, so beyond z = last the waves cannot turn g′ round.
         let strength = self.waviness();
         let last = (strength + 1.0).powi(2);

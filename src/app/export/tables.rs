@@ -1,6 +1,6 @@
 //! CSV tables of records and fields.
 
-use crate::friction::oblique::Rebound;
+use crate::friction::oblique::BallRebound;
 use crate::run::record::{Ensemble, FrettingRow, ImpactRow, Impacts, Incidence, Outcome, Record};
 
 /// The records, one row each; columns of a part appear only if the scene has it.
@@ -145,7 +145,7 @@ fn impact_cells(row: &ImpactRow) -> Vec<Option<f64>> {
     cells
 }
 
-fn oblique_cells(rebound: &Rebound) -> [Option<f64>; 7] {
+fn oblique_cells(rebound: &BallRebound) -> [Option<f64>; 7] {
     let numbers = [
         rebound.angle,
         rebound.flight.spin,

@@ -1,7 +1,7 @@
 //! Error against run time: table, CSV, JSON, figure.
 
 #[cfg(feature = "plot")]
-use crate::app::figure::{Axis, Colour, Figure, Guide, Line, Mark, Marks, Panel, Series};
+use crate::app::figure::{Axis, Figure, Guide, Hue, Line, Mark, Marks, Panel, Series};
 use crate::app::machine::Machine;
 use crate::check::promise::Row;
 use crate::check::work_precision::{Point, Setting, Study};
@@ -155,7 +155,7 @@ fn others(mut panel: Panel, peers: &[(&str, f64, f64)]) -> Panel {
     const MARKS: [Mark; 5] = [Mark::Cross, Mark::Plus, Mark::Ring, Mark::Block, Mark::Diamond];
     for (group, mark) in peers.chunk_by(|one, next| one.0 == next.0).zip(MARKS.into_iter().cycle()) {
         let points = group.iter().map(|(_, error, time)| (*error, *time)).collect();
-        let series = Series::new(group[0].0, points).line(Line::Absent).colour(Colour::Grey);
+        let series = Series::new(group[0].0, points).line(Line::Absent).colour(Hue::Grey);
         panel = panel.with(series.marks(Marks::As(mark)));
     }
     panel

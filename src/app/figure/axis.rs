@@ -1,19 +1,19 @@
 //! Axes of a panel made ready: range, ticks, caption.
 
-use super::range::{Range, usable};
+use super::range::{AxisRange, usable};
 use super::ticks::{Along, SIZE, Tick, ticks};
 use super::{Axis, Guide, Panel, text, unit};
 
 /// An axis with its ticks.
 #[derive(Clone, Debug)]
 pub(super) struct Ruler {
-    pub(super) range: Range,
+    pub(super) range: AxisRange,
     pub(super) ticks: Vec<Tick>,
     pub(super) caption: String,
 }
 
 impl Ruler {
-    fn new(axis: &Axis, range: Range, ticks: Vec<Tick>) -> Self {
+    fn new(axis: &Axis, range: AxisRange, ticks: Vec<Tick>) -> Self {
         let caption = unit::caption(&axis.label, &axis.unit, range.exponent);
         Self { range, ticks, caption }
     }
@@ -34,8 +34,8 @@ impl Ruler {
 /// Horizontal and vertical axis of a panel of `size` px.
 pub(super) fn rulers(panel: &Panel, size: (f64, f64)) -> (Ruler, Ruler) {
     let (x, y) = ends(panel);
-    let x = Range::new(&panel.x, x.map(|e| widened(e, xs(panel))));
-    let y = Range::new(&panel.y, y.map(|e| widened(e, ys(panel))));
+    let x = AxisRange::new(&panel.x, x.map(|e| widened(e, xs(panel))));
+    let y = AxisRange::new(&panel.y, y.map(|e| widened(e, ys(panel))));
     (Ruler::new(&panel.x, x, ticks(&x, Along::X, size.0)), Ruler::new(&panel.y, y, ticks(&y, Along::Y, size.1)))
 }
 

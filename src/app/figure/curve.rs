@@ -6,7 +6,7 @@ use super::{Series, thin};
 
 /// A series as it appears inside a frame of given size.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Curve {
+pub(super) struct DrawnCurve {
     /// Connected lines.
     pub(super) pieces: Vec<Vec<Dot>>,
     /// Points without neighbours, which no line would show.
@@ -39,12 +39,12 @@ impl Map<'_> {
 }
 
 /// The series inside the frame.
-pub(super) fn curve(series: &Series, map: &Map) -> Curve {
+pub(super) fn curve(series: &Series, map: &Map) -> DrawnCurve {
     let places: Vec<Option<Dot>> = series.points.iter().map(|p| map.place(*p)).collect();
     let runs = places.split(Option::is_none);
     let runs: Vec<Vec<Dot>> = runs.map(|run| run.iter().flatten().copied().collect()).collect();
     let pieces: Vec<Vec<Dot>> = runs.iter().flat_map(|run| clip(run, map.size)).collect();
-    Curve {
+    DrawnCurve {
         pieces: thin::thin(&pieces),
         lonely: runs.iter().filter_map(|run| point(run)).filter(|d| map.holds(d)).collect(),
         marked: spaced(places.into_iter().flatten().filter(|d| map.holds(d)).collect()),

@@ -23,7 +23,7 @@ pub(super) fn draw(figure: &Figure) -> String {
     let company = if figure.panels.len() == 1 { Company::Alone } else { Company::Together };
     let sheet = |panel: &Panel| Sheet::new(panel, size, company);
     let sheets: Vec<Sheet> = figure.panels.iter().map(sheet).collect();
-    let plan = Plan::new(&figure.title, &sheets, columns);
+    let plan = PixelPlan::new(&figure.title, &sheets, columns);
     document(plan.size, &figure.title, |canvas| {
         canvas.rectangle((0.0, 0.0), plan.size, WHITE);
         title(canvas, &plan);
@@ -44,7 +44,7 @@ fn grid(panels: usize) -> (usize, Dot) {
 }
 
 /// Px of everything.
-struct Plan {
+struct PixelPlan {
     title: Vec<String>,
     /// Left end and frame of every column.
     columns: Vec<f64>,
@@ -54,7 +54,7 @@ struct Plan {
     size: Dot,
 }
 
-impl Plan {
+impl PixelPlan {
     fn new(title: &str, sheets: &[Sheet], columns: usize) -> Self {
         let (lefts, width) = stack(&column_sizes(sheets, columns), RIM);
         let width = if sheets.is_empty() { BARE } else { width };
@@ -109,7 +109,7 @@ fn stack(shares: &[Share], start: f64) -> (Vec<f64>, f64) {
     (starts, (end + RIM).ceil())
 }
 
-fn title(canvas: &mut Canvas, plan: &Plan) {
+fn title(canvas: &mut Canvas, plan: &PixelPlan) {
     let kind = Type { size: TITLE, colour: BLACK, weight: Weight::Bold, anchor: HPos::Center };
     let mut y = RIM + 0.55 * TITLE_LINE;
     for line in &plan.title {

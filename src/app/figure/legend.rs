@@ -24,7 +24,7 @@ pub(super) enum Sample {
 
 /// A sample with its label.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
+pub(super) struct LegendEntry {
     pub(super) label: String,
     pub(super) sample: Sample,
 }
@@ -46,22 +46,22 @@ pub(super) struct Legend {
 }
 
 /// One entry for every label of the series, then the guides whose names found no place.
-pub(super) fn entries(panel: &Panel, homeless: impl Iterator<Item = String>) -> Vec<Entry> {
-    let mut entries: Vec<Entry> = Vec::new();
+pub(super) fn entries(panel: &Panel, homeless: impl Iterator<Item = String>) -> Vec<LegendEntry> {
+    let mut entries: Vec<LegendEntry> = Vec::new();
     for (i, series) in panel.series.iter().enumerate() {
         let label = text::clean(&series.label);
         if !label.trim().is_empty() && entries.iter().all(|e| e.label != label) {
             let sample = Sample::Series(look(panel, i));
-            entries.push(Entry { label, sample });
+            entries.push(LegendEntry { label, sample });
         }
     }
-    let guide = |label| Entry { label, sample: Sample::Guide };
+    let guide = |label| LegendEntry { label, sample: Sample::Guide };
     entries.extend(homeless.map(guide));
     entries
 }
 
 /// Legend below the frame, `room` px wide.
-pub(super) fn below(entries: Vec<Entry>, room: f64) -> Legend {
+pub(super) fn below(entries: Vec<LegendEntry>, room: f64) -> Legend {
     let widths: Vec<f64> = entries.iter().map(|e| wide(e, room)).collect();
     let widest = widths.iter().copied().fold(0.0, f64::max);
     let one_row = widths.iter().sum::<f64>() <= room + BETWEEN;
@@ -83,7 +83,7 @@ pub(super) fn below(entries: Vec<Entry>, room: f64) -> Legend {
 }
 
 /// Legend beside the frame.
-pub(super) fn beside(entries: Vec<Entry>) -> Legend {
+pub(super) fn beside(entries: Vec<LegendEntry>) -> Legend {
     let widths = entries.iter().map(|e| wide(e, WIDEST));
     let widest = widths.fold(0.0, f64::max);
     let mut legend = Legend::default();
@@ -96,14 +96,14 @@ pub(super) fn beside(entries: Vec<Entry>) -> Legend {
 }
 
 /// Px an entry takes in a row, with the gap to the next.
-fn wide(entry: &Entry, room: f64) -> f64 {
+fn wide(entry: &LegendEntry, room: f64) -> f64 {
     let head = SAMPLE + BEFORE_TEXT;
     (head + text::width(&entry.label, SIZE)).min(room) + BETWEEN
 }
 
 impl Legend {
     /// Adds an entry wrapped to `room` px; its height.
-    fn push(&mut self, entry: Entry, at: Dot, room: f64) -> f64 {
+    fn push(&mut self, entry: LegendEntry, at: Dot, room: f64) -> f64 {
         let lines = text::wrap(&entry.label, SIZE, room - SAMPLE - BEFORE_TEXT);
         let height = LINE * f64::from(u32::try_from(lines.len()).unwrap_or(1));
         let sample = entry.sample;

@@ -6,7 +6,7 @@ use super::{Panel, Series};
 
 /// Colour-blind-safe colours (Okabe & Ito 2008) in an order of alternating lightness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Colour {
+pub enum Hue {
     /// Dark blue.
     Blue,
     /// Light orange.
@@ -77,16 +77,8 @@ pub enum Mark {
     Plus,
 }
 
-const COLOURS: [Colour; 8] = [
-    Colour::Blue,
-    Colour::Orange,
-    Colour::Black,
-    Colour::Vermillion,
-    Colour::Sky,
-    Colour::Green,
-    Colour::Purple,
-    Colour::Grey,
-];
+const COLOURS: [Hue; 8] =
+    [Hue::Blue, Hue::Orange, Hue::Black, Hue::Vermillion, Hue::Sky, Hue::Green, Hue::Purple, Hue::Grey];
 
 const LINES: [Line; 6] = [Line::Solid, Line::Dashed, Line::DashDot, Line::Dotted, Line::LongDash, Line::DashDotDot];
 
@@ -117,7 +109,7 @@ pub(super) fn look(panel: &Panel, index: usize) -> Look {
     let line = style.line.or(pick(&LINES, number));
     Look {
         number,
-        colour: rgb(colour.unwrap_or(Colour::Black)),
+        colour: rgb(colour.unwrap_or(Hue::Black)),
         line: line.unwrap_or(Line::Solid),
         width: if number == 0 { 2.2 } else { 1.8 },
         mark,
@@ -137,16 +129,16 @@ fn number(panel: &Panel, index: usize) -> usize {
     distinct.count().saturating_sub(1)
 }
 
-fn rgb(colour: Colour) -> RGBColor {
+fn rgb(colour: Hue) -> RGBColor {
     match colour {
-        Colour::Blue => RGBColor(0, 114, 178),
-        Colour::Orange => RGBColor(230, 159, 0),
-        Colour::Black => RGBColor(0, 0, 0),
-        Colour::Vermillion => RGBColor(213, 94, 0),
-        Colour::Sky => RGBColor(86, 180, 233),
-        Colour::Green => RGBColor(0, 158, 115),
-        Colour::Purple => RGBColor(204, 121, 167),
-        Colour::Grey => RGBColor(110, 110, 110),
+        Hue::Blue => RGBColor(0, 114, 178),
+        Hue::Orange => RGBColor(230, 159, 0),
+        Hue::Black => RGBColor(0, 0, 0),
+        Hue::Vermillion => RGBColor(213, 94, 0),
+        Hue::Sky => RGBColor(86, 180, 233),
+        Hue::Green => RGBColor(0, 158, 115),
+        Hue::Purple => RGBColor(204, 121, 167),
+        Hue::Grey => RGBColor(110, 110, 110),
     }
 }
 
@@ -181,7 +173,7 @@ mod tests {
 
     #[test]
     fn neighbours_in_the_legend_differ_in_grey() {
-        let grey = |c: &Colour| {
+        let grey = |c: &Hue| {
             let RGBColor(r, g, b) = rgb(*c);
             0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)
         };

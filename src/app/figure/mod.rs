@@ -28,7 +28,7 @@ mod thin;
 mod ticks;
 mod unit;
 
-pub use look::{Colour, Line, Mark, Marks};
+pub use look::{Hue, Line, Mark, Marks};
 
 /// A titled grid of panels.
 ///
@@ -184,7 +184,7 @@ impl Series {
 
     /// The series in a colour of its own.
     #[must_use]
-    pub fn colour(mut self, colour: Colour) -> Self {
+    pub fn colour(mut self, colour: Hue) -> Self {
         self.style.colour = Some(colour);
         self
     }
@@ -215,7 +215,7 @@ impl Series {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Style {
     /// Colour of line and marks.
-    pub colour: Option<Colour>,
+    pub colour: Option<Hue>,
     /// Pattern of the line.
     pub line: Option<Line>,
     /// Marks at the points.

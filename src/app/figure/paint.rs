@@ -10,7 +10,7 @@ use super::legend::{self, Legend, Placed, SAMPLE, Sample, text_at};
 use super::look::{Line, Look, pattern};
 use super::mark::mark;
 use super::panel::{HEADING, INDENT, Key, LEGEND_AT, NOTE, Sheet, Shown};
-use super::range::Range;
+use super::range::AxisRange;
 use super::{Arrow, Scale, text, ticks};
 
 const GRID: Pen = Pen { colour: RGBColor(228, 228, 228), width: 0.7 };
@@ -65,7 +65,7 @@ fn zero_lines(canvas: &mut Canvas, sheet: &Sheet) {
 }
 
 /// Fraction of zero inside a linear axis.
-fn zero(range: &Range) -> Option<f64> {
+fn zero(range: &AxisRange) -> Option<f64> {
     let at = range.place(0.0).filter(|_| range.scale == Scale::Linear);
     at.filter(|at| (0.002..=0.998).contains(at))
 }

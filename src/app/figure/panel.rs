@@ -3,7 +3,7 @@
 use super::axis::{Ruler, rulers};
 use super::canvas::Dot;
 use super::clearance::Clearance;
-use super::curve::{Curve, Map, curve};
+use super::curve::{DrawnCurve, Map, curve};
 use super::guide::{Ruled, rule};
 use super::legend::{self, Legend};
 use super::look::{Look, look};
@@ -21,7 +21,7 @@ const MANY: usize = 5;
 /// A curve with its look.
 #[derive(Clone, Debug)]
 pub(super) struct Shown {
-    pub(super) curve: Curve,
+    pub(super) curve: DrawnCurve,
     pub(super) look: Look,
     pub(super) arrow: Arrow,
 }

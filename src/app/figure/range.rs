@@ -13,7 +13,7 @@ const FEW_DECADES: f64 = 2.5;
 
 /// What an axis shows.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Range {
+pub(super) struct AxisRange {
     pub(super) scale: Scale,
     /// The numbers on the axis are values divided by 10ⁿ.
     pub(super) exponent: i32,
@@ -22,7 +22,7 @@ pub(super) struct Range {
     pub(super) hi: f64,
 }
 
-impl Range {
+impl AxisRange {
     /// Range of `axis` around the data between `lo` and `hi`, if there are any.
     pub(super) fn new(axis: &Axis, data: Option<(f64, f64)>) -> Self {
         let limits = limits(axis, data);
@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn a_constant_is_shown_in_the_middle() {
         for axis in [Axis::linear("", "N"), Axis::log("", "N")] {
-            let range = Range::new(&axis, Some((5.0, 5.0)));
+            let range = AxisRange::new(&axis, Some((5.0, 5.0)));
             // a few roundings
             assert!(range.place(5.0).is_some_and(|at| (at - 0.5).abs() < 1e-14));
         }
@@ -160,27 +160,27 @@ mod tests {
 
     #[test]
     fn a_curve_from_zero_starts_at_the_frame() {
-        let range = Range::new(&Axis::linear("", "N"), Some((0.0, 5e-3)));
+        let range = AxisRange::new(&Axis::linear("", "N"), Some((0.0, 5e-3)));
         assert_eq!(range.place(0.0), Some(0.0));
         assert_eq!(range.exponent, -3);
     }
 
     #[test]
     fn limits_are_kept_and_impossible_ones_ignored() {
-        let range = Range::new(&Axis::linear("", "1").from(-2.0).to(3.0), Some((0.0, 9.0)));
+        let range = AxisRange::new(&Axis::linear("", "1").from(-2.0).to(3.0), Some((0.0, 9.0)));
         assert_eq!((range.lo, range.hi), (-2.0, 3.0));
-        let range = Range::new(&Axis::linear("", "1").from(20.0), Some((0.0, 9.0)));
+        let range = AxisRange::new(&Axis::linear("", "1").from(20.0), Some((0.0, 9.0)));
         assert!(range.lo < range.hi && range.holds(9.0));
         let close = Axis::linear("", "1").from(1.0).to(1.0 + 1e-12);
-        let range = Range::new(&close, Some((0.0, 9.0)));
+        let range = AxisRange::new(&close, Some((0.0, 9.0)));
         assert!(range.hi - range.lo > 0.1);
-        let range = Range::new(&Axis::log("", "1").from(-20.0), Some((1.0, 9.0)));
+        let range = AxisRange::new(&Axis::log("", "1").from(-20.0), Some((1.0, 9.0)));
         assert!(range.holds(1.0));
     }
 
     #[test]
     fn zero_and_negative_have_no_place_on_a_logarithmic_axis() {
-        let range = Range::new(&Axis::log("", "1"), Some((1e-9, 9.0)));
+        let range = AxisRange::new(&Axis::log("", "1"), Some((1e-9, 9.0)));
         assert_eq!(range.place(0.0), None);
         assert_eq!(range.place(-1.0), None);
         assert_eq!(range.place(f64::NAN), None);
@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn the_extremes_of_double_precision_have_a_place() {
         for (lo, hi) in [(-1e300, 1e300), (1e-300, 3e-300), (5e-324, 5e-324), (0.0, 0.0)] {
-            let range = Range::new(&Axis::linear("", "N"), Some((lo, hi)));
+            let range = AxisRange::new(&Axis::linear("", "N"), Some((lo, hi)));
             assert!(range.holds(lo) && range.holds(hi), "{lo} {hi} {range:?}");
         }
     }

@@ -1,6 +1,6 @@
 //! Ticks at round numbers, as many as fit.
 
-use super::range::Range;
+use super::range::AxisRange;
 use super::{Scale, text};
 
 /// A mark on an axis.
@@ -23,7 +23,7 @@ pub(super) enum Along {
 pub(super) const SIZE: f64 = 11.0;
 
 /// The densest ticks whose labels keep apart on an axis of `length` px.
-pub(super) fn ticks(range: &Range, along: Along, length: f64) -> Vec<Tick> {
+pub(super) fn ticks(range: &AxisRange, along: Along, length: f64) -> Vec<Tick> {
     let most = (length / if along == Along::X { 52.0 } else { 34.0 }).max(2.0);
     let choices = match range.scale {
         Scale::Linear => linear_choices(range, most),
@@ -42,11 +42,11 @@ fn fits(ticks: &[Tick], along: Along, length: f64) -> bool {
     labelled.windows(2).all(|pair| (pair[1].at - pair[0].at) * length >= half(pair[0]) + half(pair[1]))
 }
 
-fn linear_choices(range: &Range, most: f64) -> Vec<Vec<Tick>> {
+fn linear_choices(range: &AxisRange, most: f64) -> Vec<Vec<Tick>> {
     [1.0, 0.8, 0.6, 0.45, 0.3, 0.2].iter().map(|share| linear(range, (most * share).max(2.0))).collect()
 }
 
-fn linear(range: &Range, most: f64) -> Vec<Tick> {
+fn linear(range: &AxisRange, most: f64) -> Vec<Tick> {
     let (step, places) = nice_step((range.hi - range.lo) / most);
     let label = |k: f64| text::decimal(k * step, places);
     multiples(range.lo / step, range.hi / step)
@@ -74,7 +74,7 @@ fn multiples(lo: f64, hi: f64) -> impl Iterator<Item = f64> {
     (0..100).map(move |i| first + f64::from(i)).take_while(move |k| *k <= last)
 }
 
-fn log_choices(range: &Range, most: f64) -> Vec<Vec<Tick>> {
+fn log_choices(range: &AxisRange, most: f64) -> Vec<Vec<Tick>> {
     let span = range.hi - range.lo;
     if span < 0.45 {
         return linear_on_log(range, most);
@@ -91,9 +91,9 @@ fn log_choices(range: &Range, most: f64) -> Vec<Vec<Tick>> {
 }
 
 /// Ticks at equal steps of the value on a short logarithmic axis.
-fn linear_on_log(range: &Range, most: f64) -> Vec<Vec<Tick>> {
+fn linear_on_log(range: &AxisRange, most: f64) -> Vec<Vec<Tick>> {
     let at = |t: f64| 10f64.powf(t - f64::from(range.exponent));
-    let values = Range { scale: Scale::Linear, lo: at(range.lo), hi: at(range.hi), ..*range };
+    let values = AxisRange { scale: Scale::Linear, lo: at(range.lo), hi: at(range.hi), ..*range };
     let mut choices = linear_choices(&values, most);
     for tick in choices.iter_mut().flatten() {
         let value = values.lo + tick.at * (values.hi - values.lo);
@@ -103,7 +103,7 @@ fn linear_on_log(range: &Range, most: f64) -> Vec<Vec<Tick>> {
 }
 
 /// Every decade divided; the numbers in `labelled` carry labels.
-fn subdivided(range: &Range, labelled: &[f64]) -> Vec<Tick> {
+fn subdivided(range: &AxisRange, labelled: &[f64]) -> Vec<Tick> {
     let label = |decade: f64, m: f64| {
         let decade = decade - f64::from(range.exponent);
         let wanted = labelled.iter().any(|l| (l - m).abs() < 0.5);
@@ -113,7 +113,7 @@ fn subdivided(range: &Range, labelled: &[f64]) -> Vec<Tick> {
     within_decades(range, label)
 }
 
-fn within_decades(range: &Range, label: impl Fn(f64, f64) -> String) -> Vec<Tick> {
+fn within_decades(range: &AxisRange, label: impl Fn(f64, f64) -> String) -> Vec<Tick> {
     let digits = (1..10).map(f64::from);
     multiples(range.lo.floor(), range.hi.ceil())
         .flat_map(|decade| digits.clone().map(move |m| (decade, m)))
@@ -124,7 +124,7 @@ fn within_decades(range: &Range, label: impl Fn(f64, f64) -> String) -> Vec<Tick
 }
 
 /// Choices with a label at every first, second, third, fifth … decade.
-fn every(range: &Range, most: f64) -> Vec<Vec<Tick>> {
+fn every(range: &AxisRange, most: f64) -> Vec<Vec<Tick>> {
     let least = 0.5 * (range.hi - range.lo) / most;
     [1, 2, 3, 4, 5, 6, 10, 20, 50, 100, 200]
         .into_iter()
@@ -133,7 +133,7 @@ fn every(range: &Range, most: f64) -> Vec<Vec<Tick>> {
         .collect()
 }
 
-fn decades(range: &Range, step: i32, most: f64) -> Vec<Tick> {
+fn decades(range: &AxisRange, step: i32, most: f64) -> Vec<Tick> {
     let name = |decade: f64| {
         let n = whole(decade);
         if n.rem_euclid(step) != 0 {
@@ -167,7 +167,7 @@ mod tests {
     use super::*;
 
     fn labels(axis: &Axis, data: (f64, f64), length: f64) -> Vec<String> {
-        let range = Range::new(axis, Some(data));
+        let range = AxisRange::new(axis, Some(data));
         let ticks = ticks(&range, Along::X, length);
         let all = ticks.into_iter().map(|t| t.label);
         all.filter(|l| !l.is_empty()).collect()
@@ -204,7 +204,7 @@ mod tests {
             let lo = 10f64.powi(k);
             for axis in [Axis::linear("", "N"), Axis::log("", "N")] {
                 for factor in [1.0, 1.001, 1.3, 7.0, 1e2, 1e4] {
-                    let range = Range::new(&axis, Some((lo, lo * factor)));
+                    let range = AxisRange::new(&axis, Some((lo, lo * factor)));
                     let ticks = ticks(&range, Along::X, 200.0);
                     let named = ticks.iter().filter(|t| !t.label.is_empty()).count();
                     assert!(fits(&ticks, Along::X, 200.0) && named >= 1, "{range:?} {ticks:?}");

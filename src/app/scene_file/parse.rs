@@ -23,13 +23,13 @@ pub fn scene(path: &Path, text: &str) -> Result<Scene, Box<Fault>> {
 }
 
 fn fault(path: &Path, text: &str, error: &SpannedError) -> Fault {
-    let source = Source::new(text, error);
+    let source = Stop::new(text, error);
     let (offset, message) = source.explained(&error.code);
     Fault::at(path, (text, offset), message)
 }
 
 /// The text around the place at which the parser stopped.
-struct Source<'t> {
+struct Stop<'t> {
     text: &'t str,
     /// Whether the parser ran into the end of the text.
     ended: bool,
@@ -38,7 +38,7 @@ struct Source<'t> {
     around: Surroundings,
 }
 
-impl<'t> Source<'t> {
+impl<'t> Stop<'t> {
     fn new(text: &'t str, error: &SpannedError) -> Self {
         let offset = |place: ron::error::Position| Position { line: place.line, column: place.col }.offset(text);
         let mut at = offset(error.span.start);

@@ -4,7 +4,7 @@ use crate::check::case::{Case, Proof};
 use crate::check::elliptic::EllipticHertz;
 use crate::check::theory::{WavyParabola, Westergaard};
 use crate::halfspace::{
-    Boundary, Control, PlaneBoundary, PlaneProblem, PlaneSolution, Problem, Settings, Solution, Start, solve,
+    Boundary, PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, PressedMap, Settings, Solution, Start, solve,
     solve_plane,
 };
 use ndarray::{Array1, Array2};
@@ -85,8 +85,8 @@ pub(super) const CASES: &[Case] = &[
     },
 ];
 
-fn solved(heights: &Array2<f64>, pixel: [f64; 2], boundary: Boundary, control: Control) -> Option<Solution> {
-    let problem = Problem { heights: heights.view(), pixel, modulus: 1.0, boundary, control };
+fn solved(heights: &Array2<f64>, pixel: [f64; 2], boundary: Boundary, control: Prescribed) -> Option<Solution> {
+    let problem = PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary, control };
     solve(&problem, Start::Coarser, &Settings::default()).ok()
 }
 
@@ -100,7 +100,7 @@ fn sampled((n, pixel, offset): (usize, f64, f64), f: impl Fn(f64, f64) -> f64) -
 fn hertz_error(n: usize, offset: f64) -> Option<f64> {
     let pixel = 0.3 / n as f64;
     let heights = sampled((n, pixel, offset), |x, y| 0.5 * (x * x + y * y));
-    let force = solved(&heights, [pixel; 2], Boundary::Free, Control::Indentation(0.01))?.force();
+    let force = solved(&heights, [pixel; 2], Boundary::Free, Prescribed::Indentation(0.01))?.force();
     Some((force * 750.0 - 1.0).abs())
 }
 
@@ -119,14 +119,14 @@ fn cone() -> Option<f64> {
     let radius = 2.0 * depth / (PI * slope);
     let pixel = 3.0 * radius / n as f64;
     let heights = sampled((n, pixel, 0.5), |x, y| slope * x.hypot(y));
-    let force = solved(&heights, [pixel; 2], Boundary::Free, Control::Indentation(depth))?.force();
+    let force = solved(&heights, [pixel; 2], Boundary::Free, Prescribed::Indentation(depth))?.force();
     Some((force * PI * slope / (2.0 * depth * depth) - 1.0).abs() * 2.0 * (radius / pixel).powi(2))
 }
 
 fn flat_punch() -> Option<f64> {
     let pixel = 0.025;
     let heights = sampled((96, pixel, 0.5), |x, y| if x.hypot(y) <= 1.0 { 0.0 } else { f64::INFINITY });
-    let solution = solved(&heights, [pixel; 2], Boundary::Free, Control::Indentation(0.1))?;
+    let solution = solved(&heights, [pixel; 2], Boundary::Free, Prescribed::Indentation(0.1))?;
     Some((solution.force() / (0.2 * solution.contact_radius()) - 1.0).abs() / (0.5 * pixel))
 }
 
@@ -138,7 +138,7 @@ fn ellipse() -> Option<f64> {
     let heights = Array2::from_shape_fn((n, n), |(row, column)| {
         0.5 * place(column, pixel[0]).powi(2) + 5.0 * place(row, pixel[1]).powi(2)
     });
-    let solution = solved(&heights, pixel, Boundary::Free, Control::Force(exact.force))?;
+    let solution = solved(&heights, pixel, Boundary::Free, Prescribed::Force(exact.force))?;
     Some((solution.indentation / exact.indentation - 1.0).abs() * 8.0 * (n as f64 / 3.0).powi(2))
 }
 
@@ -150,7 +150,7 @@ fn full_contact() -> Option<f64> {
     };
     let heights = Array2::from_shape_fn((rows, columns), |(row, column)| waves(row, column).iter().sum());
     let pixel = [1.0 / columns as f64, 1.0 / rows as f64];
-    let solution = solved(&heights, pixel, Boundary::Periodic, Control::Force(0.1))?;
+    let solution = solved(&heights, pixel, Boundary::Periodic, Prescribed::Force(0.1))?;
     let difference = |((row, column), p): ((usize, usize), &f64)| {
         let [first, second] = waves(row, column);
         ((p - 0.1 + PI * (first + 13.0_f64.sqrt() * second)) / 0.1).abs()
@@ -164,7 +164,7 @@ fn plane(
     modulus: f64,
     (boundary, load): (PlaneBoundary, f64),
 ) -> Option<PlaneSolution> {
-    let problem = PlaneProblem { heights: heights.view(), step, modulus, boundary, control: Control::Force(load) };
+    let problem = PlaneProblem { heights: heights.view(), step, modulus, boundary, control: Prescribed::Force(load) };
     solve_plane(&problem, None, &Settings::default()).ok()
 }
 

@@ -4,7 +4,7 @@ use crate::check::case::{Case, Proof, worst};
 use crate::contact::adhesion::{Adhesion, Jkr};
 use crate::friction::{Coulomb, Friction};
 use crate::input::quantity::{
-    Accuracy, Incidence, Length, Mass, Modulus, Poisson, Ratio, Speed, Spin, Stress, Viscosity, WorkOfAdhesion,
+    Accuracy, IncidenceAngle, Length, Mass, Modulus, Poisson, Ratio, Speed, Spin, Stress, Viscosity, WorkOfAdhesion,
 };
 use crate::input::table::InMemory;
 use crate::material::{Body, Elastic, Shear, Terms, Viscoelastic};
@@ -190,7 +190,7 @@ fn small_damping() -> Option<f64> {
 
 /// A ball at the angle `angle` [rad] with the spin `spin` [rad/s], μ = 0.2.
 fn oblique(angle: f64, spin: f64) -> Option<Outcome> {
-    let (angle, spin) = (Some(Incidence::new(angle).ok()?), Some(Spin::new(spin).ok()?));
+    let (angle, spin) = (Some(IncidenceAngle::new(angle).ok()?), Some(Spin::new(spin).ok()?));
     let history =
         vec![Entry::Impact(Impact { mass: Mass::new(1.0).ok()?, speed: vec![Speed::new(0.1).ok()?], angle, spin })];
     let friction = Some(Friction::Coulomb(Coulomb { coefficient: Ratio::new(0.2).ok()? }));

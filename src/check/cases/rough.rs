@@ -5,7 +5,7 @@ use crate::check::theory::{
     Westergaard, area_fraction, flat_punch_load, gaussian_tail, low_load_area_slope, single_harmonic_load,
 };
 use crate::numerics::quadrature;
-use crate::shape::rough::{Border, HeightMap, Rings, RoughLine, Spectrum, rough_surface};
+use crate::shape::rough::{Border, HeightMap, Rings, RoughLine, RoughnessSpectrum, rough_surface};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(super) const CASES: &[Case] = &[
@@ -76,8 +76,8 @@ pub(super) const CASES: &[Case] = &[
 ];
 
 /// Self-affine from λ = 1 down to 1/32.
-fn spectrum() -> Option<Spectrum> {
-    Spectrum::table(&[(TAU, 1.0), (32.0 * TAU, 32.0_f64.powf(-3.6))]).ok()
+fn spectrum() -> Option<RoughnessSpectrum> {
+    RoughnessSpectrum::table(&[(TAU, 1.0), (32.0 * TAU, 32.0_f64.powf(-3.6))]).ok()
 }
 
 fn line_keeps_its_roughness() -> Option<f64> {

@@ -235,9 +235,9 @@ fn force_at(outcome: &Outcome, time: f64) -> Option<f64> {
 }
 
 /// Material, pairs of time and force, and when the force vanishes.
-type Triangle = (Material<'static>, &'static [(f64, f64)], f64);
+type ForceTimes = (Material<'static>, &'static [(f64, f64)], f64);
 
-const TRIANGLES: [Triangle; 3] = [
+const TRIANGLES: [ForceTimes; 3] = [
     (
         Material(0.1, &[(0.9, 0.2)]),
         &[(1.0, 1.806_718_02e-3), (1.1, 6.847_747e-4), (1.2, 9.472_905e-5)],
@@ -271,7 +271,7 @@ fn parting(records: &[Record]) -> Option<f64> {
 }
 
 fn vanishing() -> Option<f64> {
-    let one = |(material, _, time): &Triangle| Some((parting(&triangle(material)?.records)?, *time));
+    let one = |(material, _, time): &ForceTimes| Some((parting(&triangle(material)?.records)?, *time));
     Some(worst(&TRIANGLES.iter().map(one).collect::<Option<Vec<_>>>()?))
 }
 

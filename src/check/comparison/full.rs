@@ -3,7 +3,7 @@
 use super::methods::Scenario;
 use super::{Measured, State, timed};
 use crate::check::elliptic::EllipticHertz;
-use crate::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Solution, Start, solve};
+use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, solve};
 use crate::shape::Shape;
 use ndarray::Array2;
 use std::f64::consts::PI;
@@ -29,12 +29,12 @@ fn solved(scenario: &Scenario<'_>, grid: usize) -> Result<Solution, HalfSpaceErr
     let place = |index: usize, pixel: f64| (index as f64 - (grid / 2) as f64) * pixel;
     let height = |(row, column): (usize, usize)| height(scenario, place(column, pixel[0]), place(row, pixel[1]));
     let heights = Array2::from_shape_fn((grid, grid), height);
-    let problem = Problem {
+    let problem = PressedMap {
         heights: heights.view(),
         pixel,
         modulus: scenario.setup.pair.normal,
         boundary: Boundary::Free,
-        control: Control::Indentation(scenario.most.indentation_m),
+        control: Prescribed::Indentation(scenario.most.indentation_m),
     };
     solve(&problem, Start::Coarser, &Settings::default())
 }

@@ -3,7 +3,7 @@
 use super::{Comparison, ComparisonError, Measured, Method, Row, State, row, state_of, timed};
 use crate::check::one_piece::largest_force;
 #[cfg(feature = "half-space")]
-use crate::halfspace::{Control, PlaneBoundary, PlaneProblem, PlaneSolution, Settings, solve_plane};
+use crate::halfspace::{PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, Settings, solve_plane};
 use crate::run::{self, Wanted};
 use crate::scene::setup::Setup;
 #[cfg(feature = "half-space")]
@@ -132,6 +132,6 @@ fn solved(setup: &Setup, force: f64, strips: usize) -> Option<PlaneSolution> {
     let place = |i: usize| (i as f64 - (strips / 2) as f64) * step;
     let heights = ndarray::Array1::from_shape_fn(strips, |i| height(place(i)));
     let problem =
-        PlaneProblem { heights: heights.view(), step, modulus, boundary, control: Control::Force(force / width) };
+        PlaneProblem { heights: heights.view(), step, modulus, boundary, control: Prescribed::Force(force / width) };
     solve_plane(&problem, None, &Settings::default()).ok()
 }

@@ -2,7 +2,9 @@
 
 use super::rough::{Rough, mean};
 use super::{GRIDS, Measured, State, timed};
-use crate::halfspace::{Boundary, Control, HalfSpaceError, Problem, Settings, Solution, Start, bytes_needed, solve};
+use crate::halfspace::{
+    Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, bytes_needed, solve,
+};
 use crate::scene::surface::Source;
 use crate::shape::rough::rough_surface;
 use crate::shape::{Profile, Rim, Shape};
@@ -68,12 +70,12 @@ fn pressed(rough: &Rough<'_>, (grid, seed): (usize, u64)) -> Result<(State, Solu
     let touch = heights.iter().copied().fold(f64::INFINITY, f64::min);
     let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
     let at = |force: f64, start: Start<'_>| {
-        let problem = Problem {
+        let problem = PressedMap {
             heights: heights.view(),
             pixel,
             modulus: rough.setup.pair.normal,
             boundary: Boundary::Free,
-            control: Control::Force(force),
+            control: Prescribed::Force(force),
         };
         solve(&problem, start, &settings).map_err(|error| error.to_string())
     };

@@ -3,7 +3,7 @@
 use super::{Found, Trial, Whose, powers};
 use crate::check::closed_forms;
 use crate::check::tangential::CattaneoMindlin;
-use crate::friction::{Grip, Position, TangentialMemory};
+use crate::friction::{Grip, Pose, TangentialMemory};
 use crate::input::quantity::Length;
 use crate::shape::Paraboloid;
 use crate::shape::rough::Random;
@@ -51,9 +51,9 @@ fn coefficients() -> Option<Found> {
         let exact = exact(coefficient);
         for part in powers(-12.0, 0.3, 0.3) {
             let mut memory = TangentialMemory::new(&lens, grip(coefficient));
-            memory.advance(Position { indentation: DEPTH, slide: 0.0 }).ok()?;
+            memory.advance(Pose { indentation: DEPTH, slide: 0.0 }).ok()?;
             let slide = part * exact.reach();
-            memory.advance(Position { indentation: DEPTH, slide }).ok()?;
+            memory.advance(Pose { indentation: DEPTH, slide }).ok()?;
             found.pair(memory.state().tangential_force, exact.tangential_force(slide));
         }
     }
@@ -67,15 +67,15 @@ fn reversals() -> Option<Found> {
     let mut random = Random::seeded(1);
     for _ in 0..1_000_000 {
         let slide = 0.9 * exact.reach() * (random.phase() / std::f64::consts::PI - 1.0);
-        memory.advance(Position { indentation: DEPTH, slide }).ok()?;
+        memory.advance(Pose { indentation: DEPTH, slide }).ok()?;
         found.law(memory.state().tangential_force.abs() <= exact.limit() * (1.0 + 1e-12));
     }
-    memory.advance(Position { indentation: DEPTH, slide: 0.95 * exact.reach() }).ok()?;
+    memory.advance(Pose { indentation: DEPTH, slide: 0.95 * exact.reach() }).ok()?;
     // All turns lie within ±0.9 of gross slip: half the way from the lowest possible one is more than that.
-    memory.advance(Position { indentation: DEPTH, slide: 3.0 * exact.reach() }).ok()?;
+    memory.advance(Pose { indentation: DEPTH, slide: 3.0 * exact.reach() }).ok()?;
     found.pair(memory.state().tangential_force, exact.limit());
     let back = exact.masing(3.0 * exact.reach(), 2.0 * exact.reach());
-    memory.advance(Position { indentation: DEPTH, slide: 2.0 * exact.reach() }).ok()?;
+    memory.advance(Pose { indentation: DEPTH, slide: 2.0 * exact.reach() }).ok()?;
     found.error((memory.state().tangential_force - back).abs() / exact.limit());
     Some(found)
 }

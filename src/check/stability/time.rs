@@ -9,7 +9,7 @@ use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::layout::Layout;
 use crate::contact::viscoelastic::lazy::Lazy;
 use crate::contact::viscoelastic::memory::Memory;
-use crate::drive::impact::{Impact, Passage};
+use crate::drive::impact::{Passage, Projectile};
 use crate::input::quantity::Length;
 use crate::material::Relaxation;
 use crate::shape::{FlatPunch, Paraboloid};
@@ -141,7 +141,7 @@ fn impacts() -> Option<Found> {
     for mass in powers(-15.0, 15.0, 2.0) {
         for speed in powers(-6.0, 4.0, 1.0) {
             let contact = QuasiStatic::new(&ball, 7.0, Attraction::Line(EdgeLine::new(&ball, 7.0, 0.0)));
-            let seen = Passage::new(&contact, Impact { mass, speed }, 1e-11).ok()?.rebound();
+            let seen = Passage::new(&contact, Projectile { mass, speed }, 1e-11).ok()?.rebound();
             let depth = (15.0 * mass * speed * speed / (16.0 * 7.0 * 0.3f64.sqrt())).powf(0.4);
             found.pair(seen.greatest_depth, depth);
             found.pair(seen.contact_time?, 2.943_275_184_324_705 * depth / speed);

@@ -3,7 +3,7 @@
 use super::greenwood_williamson::laplace_moment;
 use super::pressure_field::area_fraction;
 use super::survival::survival;
-use crate::shape::rough::Spectrum;
+use crate::shape::rough::RoughnessSpectrum;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI, SQRT_2, TAU};
 
 /// A rough surface on an elastic half-space that stick with a work of adhesion.
@@ -18,7 +18,7 @@ use std::f64::consts::{FRAC_2_SQRT_PI, PI, SQRT_2, TAU};
 #[derive(Debug, Clone, Copy)]
 pub struct AdhesiveRoughness<'a> {
     /// Power spectrum of the surface.
-    pub spectrum: &'a Spectrum,
+    pub spectrum: &'a RoughnessSpectrum,
     /// Effective modulus E* [Pa].
     pub modulus: f64,
     /// Work of adhesion w of flat surfaces [J/m²].
@@ -162,7 +162,7 @@ struct Waves {
 
 impl Waves {
     #[expect(clippy::cast_precision_loss, reason = "a few hundred steps")]
-    fn of(spectrum: &Spectrum, steps: usize) -> Self {
+    fn of(spectrum: &RoughnessSpectrum, steps: usize) -> Self {
         let (low, high) = spectrum.cut_offs();
         let octaves = (high / low).ln();
         let edges: Vec<_> = (0..=steps).map(|k| low * (octaves * k as f64 / steps as f64).exp()).collect();
@@ -194,9 +194,10 @@ mod tests {
     use crate::numerics::root;
 
     /// Six decades, H as given, true area 1.37 of the nominal one and rms height as in Persson et al. 2008, figure 1.
-    fn figure_one(hurst: f64, rms: f64) -> Spectrum {
+    fn figure_one(hurst: f64, rms: f64) -> RoughnessSpectrum {
         let slope = root::brent(|s| true_surface(s) - 1.37, 0.1, 3.0).unwrap();
-        let shape = |q: f64| Spectrum::table(&[(q, 1.0), (1e6 * q, 1e6f64.powf(-2.0 * (1.0 + hurst)))]).unwrap();
+        let shape =
+            |q: f64| RoughnessSpectrum::table(&[(q, 1.0), (1e6 * q, 1e6f64.powf(-2.0 * (1.0 + hurst)))]).unwrap();
         // s/h of the shape is proportional to q.
         let unit = shape(1.0);
         let q = slope / rms / (unit.rms_slope() / unit.rms_height());
@@ -204,7 +205,7 @@ mod tests {
         s.scaled((rms / s.rms_height()).powi(2))
     }
 
-    fn rough(spectrum: &Spectrum, young: f64) -> AdhesiveRoughness<'_> {
+    fn rough(spectrum: &RoughnessSpectrum, young: f64) -> AdhesiveRoughness<'_> {
         AdhesiveRoughness { spectrum, modulus: young / 0.75, work: 0.05 }
     }
 

@@ -1,6 +1,6 @@
 //! Independent summits of one curvature and Gaussian heights.
 
-use crate::shape::rough::Spectrum;
+use crate::shape::rough::RoughnessSpectrum;
 use std::f64::consts::{PI, TAU};
 
 /// ∫_h^∞ φ(z) (z − h)ⁿ dz for the standard normal density φ, any real n > −1 and finite h.
@@ -54,7 +54,7 @@ pub struct SummitStatistics {
 impl SummitStatistics {
     /// The summits of a surface with this spectrum: m₀ = 2π∫qC, m₂ = π∫q³C, m₄ = (3π/4)∫q⁵C dq.
     #[must_use]
-    pub fn of(spectrum: &Spectrum) -> Self {
+    pub fn of(spectrum: &RoughnessSpectrum) -> Self {
         let band = spectrum.cut_offs();
         let moment = |n| TAU * spectrum.power_moment(n, band);
         Self::from_moments(moment(1), 0.5 * moment(3), 0.375 * moment(5))
@@ -155,7 +155,7 @@ mod tests {
     /// A Gaussian-like narrow band has α = 3/2 (all waves of one length): the summits then spread by m₀(1 − 0.8968/1.5).
     #[test]
     fn one_wavelength_is_the_narrowest_band() {
-        let s = SummitStatistics::of(&Spectrum::table(&[(1.0, 1.0), (1.0 + 1e-9, 1.0)]).unwrap());
+        let s = SummitStatistics::of(&RoughnessSpectrum::table(&[(1.0, 1.0), (1.0 + 1e-9, 1.0)]).unwrap());
         assert!((s.bandwidth - 1.5).abs() < 1e-6);
         let m = SummitStatistics::from_moments(2.0, 3.0, 6.75);
         assert!((m.bandwidth - 1.5).abs() < 1e-15);

@@ -10,7 +10,8 @@ mod scaling;
 mod survival;
 
 pub use crate::contact::plane::{
-    ConnectivityError, PlaneContact, Sliding, Verdict, WavyParabola, Westergaard, flat_punch_load, single_harmonic_load,
+    Connection, ConnectivityError, GrossSliding, PlaneContact, WavyParabola, Westergaard, flat_punch_load,
+    single_harmonic_load,
 };
 pub use adhesive_area::{AdhesiveContact, AdhesiveRoughness, NotSettled, Region};
 pub use exact_range::{ExactRange, exact_ranges, first_fall};

@@ -1,6 +1,6 @@
 //! Real contact area and pressure distribution without adhesion, after Persson.
 
-use crate::shape::rough::Spectrum;
+use crate::shape::rough::RoughnessSpectrum;
 use std::f64::consts::{FRAC_2_SQRT_PI, PI, SQRT_2, TAU};
 
 /// Real over nominal area, A/A₀ = erf(√2 p/(E* s)) = erf(1/(2√𝒢)), 𝒢 = (π/4)(E*/p)²∫q³C dq.
@@ -22,7 +22,7 @@ pub fn low_load_area_slope() -> f64 {
 #[derive(Debug, Clone, Copy)]
 pub struct PerssonContact<'a> {
     /// Power spectrum of the surface.
-    pub spectrum: &'a Spectrum,
+    pub spectrum: &'a RoughnessSpectrum,
     /// Effective modulus E* [Pa].
     pub modulus: f64,
     /// Nominal pressure p [Pa], above zero.
@@ -76,8 +76,8 @@ mod tests {
     use super::*;
     use crate::numerics::quadrature;
 
-    fn spectrum() -> Spectrum {
-        Spectrum::table(&[(1e4, 1e-22), (1e7, 1e-22 * 1e3f64.powf(-3.6))]).unwrap()
+    fn spectrum() -> RoughnessSpectrum {
+        RoughnessSpectrum::table(&[(1e4, 1e-22), (1e7, 1e-22 * 1e3f64.powf(-3.6))]).unwrap()
     }
 
     #[test]

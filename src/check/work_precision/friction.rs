@@ -3,7 +3,7 @@
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::closed_forms;
 use crate::check::tangential::CattaneoMindlin;
-use crate::friction::{CoulombBed, Grip, Position, TangentialMemory};
+use crate::friction::{CoulombBed, Grip, Pose, TangentialMemory};
 use crate::input::quantity::Length;
 use crate::shape::Paraboloid;
 use std::num::NonZeroUsize;
@@ -30,7 +30,7 @@ pub(super) fn mindlin_loop(effort: Effort) -> Option<Study> {
         _ => exact.masing(-amplitude, slide),
     });
     let exact_values = values.collect();
-    let path: Vec<Position> = slides(amplitude).map(|slide| Position { indentation: DEPTH, slide }).collect();
+    let path: Vec<Pose> = slides(amplitude).map(|slide| Pose { indentation: DEPTH, slide }).collect();
     let turning = path.clone();
     let mut methods = vec![Method::new("turning points", Setting::FREE, move || {
         let (ball, path) = (ball()?, turning.clone());
@@ -65,16 +65,16 @@ fn ball() -> Option<Paraboloid> {
     Some(Paraboloid { radius: Length::new(1.0).ok()? })
 }
 
-fn memory(ball: &Paraboloid, path: &[Position]) -> Option<Answer> {
+fn memory(ball: &Paraboloid, path: &[Pose]) -> Option<Answer> {
     let mut memory = TangentialMemory::new(ball, GRIP);
-    memory.advance(Position { indentation: DEPTH, slide: 0.0 }).ok()?;
+    memory.advance(Pose { indentation: DEPTH, slide: 0.0 }).ok()?;
     let values: Option<Vec<f64>> =
         path.iter().map(|&to| memory.advance(to).ok().map(|()| memory.state().tangential_force)).collect();
     Some(Answer { values: values?, bytes: size_of::<TangentialMemory<'_>>(), ..Answer::default() })
 }
 
-fn springs(mut bed: CoulombBed, path: &[Position]) -> Option<Answer> {
-    bed.advance(&[Position { indentation: DEPTH, slide: 0.0 }]);
+fn springs(mut bed: CoulombBed, path: &[Pose]) -> Option<Answer> {
+    bed.advance(&[Pose { indentation: DEPTH, slide: 0.0 }]);
     let values = bed.advance(path);
     Some(Answer { values, bytes: 2 * size_of::<f64>() * bed.depths().len(), ..Answer::default() })
 }

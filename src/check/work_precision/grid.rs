@@ -1,7 +1,7 @@
 //! The full half-space on grids of pixels.
 
 use super::{Answer, Effort, Method, Setting};
-use crate::halfspace::{self, Boundary, Control, Problem, Settings, Start};
+use crate::halfspace::{self, Boundary, Prescribed, PressedMap, Settings, Start};
 use ndarray::Array2;
 
 /// The half-space under the profile `height`(r), E* = 1, in a window of three contact radii.
@@ -23,9 +23,9 @@ pub(super) fn methods(
 }
 
 fn solved(heights: &Array2<f64>, pixel: f64, depth: f64) -> Option<Answer> {
-    let control = Control::Indentation(depth);
+    let control = Prescribed::Indentation(depth);
     let problem =
-        Problem { heights: heights.view(), pixel: [pixel; 2], modulus: 1.0, boundary: Boundary::Free, control };
+        PressedMap { heights: heights.view(), pixel: [pixel; 2], modulus: 1.0, boundary: Boundary::Free, control };
     let solution = halfspace::solve(&problem, Start::Coarser, &Settings::default()).ok()?;
     Some(Answer {
         values: vec![solution.force()],

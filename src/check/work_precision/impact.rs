@@ -5,14 +5,14 @@ use crate::check::usual;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::direct::{Attraction, QuasiStatic};
 use crate::contact::viscoelastic::Spectrum;
-use crate::drive::impact::{Driven, Impact, Passage};
+use crate::drive::impact::{Passage, Projectile, StruckHalfSpace};
 use crate::input::quantity::Length;
 use crate::material::Relaxation;
 use crate::shape::Paraboloid;
 use std::sync::Arc;
 
 /// Mass and speed one; R = E* = 1.
-const IMPACT: Impact = Impact { mass: 1.0, speed: 1.0 };
+const IMPACT: Projectile = Projectile { mass: 1.0, speed: 1.0 };
 
 /// Contact time of a ball, 2.943275184324705 x₀/v.
 pub(super) fn hertz(effort: Effort) -> Option<Study> {
@@ -47,7 +47,11 @@ fn ball() -> Option<Paraboloid> {
 fn driven(accuracy: f64) -> Method {
     let model = || {
         let elastic = Relaxation { equilibrium: 1.0, terms: Vec::new(), viscosity: 0.0 };
-        Some(Driven { spectrum: Arc::new(Spectrum::new(&elastic)), profile: Arc::new(ball()?), attraction: None })
+        Some(StruckHalfSpace {
+            spectrum: Arc::new(Spectrum::new(&elastic)),
+            profile: Arc::new(ball()?),
+            attraction: None,
+        })
     };
     let steps = model().and_then(|model| model.flight(&IMPACT, accuracy).ok()).map_or(0, |flight| flight.steps());
     Method::new("bed driven by the mass", Setting::steps(steps), move || {

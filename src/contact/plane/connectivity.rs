@@ -39,7 +39,7 @@ pub enum ConnectivityError {
 
 /// Whether a contact is in one piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Connection {
     /// In one piece, and the sufficient condition of Kudish et al. 2.18 says so.
     Sure,
     /// In one piece by the pressure and the gap themselves; the sufficient condition is too strict to tell.
@@ -50,7 +50,7 @@ pub enum Verdict {
     TouchesOutside,
 }
 
-impl Verdict {
+impl Connection {
     /// Whether the contact is in one piece.
     #[must_use]
     pub fn in_one_piece(self) -> bool {
@@ -198,15 +198,15 @@ impl WavyParabola<'_> {
     ///
     /// # Errors
     /// The roughness is not resolved; no contact in one piece carries the load.
-    pub fn verdict(&self, load: f64, reach: f64) -> Result<Verdict, ConnectivityError> {
+    pub fn verdict(&self, load: f64, reach: f64) -> Result<Connection, ConnectivityError> {
         let mut all = self.candidates(load)?;
         all.retain(PlaneContact::presses_everywhere);
         let clear = all.iter().find(|contact| !self.touches_outside(contact, reach));
         Ok(match clear {
-            Some(contact) if contact.surely_connected() => Verdict::Sure,
-            Some(_) => Verdict::InOnePiece,
-            None if all.is_empty() => Verdict::OpensInside,
-            None => Verdict::TouchesOutside,
+            Some(contact) if contact.surely_connected() => Connection::Sure,
+            Some(_) => Connection::InOnePiece,
+            None if all.is_empty() => Connection::OpensInside,
+            None => Connection::TouchesOutside,
         })
     }
 
@@ -230,13 +230,13 @@ impl WavyParabola<'_> {
 
     /// The least load per width [N/m] in a range from which on, up to its end, the contact is in one piece; `None` if it is not at the end.
     ///
-    /// `steps` loads evenly spaced in the logarithm are tried from the end down and the last change refined. With `Verdict::Sure`
-    /// as `wanted` this is the least load of the sufficient condition, with `Verdict::InOnePiece` the true one. For waves of
+    /// `steps` loads evenly spaced in the logarithm are tried from the end down and the last change refined. With `Connection::Sure`
+    /// as `wanted` this is the least load of the sufficient condition, with `Connection::InOnePiece` the true one. For waves of
     /// fixed length the sufficient condition fails again at large loads, as more waves enter the contact: choose the end with care.
-    pub fn least_load(&self, (from, to): (f64, f64), reach: f64, wanted: Verdict) -> Option<f64> {
+    pub fn least_load(&self, (from, to): (f64, f64), reach: f64, wanted: Connection) -> Option<f64> {
         let holds = |load: f64| {
             self.verdict(load, reach)
-                .is_ok_and(|v| v == Verdict::Sure || (v == wanted && wanted == Verdict::InOnePiece))
+                .is_ok_and(|v| v == Connection::Sure || (v == wanted && wanted == Connection::InOnePiece))
         };
         let step = (to / from).powf(1.0 / f64::from(LOADS));
         let load = |k: u32| from * step.powf(f64::from(k));
@@ -501,10 +501,10 @@ mod tests {
         // Waves 7 times as curved as the parabola: light loads rest on one crest, heavier ones on several.
         let slope = |x: f64| 1.5e-2 * (x / 2e-4).sin();
         let (rough, reach) = (wavy(&slope), 4e-3);
-        let exact = rough.least_load((40.0, 1e4), reach, Verdict::InOnePiece).unwrap();
+        let exact = rough.least_load((40.0, 1e4), reach, Connection::InOnePiece).unwrap();
         assert!(rough.verdict(1.0001 * exact, reach).unwrap().in_one_piece());
         assert!(!rough.verdict(0.9999 * exact, reach).unwrap().in_one_piece());
-        let sure = rough.least_load((40.0, 3.0 * exact), reach, Verdict::Sure);
+        let sure = rough.least_load((40.0, 3.0 * exact), reach, Connection::Sure);
         assert!(sure.is_none_or(|sure| sure >= exact * (1.0 - 1e-9)), "{exact} {sure:?}");
     }
 
@@ -518,8 +518,8 @@ mod tests {
         let verdicts: Vec<_> = (0..12).map(|k| rough.verdict(5.0 * 1.8f64.powi(k), 4e-3).unwrap()).collect();
         assert!(
             verdicts[0].in_one_piece()
-                && verdicts.contains(&Verdict::TouchesOutside)
-                && verdicts.contains(&Verdict::OpensInside)
+                && verdicts.contains(&Connection::TouchesOutside)
+                && verdicts.contains(&Connection::OpensInside)
         );
         assert!(verdicts.last().unwrap().in_one_piece());
     }

@@ -3,5 +3,7 @@
 mod connectivity;
 mod westergaard;
 
-pub use connectivity::{ConnectivityError, PlaneContact, Verdict, WavyParabola, flat_punch_load, single_harmonic_load};
-pub use westergaard::{Sliding, Westergaard};
+pub use connectivity::{
+    Connection, ConnectivityError, PlaneContact, WavyParabola, flat_punch_load, single_harmonic_load,
+};
+pub use westergaard::{GrossSliding, Westergaard};

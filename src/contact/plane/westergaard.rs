@@ -19,7 +19,7 @@ pub struct Westergaard {
 
 /// Gross sliding of one period of the wave.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sliding {
+pub struct GrossSliding {
     /// Mean shear stress over a period [Pa], tangential force per width and wavelength.
     pub mean_shear: f64,
     /// Half width [m] of the middle zone in which the shear stress is at its limit; 0 if nowhere.
@@ -71,7 +71,7 @@ impl Westergaard {
     ///
     /// `law` is (μ, τ_max [Pa]). In linear theory with an incompressible or rigid pair sliding leaves the pressure as it is.
     #[must_use]
-    pub fn sliding(&self, mean_pressure: f64, (coefficient, limit): (f64, f64)) -> Sliding {
+    pub fn sliding(&self, mean_pressure: f64, (coefficient, limit): (f64, f64)) -> GrossSliding {
         let a = self.half_width(mean_pressure);
         let capped_half_width = self.where_pressure_is(limit / coefficient, (mean_pressure, a));
         // x = a − (a − c) cos²: the root at the edge becomes smooth.
@@ -81,7 +81,7 @@ impl Westergaard {
             coefficient * self.pressure(c + span * sine, mean_pressure) * span * cosine
         };
         let outer = if span > 0.0 { quadrature::panel(shear, 0.0, FRAC_PI_2) } else { 0.0 };
-        Sliding { mean_shear: 2.0 * (outer + limit * c) / self.wavelength, capped_half_width }
+        GrossSliding { mean_shear: 2.0 * (outer + limit * c) / self.wavelength, capped_half_width }
     }
 
     /// Largest distance from the crest at which the pressure is at least `pressure`; 0 if nowhere.

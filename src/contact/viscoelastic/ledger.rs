@@ -3,7 +3,7 @@
 //! All per unit length of the bed, in closed form, each independent of the others.
 
 use super::spring::{Free, Piece, decay};
-use super::{Mode, Spectrum, Term};
+use super::{Element, Mode, Spectrum};
 
 /// Energies of a bed [J], or of one spring per unit length [J/m].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -31,7 +31,7 @@ impl Spectrum {
     /// ∫ q dt [N s/m] over one piece of a spring's life.
     pub fn impulse(&self, piece: &Piece<'_>) -> f64 {
         let Piece::Pressed { u, s, speed, duration } = *piece else { return 0.0 };
-        let element = |(term, s): (&Term, &f64)| impulse(term, *s, speed, duration);
+        let element = |(term, s): (&Element, &f64)| impulse(term, *s, speed, duration);
         let elements: f64 = self.terms().iter().zip(s).map(element).sum();
         let steady = self.equilibrium() * (u + 0.5 * speed * duration) + self.viscosity() * speed;
         steady * duration + elements
@@ -50,7 +50,7 @@ impl Spectrum {
 
     /// Heat ηv²t + Σ ∫ sᵢ² dt/(Eᵢτᵢ) of a pressed spring.
     fn heat_pressed(&self, s: &[f64], v: f64, t: f64) -> f64 {
-        let element = |(term, s): (&Term, &f64)| {
+        let element = |(term, s): (&Element, &f64)| {
             let (a, ev) = (decay(t / term.time).1, term.modulus * v);
             let squares = 0.5 * s * s * a * (2.0 - a) + s * ev * term.time * a * a;
             squares / term.modulus + ev * v * term.time * term.time * cubic_remainder(t / term.time, a)
@@ -65,7 +65,7 @@ impl Spectrum {
 }
 
 /// ∫ s dt of a Maxwell element that starts at the load `s` and moves at the speed `v` for the time `t`.
-pub(super) fn impulse(term: &Term, s: f64, v: f64, t: f64) -> f64 {
+pub(super) fn impulse(term: &Element, s: f64, v: f64, t: f64) -> f64 {
     let y = t / term.time;
     let lost = decay(y).1;
     s * term.time * lost + term.modulus * v * term.time * (term.time * square_remainder(y, lost))

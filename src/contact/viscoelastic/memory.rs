@@ -444,7 +444,7 @@ mod tests {
             let cone = Cone { slope: Positive::new(1.0).unwrap() };
             let mut bed = Memory::new(spectrum.clone(), Arc::new(cone));
             bed.advance(speed, time).unwrap();
-            let part = |term: &super::super::Term| {
+            let part = |term: &super::super::Element| {
                 let y = time / term.time;
                 // y − 1 + e^(−y), by its series where the difference would lose digits.
                 let series = || (2..24).rev().fold(0.0, |sum, k| 1.0 - y / f64::from(k + 1) * sum) * 0.5 * y * y;

@@ -23,5 +23,5 @@ mod strip;
 mod surface;
 mod totals;
 
-pub use crate::material::{Element as Term, Mode, Spectrum};
+pub use crate::material::{Element, Mode, Spectrum};
 pub use spring::Motion;

@@ -179,7 +179,7 @@ impl Spectrum {
 
     /// Line load q [N/m] of a pressed spring after the time `t` of a motion at the speed `v`.
     pub fn load_after(&self, (u, s): (f64, &[f64]), v: f64, t: f64) -> f64 {
-        let moved = |(term, s): (&super::Term, &f64)| {
+        let moved = |(term, s): (&super::Element, &f64)| {
             let (kept, lost) = decay(t / term.time);
             kept * s + term.modulus * v * term.time * lost
         };
@@ -197,7 +197,7 @@ impl Spectrum {
 
     /// q̇ [N/(m s)] of a pressed spring after the time `t` of a motion at the speed `v`.
     fn load_rate(&self, s: &[f64], v: f64, t: f64) -> f64 {
-        let fading = |(term, s): (&super::Term, &f64)| (term.modulus * v - s / term.time) * decay(t / term.time).0;
+        let fading = |(term, s): (&super::Element, &f64)| (term.modulus * v - s / term.time) * decay(t / term.time).0;
         self.equilibrium() * v + self.terms().iter().zip(s).map(fading).sum::<f64>()
     }
 
@@ -248,7 +248,7 @@ impl Spectrum {
         let constant = self.equilibrium() * u;
         free.modes.clear();
         for mode in self.modes() {
-            let stretched = |((term, s), gap): ((&super::Term, &f64), &f64)| term.time * s * gap;
+            let stretched = |((term, s), gap): ((&super::Element, &f64), &f64)| term.time * s * gap;
             let sum: f64 = self.terms().iter().zip(s).zip(&mode.inverse_gaps).map(stretched).sum();
             free.modes.push(mode.compliance * (constant - sum));
         }

@@ -8,7 +8,7 @@ use super::ledger::impulse;
 use super::opening::{Attraction, Tear};
 use super::spring::{Free, Motion, Piece, Spring, decay};
 use super::totals::Totals;
-use super::{Spectrum, Term};
+use super::{Element, Spectrum};
 use crate::numerics::quadrature;
 use crate::shape::Profile;
 use std::sync::Arc;
@@ -79,7 +79,7 @@ impl Past {
         let speed = self.motion.speed;
         // Clamped at both ends: a rounding beyond the border is many times the shortest relaxation time.
         let pressed = (self.motion.duration - ((c - self.motion.start) / speed).max(0.0)).max(0.0);
-        let loaded = |term: &Term| term.modulus * speed * term.time * decay(pressed / term.time).1;
+        let loaded = |term: &Element| term.modulus * speed * term.time * decay(pressed / term.time).1;
         let since = self.kept.iter().zip(&self.memory);
         spectrum.terms().iter().zip(since).map(|(term, (kept, m))| loaded(term) * kept + m).collect()
     }

@@ -2,12 +2,12 @@
 //!
 //! The mass is free, m d̈ = −F, and the contact follows it without inertia of its own. Of elastic
 //! bodies energy alone gives the motion, jump by jump ([`Passage`]); a viscoelastic body remembers,
-//! and its bed is driven step by step ([`Driven`]).
+//! and its bed is driven step by step ([`StruckHalfSpace`]).
 
 mod driven;
 mod passage;
 
-pub use driven::{Driven, Flight};
+pub use driven::{Flight, StruckHalfSpace};
 pub use passage::Passage;
 
 use crate::contact::adhesion::equilibrium::BranchError;
@@ -16,14 +16,14 @@ use crate::contact::viscoelastic::memory::BedError;
 
 /// A mass that meets the half-space.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Impact {
+pub struct Projectile {
     /// Mass m [kg].
     pub mass: f64,
     /// Speed v [m/s] as the bodies first act on each other.
     pub speed: f64,
 }
 
-impl Impact {
+impl Projectile {
     /// Kinetic energy ½mv² [J].
     #[must_use]
     pub fn energy(&self) -> f64 {
@@ -70,7 +70,7 @@ impl Rebound {
 
 /// State of an impact at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moment {
+pub struct ImpactState {
     /// Time since the bodies first act on each other [s].
     pub time: f64,
     /// Depth [m].

@@ -1,6 +1,6 @@
 //! Impact of elastic bodies: energy alone gives the motion, jump by jump.
 
-use super::{Impact, ImpactError, Moment, Rebound};
+use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::adhesion::line::Energy;
 use crate::contact::direct::{Jump, QuasiStatic};
 use crate::numerics::quadrature;
@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 /// eq. 11.23). Valid while v is far below the speed of sound and the edge runs far faster than the mass.
 #[derive(Debug, Clone)]
 pub struct Passage<'p> {
-    impact: Impact,
+    impact: Projectile,
     legs: Vec<Leg<'p>>,
     /// Kinetic energy left as the bodies part [J]; `None` if they stay together.
     left: Option<f64>,
@@ -52,7 +52,7 @@ impl<'p> Passage<'p> {
     ///
     /// # Errors
     /// The kinetic energy carries the contact beyond its profile, or an equilibrium is not found.
-    pub fn new(contact: &QuasiStatic<'p>, impact: Impact, accuracy: f64) -> Result<Self, ImpactError> {
+    pub fn new(contact: &QuasiStatic<'p>, impact: Projectile, accuracy: f64) -> Result<Self, ImpactError> {
         let mut passage = Self { impact, legs: Vec::new(), left: None, lost: 0.0 };
         let deepest = passage.inwards(contact.apart())?;
         passage.outwards(deepest)?;
@@ -95,7 +95,7 @@ impl<'p> Passage<'p> {
 
     /// States at `count` + 1 equal times from first touch to the end, with those on both sides of the jumps.
     #[must_use]
-    pub fn moments(&self, count: usize) -> Vec<Moment> {
+    pub fn moments(&self, count: usize) -> Vec<ImpactState> {
         let duration: f64 = self.legs.iter().map(Leg::duration).sum();
         let mut moments = vec![self.touch()];
         let mut start = 0.0;
@@ -113,10 +113,10 @@ impl<'p> Passage<'p> {
     }
 
     /// Just before the bodies first act on each other.
-    fn touch(&self) -> Moment {
+    fn touch(&self) -> ImpactState {
         let depth = self.legs.first().map_or(0.0, |leg| leg.from);
         let apart = (0.0, 0.0, Energy::default());
-        Moment {
+        ImpactState {
             time: 0.0,
             depth,
             speed: self.impact.speed,
@@ -128,10 +128,10 @@ impl<'p> Passage<'p> {
     }
 
     /// Just after they have come free.
-    fn parted(&self, time: f64) -> Option<Moment> {
+    fn parted(&self, time: f64) -> Option<ImpactState> {
         let depth = self.legs.last()?.to;
         let speed = -(2.0 * self.left? / self.impact.mass).sqrt();
-        Some(Moment { depth, speed, time, dissipated: self.lost, ..self.touch() })
+        Some(ImpactState { depth, speed, time, dissipated: self.lost, ..self.touch() })
     }
 
     /// Number of the leg that ends at the greatest depth.
@@ -259,19 +259,19 @@ impl<'p> Leg<'p> {
         self.at(d).energy()
     }
 
-    fn speed(&self, impact: &Impact, d: f64) -> f64 {
+    fn speed(&self, impact: &Projectile, d: f64) -> f64 {
         let left = impact.energy() - self.stored(d).stored() - self.spent;
         (2.0 * left.max(0.0) / impact.mass).sqrt()
     }
 
     /// dt/dφ: the half sine takes away the root at the turning point and at the ends of a branch.
-    fn pace(&self, impact: &Impact, phi: f64) -> f64 {
+    fn pace(&self, impact: &Projectile, phi: f64) -> f64 {
         let speed = self.speed(impact, self.depth(phi));
         if speed > 0.0 { 0.5 * (self.to - self.from).abs() * phi.sin() / speed } else { 0.0 }
     }
 
     /// Sets the clock, in twice as many parts until the duration changes by less than is aimed at.
-    fn time(&mut self, impact: &Impact, accuracy: f64) {
+    fn time(&mut self, impact: &Projectile, accuracy: f64) {
         let mut parts = 1;
         self.clock = self.clock_of(impact, parts);
         loop {
@@ -285,7 +285,7 @@ impl<'p> Leg<'p> {
         }
     }
 
-    fn clock_of(&self, impact: &Impact, parts: usize) -> Vec<f64> {
+    fn clock_of(&self, impact: &Projectile, parts: usize) -> Vec<f64> {
         let width = PI / parts as f64;
         let mut time = 0.0;
         let mut clock = vec![time];
@@ -302,7 +302,7 @@ impl<'p> Leg<'p> {
     }
 
     /// The depth at the time `t` of this leg.
-    fn depth_at(&self, impact: &Impact, t: f64) -> f64 {
+    fn depth_at(&self, impact: &Projectile, t: f64) -> f64 {
         let part = self.clock.partition_point(|&end| end < t).clamp(1, self.clock.len() - 1) - 1;
         let width = PI / (self.clock.len() - 1) as f64;
         let low = width * part as f64;
@@ -310,12 +310,12 @@ impl<'p> Leg<'p> {
         self.depth(root::within(after, low, low + width))
     }
 
-    fn moment(&self, impact: &Impact, time: f64, depth: f64) -> Moment {
+    fn moment(&self, impact: &Projectile, time: f64, depth: f64) -> ImpactState {
         let contact = self.at(depth);
         let balance = contact.present().balance;
         let speed = self.speed(impact, depth).copysign(self.to - self.from);
         let (force, radius, stored) = (balance.force, balance.contact_radius, contact.energy());
-        Moment { time, depth, speed, force, radius, stored, dissipated: self.spent }
+        ImpactState { time, depth, speed, force, radius, stored, dissipated: self.spent }
     }
 }
 
@@ -338,13 +338,13 @@ mod tests {
     }
 
     fn passage<'p>(contact: &QuasiStatic<'p>, mass: f64, speed: f64) -> Passage<'p> {
-        Passage::new(contact, Impact { mass, speed }, 1e-9).unwrap()
+        Passage::new(contact, Projectile { mass, speed }, 1e-9).unwrap()
     }
 
     /// Kinetic, stored and lost energy at every moment are the kinetic energy at first touch.
     fn ledger(passage: &Passage<'_>) -> f64 {
         let mass = passage.impact.mass;
-        let total = |m: &Moment| 0.5 * mass * m.speed * m.speed + m.stored.stored() + m.dissipated;
+        let total = |m: &ImpactState| 0.5 * mass * m.speed * m.speed + m.stored.stored() + m.dissipated;
         passage.moments(50).iter().map(|m| (total(m) / passage.impact.energy() - 1.0).abs()).fold(0.0, f64::max)
     }
 
@@ -355,7 +355,7 @@ mod tests {
             let power = |k: i32| 10f64.powf(0.1 * f64::from(k));
             let profile = paraboloid(0.3);
             let contact = jkr(&profile, 7.0, 0.0);
-            let impact = Impact { mass: power(m), speed: power(v) };
+            let impact = Projectile { mass: power(m), speed: power(v) };
             let seen = Passage::new(&contact, impact, 1e-9).unwrap().rebound();
             let depth = (15.0 * impact.mass * impact.speed.powi(2) / (16.0 * 7.0 * 0.3f64.sqrt())).powf(0.4);
             prop_assert!((seen.greatest_depth / depth - 1.0).abs() < 1e-13);
@@ -449,7 +449,7 @@ mod tests {
     fn the_error_is_known_where_the_shape_has_a_kink() {
         let shape = TruncatedCone { flat_radius: Length::new(0.3).unwrap(), slope: Positive::new(0.2).unwrap() };
         let contact = jkr(&shape, 1.0, 0.0);
-        let coarse = Passage::new(&contact, Impact { mass: 1.0, speed: 0.1 }, 1e-2).unwrap().rebound();
+        let coarse = Passage::new(&contact, Projectile { mass: 1.0, speed: 0.1 }, 1e-2).unwrap().rebound();
         let fine = passage(&contact, 1.0, 0.1).rebound();
         let off = coarse.contact_time.unwrap() / fine.contact_time.unwrap() - 1.0;
         assert!(off.abs() <= coarse.error, "{off:e} {:e}", coarse.error);

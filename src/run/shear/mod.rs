@@ -14,7 +14,7 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::state::Normal;
 use crate::friction::sliding::Pressed;
 use crate::friction::state::Tangential;
-use crate::friction::{Coulomb, Friction, Grip, Position, chords};
+use crate::friction::{Coulomb, Friction, Grip, Pose, chords};
 use crate::run::record::ErrorEstimate;
 use crate::scene::history::{Driven, Motion};
 use crate::scene::setup::Setup;
@@ -76,7 +76,7 @@ pub trait TangentialContact {
     }
 
     /// The straight steps taken so far, if they were kept.
-    fn path(&self) -> &[Position] {
+    fn path(&self) -> &[Pose] {
         &[]
     }
 }
@@ -91,7 +91,7 @@ pub trait TangentialContact {
 pub fn of<'p>(
     setup: &'p Setup,
     springs: Option<(NonZeroUsize, f64)>,
-    kept: Option<Vec<Position>>,
+    kept: Option<Vec<Pose>>,
 ) -> Result<Option<Box<dyn TangentialContact + 'p>>, SimulationError> {
     let law = match (&setup.scene.friction, sheared(setup)) {
         (None, _) => return Ok(None),
@@ -153,12 +153,12 @@ impl Step<'_> {
     /// Under a prescribed depth there is one. Under a prescribed force the depth is a curve in time:
     /// it is replaced by chords within `accuracy` of it, for the memory of friction holds how slide
     /// and depth grew together. A body that comes back under a force first touches where it is.
-    fn positions(&self, from: Position, accuracy: f64) -> Vec<Position> {
+    fn positions(&self, from: Pose, accuracy: f64) -> Vec<Pose> {
         let end = self.contact.state().indentation.unwrap_or(0.0);
         if self.control == Control::Indentation {
-            return vec![Position { indentation: end, slide: self.slide.1 }];
+            return vec![Pose { indentation: end, slide: self.slide.1 }];
         }
-        let from = Position { indentation: from.indentation.max(0.0), ..from };
+        let from = Pose { indentation: from.indentation.max(0.0), ..from };
         let depth = |t: f64| match t {
             t if t <= 0.0 => from.indentation,
             t if t >= 1.0 => end,

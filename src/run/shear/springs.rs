@@ -2,7 +2,7 @@
 
 use super::{Step, TangentialContact};
 use crate::friction::state::Tangential;
-use crate::friction::{CoulombBed, FrettingMap, FrictionError, Grip, Position};
+use crate::friction::{CoulombBed, FrettingMap, FrictionError, Grip, Pose};
 use crate::run::contact::{ContactError, NormalContact};
 use crate::shape::Profile;
 use std::num::NonZeroUsize;
@@ -15,7 +15,7 @@ pub struct Springs {
     grip: Grip,
     width: f64,
     accuracy: f64,
-    at: Position,
+    at: Pose,
     force: f64,
 }
 
@@ -34,7 +34,7 @@ impl Springs {
         let places: Vec<f64> = (0..springs.get()).map(|k| (k as f64 + 0.5) * width).collect();
         let bed = CoulombBed::new(profile, grip, (springs, radius))?;
         let map = FrettingMap::new(profile, grip, &places);
-        Ok(Self { bed, map, grip, width, accuracy, at: Position::default(), force: 0.0 })
+        Ok(Self { bed, map, grip, width, accuracy, at: Pose::default(), force: 0.0 })
     }
 
     /// Number of springs in contact, and of those of them inside the first one that slips.

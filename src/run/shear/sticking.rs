@@ -2,7 +2,7 @@
 
 use super::{Step, TangentialContact};
 use crate::friction::state::Tangential;
-use crate::friction::{Grip, Position, TangentialMemory};
+use crate::friction::{Grip, Pose, TangentialMemory};
 use crate::run::contact::{ContactError, NormalContact};
 use crate::shape::Profile;
 
@@ -11,13 +11,13 @@ use crate::shape::Profile;
 pub struct Sticking<'p> {
     memory: TangentialMemory<'p>,
     accuracy: f64,
-    kept: Option<Vec<Position>>,
+    kept: Option<Vec<Pose>>,
 }
 
 impl<'p> Sticking<'p> {
     /// Bodies that just touch; curved steps are followed to `accuracy`, and kept if there is room.
     #[must_use]
-    pub fn new((profile, grip): (&'p dyn Profile, Grip), accuracy: f64, kept: Option<Vec<Position>>) -> Self {
+    pub fn new((profile, grip): (&'p dyn Profile, Grip), accuracy: f64, kept: Option<Vec<Pose>>) -> Self {
         Self { memory: TangentialMemory::new(profile, grip), accuracy, kept }
     }
 }
@@ -48,7 +48,7 @@ impl TangentialContact for Sticking<'_> {
         self.memory.shear_stress(radii).into_iter().map(|stress| Some(stress).filter(|tau| tau.is_finite())).collect()
     }
 
-    fn path(&self) -> &[Position] {
+    fn path(&self) -> &[Pose] {
         self.kept.as_deref().unwrap_or(&[])
     }
 }

@@ -1,7 +1,7 @@
 //! Impacts of elastic bodies on the direct path.
 
 use super::{Followed, RECORDS, failed};
-use crate::drive::impact::{Impact, Passage};
+use crate::drive::impact::{Passage, Projectile};
 use crate::run::contact::{Direct, NormalContact};
 use crate::run::record::ImpactRow;
 use crate::run::{SimulationError, Wanted, direct, fields};
@@ -15,7 +15,7 @@ const LOOKS: u32 = 32;
 ///
 /// # Errors
 /// The contact would leave its profile, or cannot be followed.
-pub fn follow(setup: &Setup, impact: Impact, wanted: Option<Wanted>) -> Result<Followed, SimulationError> {
+pub fn follow(setup: &Setup, impact: Projectile, wanted: Option<Wanted>) -> Result<Followed, SimulationError> {
     let contact = direct(setup)?;
     let passage = Passage::new(contact.contact(), impact, setup.accuracy()).map_err(failed)?;
     let deepest = passage.deepest().map(|contact| Direct::new(contact, setup.pair.normal));

@@ -9,7 +9,7 @@ use super::contact::ContactError;
 use super::{SimulationError, Wanted};
 use crate::contact::state::Normal;
 use crate::contact::stress::StressRow;
-use crate::drive::impact::{self, ImpactError, Moment};
+use crate::drive::impact::{self, ImpactError, ImpactState};
 use crate::run::record::{ErrorEstimate, Field, ImpactRow, Impacts, Outcome, Record};
 use crate::scene::history::{Entry, Impact};
 use crate::scene::plan;
@@ -30,7 +30,7 @@ pub fn of(setup: &Setup) -> Option<&Impact> {
 /// What is followed of one impact.
 struct Followed {
     row: ImpactRow,
-    moments: Vec<Moment>,
+    moments: Vec<ImpactState>,
     field: Option<Field>,
     stresses: Vec<StressRow>,
     bytes: usize,
@@ -73,7 +73,7 @@ pub fn run(setup: &Setup, impact: &Impact, wanted: Wanted) -> Result<Outcome, Si
 /// Follows the impact at one speed; records and fields only where `wanted`.
 fn follow(setup: &Setup, impact: &Impact, (speed, wanted): (f64, Option<Wanted>)) -> Result<Followed, SimulationError> {
     let oblique = oblique::of(setup, impact, speed)?;
-    let normal = impact::Impact { mass: impact.mass.si(), speed: speed * impact.incidence().cos() };
+    let normal = impact::Projectile { mass: impact.mass.si(), speed: speed * impact.incidence().cos() };
     let followed = match &setup.relaxation {
         None => elastic::follow(setup, normal, wanted),
         Some(relaxation) => relaxing::follow(setup, relaxation, (normal, wanted)),
@@ -100,8 +100,8 @@ fn failed(source: ImpactError) -> SimulationError {
     SimulationError::Contact { entry: 0, source: ContactError::Impact(source) }
 }
 
-fn records(setup: &Setup, moments: &[Moment]) -> Vec<Record> {
-    let record = |moment: &Moment| Record {
+fn records(setup: &Setup, moments: &[ImpactState]) -> Vec<Record> {
+    let record = |moment: &ImpactState| Record {
         entry: 0,
         time: moment.time,
         normal: Normal {

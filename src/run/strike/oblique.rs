@@ -1,6 +1,6 @@
 //! Balls that come in at an angle or with a spin.
 
-use crate::friction::oblique::{Ball, Flight, Rebound, SOLID};
+use crate::friction::oblique::{Ball, BallMotion, BallRebound, SOLID};
 use crate::friction::{Friction, Grip};
 use crate::run::record::Incidence;
 use crate::run::{ContactError, SimulationError};
@@ -31,7 +31,7 @@ fn ball(setup: &Setup, impact: &Impact) -> Option<Ball> {
 ///
 /// # Errors
 /// The ball does not approach.
-pub fn of(setup: &Setup, impact: &Impact, speed: f64) -> Result<Option<Rebound>, SimulationError> {
+pub fn of(setup: &Setup, impact: &Impact, speed: f64) -> Result<Option<BallRebound>, SimulationError> {
     let rebound = |ball: Ball| ball.hit(flight(impact, (speed, impact.incidence())), setup.accuracy());
     ball(setup, impact).map(rebound).transpose().map_err(failed)
 }
@@ -44,14 +44,14 @@ pub fn over_angles(setup: &Setup, impact: &Impact) -> Result<Vec<Incidence>, Sim
     let Some(ball) = ball(setup, impact) else { return Ok(Vec::new()) };
     let speed = impact.speed.iter().map(|speed| speed.si()).fold(0.0, f64::max);
     let angles: Vec<f64> = (0..ANGLES).map(|k| FRAC_PI_2 * (f64::from(k) + 0.5) / f64::from(ANGLES)).collect();
-    let flights: Vec<Flight> = angles.iter().map(|&angle| flight(impact, (speed, angle))).collect();
+    let flights: Vec<BallMotion> = angles.iter().map(|&angle| flight(impact, (speed, angle))).collect();
     let rebounds = ball.hits(&flights, setup.accuracy().max(1e-6)).map_err(failed)?;
     Ok(angles.into_iter().zip(rebounds).map(|(angle, rebound)| Incidence { angle, rebound }).collect())
 }
 
-fn flight(impact: &Impact, (speed, angle): (f64, f64)) -> Flight {
+fn flight(impact: &Impact, (speed, angle): (f64, f64)) -> BallMotion {
     let spin = impact.spin.map_or(0.0, |spin| spin.si());
-    Flight { normal_speed: speed * angle.cos(), tangential_speed: speed * angle.sin(), spin }
+    BallMotion { normal_speed: speed * angle.cos(), tangential_speed: speed * angle.sin(), spin }
 }
 
 fn failed(source: crate::friction::FrictionError) -> SimulationError {

@@ -4,7 +4,7 @@ use super::{Followed, RECORDS, failed};
 use crate::contact::adhesion::{Adhesion, Edge};
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::opening::Attraction;
-use crate::drive::impact::{Driven, Flight, Impact};
+use crate::drive::impact::{Flight, Projectile, StruckHalfSpace};
 use crate::material::Relaxation;
 use crate::run::record::{Field, FieldRow, ImpactRow};
 use crate::run::{SimulationError, Wanted};
@@ -23,11 +23,11 @@ const RADII: u32 = 64;
 pub fn follow(
     setup: &Setup,
     relaxation: &Relaxation,
-    (impact, wanted): (Impact, Option<Wanted>),
+    (impact, wanted): (Projectile, Option<Wanted>),
 ) -> Result<Followed, SimulationError> {
     let spectrum = Arc::new(Spectrum::new(relaxation));
     let attraction = setup.scene.adhesion.as_ref().and_then(|adhesion| attraction(adhesion, &spectrum));
-    let driven = Driven { spectrum, profile: setup.profile.clone(), attraction };
+    let driven = StruckHalfSpace { spectrum, profile: setup.profile.clone(), attraction };
     let flight = driven.flight(&impact, setup.accuracy()).map_err(failed)?;
     let peak_pressure = flight.peak_pressure();
     let row = ImpactRow { speed: impact.speed, rebound: flight.rebound(), oblique: None, peak_pressure };

@@ -1,6 +1,6 @@
 //! Named results of impacts.
 
-use crate::friction::oblique::{Rebound, Regime};
+use crate::friction::oblique::{BallRebound, Regime};
 use crate::run::record::{Field, ImpactRow, Impacts, Record, Value};
 use crate::scene::setup::Setup;
 
@@ -54,7 +54,7 @@ fn single(row: &ImpactRow) -> Vec<(&'static str, Value)> {
     results
 }
 
-fn tangential(rebound: &Rebound) -> Vec<(&'static str, Value)> {
+fn tangential(rebound: &BallRebound) -> Vec<(&'static str, Value)> {
     let lasted = |wanted: Regime| {
         let starts = std::iter::once(0.0);
         let phases = rebound.course.iter().flat_map(|course| &course.phases);

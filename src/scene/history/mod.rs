@@ -7,7 +7,7 @@ pub mod rules;
 pub use motion::{Driven, Motion};
 
 use crate::input::quantity::{
-    Amplitude, Displacement, Duration, Force, Frequency, Incidence, Mass, Positive, Speed, Spin,
+    Amplitude, Displacement, Duration, Force, Frequency, IncidenceAngle, Mass, Positive, Speed, Spin,
 };
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::path::PathBuf;
@@ -106,7 +106,7 @@ pub struct Impact {
     pub speed: Vec<Speed>,
     /// Angle of incidence from the surface normal [rad].
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub angle: Option<Incidence>,
+    pub angle: Option<IncidenceAngle>,
     /// Spin before the impact [rad/s].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spin: Option<Spin>,

@@ -1,6 +1,6 @@
 //! Abel's integral over a piecewise cubic, in a time that grows with the logarithm of its length.
 
-use super::interpolant::{Interpolant, Piece};
+use super::interpolant::{Cubic, Interpolant};
 use crate::numerics::quadrature;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -87,7 +87,7 @@ impl Block {
         }
     }
 
-    fn gather_piece(&mut self, piece: &Piece) {
+    fn gather_piece(&mut self, piece: &Cubic) {
         let long = 16.0 * (piece.end - piece.start) > self.end - self.start;
         let rule: &[(f64, f64)] = if long { MANY.as_slice() } else { FEW.as_slice() };
         let half = 0.5 * (piece.end - piece.start);
@@ -175,7 +175,7 @@ fn build(blocks: &mut Vec<Block>, interpolant: &Interpolant, pieces: (usize, usi
 /// Away from x the kernel is smooth in r; near it r = x sin θ makes the integrand a trigonometric
 /// polynomial of degree two. Either way the rule is at rounding and no two large numbers are
 /// subtracted.
-fn add_piece(sums: &mut Sums, piece: &Piece, x: f64) {
+fn add_piece(sums: &mut Sums, piece: &Cubic, x: f64) {
     if x - piece.end >= piece.end - piece.start {
         let half = 0.5 * (piece.end - piece.start);
         for &(node, weight) in MANY.iter() {

@@ -14,7 +14,7 @@ pub(super) struct Interpolant {
 
 /// One piece: f′(u) = m₀ + u(2c₂ + 3c₃u) with u = (r−r₀)/h in [0, 1].
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
+pub(super) struct Cubic {
     /// Radius at its start [m].
     pub start: f64,
     /// Radius at its end [m].
@@ -24,7 +24,7 @@ pub(super) struct Piece {
     third: f64,
 }
 
-impl Piece {
+impl Cubic {
     /// f′ at the radius `r`, held inside the piece.
     pub(super) fn slope(&self, r: f64) -> f64 {
         let u = self.fraction(r);
@@ -83,11 +83,11 @@ impl Interpolant {
     }
 
     /// The piece of index `i`.
-    pub(super) fn piece(&self, i: usize) -> Piece {
+    pub(super) fn piece(&self, i: usize) -> Cubic {
         let (start, end) = (self.radii[i], self.radii[i + 1]);
         let (step, first, last) = (end - start, self.slopes[i], self.slopes[i + 1]);
         let secant = (self.heights[i + 1] - self.heights[i]) / step;
-        Piece { start, end, first, second: 3.0 * secant - 2.0 * first - last, third: first + last - 2.0 * secant }
+        Cubic { start, end, first, second: 3.0 * secant - 2.0 * first - last, third: first + last - 2.0 * secant }
     }
 
     /// Height f(r) above the apex; beyond the last point infinite.

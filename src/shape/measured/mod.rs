@@ -22,7 +22,7 @@ use std::path::Path;
 pub struct Measured {
     samples: Samples,
     feature: Option<f64>,
-    connected: Option<f64>,
+    fall: Option<f64>,
 }
 
 /// Fewest rows that give a slope and its change.
@@ -47,8 +47,8 @@ impl Measured {
 
     fn joined(radii: Vec<f64>, heights: Vec<f64>) -> Self {
         let samples = Samples::new(Interpolant::new(radii, heights));
-        let (feature, connected) = (feature(&samples), falling(&samples));
-        Self { samples, feature, connected }
+        let (feature, fall) = (feature(&samples), first_fall(&samples));
+        Self { samples, feature, fall }
     }
 }
 
@@ -96,7 +96,7 @@ fn feature(samples: &Samples) -> Option<f64> {
 const ROUGH: f64 = 1e-9;
 
 /// The radius at which g′ first becomes negative.
-fn falling(samples: &Samples) -> Option<f64> {
+fn first_fall(samples: &Samples) -> Option<f64> {
     let largest = samples.slopes().map(|(_, slope)| slope.abs()).fold(0.0, f64::max);
     let mut before = 0.0;
     for (x, slope) in samples.slopes() {
@@ -161,8 +161,8 @@ impl Profile for Measured {
         self.feature
     }
 
-    fn simply_connected_up_to(&self) -> Option<f64> {
-        self.connected
+    fn first_fall(&self) -> Option<f64> {
+        self.fall
     }
 
     fn breaks(&self, a: f64) -> Vec<f64> {
@@ -223,7 +223,7 @@ mod tests {
         for radii in [vec![0.0, 0.1, 1.0], vec![0.0, 0.6, 1.0], even(4), even(50), even(1000)] {
             let table = measured(&radii, |r| 0.3 * r);
             same(&table, &cone, rows(&radii));
-            assert_eq!(table.simply_connected_up_to(), None);
+            assert_eq!(table.first_fall(), None);
             assert_eq!(table.feature(), None);
         }
     }
@@ -300,7 +300,7 @@ mod tests {
     #[test]
     fn a_terrace_breaks_the_connection() {
         let table = measured(&even(101), |r| if r < 0.5 { 0.2 * r } else { 0.1 + (r - 0.7).max(0.0) });
-        let end = table.simply_connected_up_to().unwrap();
+        let end = table.first_fall().unwrap();
         assert!(end > 0.49 && end < 0.53, "{end}");
         assert!(table.feature().is_some());
     }

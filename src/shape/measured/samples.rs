@@ -22,7 +22,7 @@ static RULE: LazyLock<[(f64, f64); NODES]> = LazyLock::new(|| {
 
 /// A panel between measured radii.
 #[derive(Debug, Clone)]
-struct Panel {
+struct NodedPanel {
     start: f64,
     end: f64,
     /// g at the end of the panel [m].
@@ -32,7 +32,7 @@ struct Panel {
     slopes: [f64; NODES],
 }
 
-impl Panel {
+impl NodedPanel {
     fn length(&self) -> f64 {
         self.end - self.start
     }
@@ -56,7 +56,7 @@ fn with_root(h: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
 pub(super) struct Samples {
     interpolant: Interpolant,
     abel: Abel,
-    panels: Vec<Panel>,
+    panels: Vec<NodedPanel>,
 }
 
 impl Samples {
@@ -88,7 +88,7 @@ impl Samples {
     }
 
     /// The panel and the energy integral at its end.
-    fn sample(&self, start: f64, end: f64, energy: f64) -> (Panel, f64) {
+    fn sample(&self, start: f64, end: f64, energy: f64) -> (NodedPanel, f64) {
         let mut slopes = [0.0; NODES];
         let mut stored = 0.0;
         for (slope, &(t, weight)) in slopes.iter_mut().zip(RULE.iter()) {
@@ -97,7 +97,7 @@ impl Samples {
             stored += weight * 2.0 * sums.slope * sums.load;
         }
         let reduced = end * self.at(end).reduced;
-        (Panel { start, end, reduced, energy, slopes }, energy + (end - start) * stored)
+        (NodedPanel { start, end, reduced, energy, slopes }, energy + (end - start) * stored)
     }
 
     /// The interpolant.
@@ -189,7 +189,7 @@ impl Samples {
 
     /// Shortest panel, but not below a twice as fine an even division.
     pub(super) fn finest(&self) -> f64 {
-        let shortest = self.panels.iter().map(Panel::length).fold(f64::INFINITY, f64::min);
+        let shortest = self.panels.iter().map(NodedPanel::length).fold(f64::INFINITY, f64::min);
         #[expect(clippy::cast_precision_loss, reason = "a few thousand panels")]
         shortest.max(0.5 * self.end() / MOST_PANELS as f64)
     }

@@ -157,7 +157,7 @@ mod tests {
     /// Roughness that vanishes leaves the bed of the ball: Hertz to the order of the springs, (a/Δx)⁻² ≈ 1e-4.
     #[test]
     fn vanishing_roughness_is_the_smooth_ball() {
-        let spectrum = crate::shape::rough::Spectrum::table(&[(6.4, 1e-30), (64.0, 1e-33)]).unwrap();
+        let spectrum = crate::shape::rough::RoughnessSpectrum::table(&[(6.4, 1e-30), (64.0, 1e-33)]).unwrap();
         let line = RoughLine::new(&crate::shape::rough::Rings::of(&spectrum, 1.0, 1000).unwrap(), 1);
         let bed = RoughBed::under(&line, 1000, 1e6, |x| x * x).unwrap();
         let force = 4.0 / 3.0 * 1e6 * 0.01f64.powf(1.5);

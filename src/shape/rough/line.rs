@@ -94,13 +94,13 @@ fn number(n: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shape::rough::Spectrum;
+    use crate::shape::rough::RoughnessSpectrum;
     use proptest::prelude::*;
 
     fn rings(hurst: f64, points: usize) -> Rings {
         let short: f64 = 2.0 / number(points - 1);
         let rows = [(TAU, 1.0), (TAU / short, short.powf(2.0 * (1.0 + hurst)))];
-        Rings::of(&Spectrum::table(&rows).unwrap(), 1.0, points).unwrap()
+        Rings::of(&RoughnessSpectrum::table(&rows).unwrap(), 1.0, points).unwrap()
     }
 
     fn mean_square(values: &[f64]) -> f64 {

@@ -27,5 +27,5 @@ pub use random::Random;
 pub use rings::Rings;
 pub use self_affine::SelfAffine;
 pub use source::{SourceError, SpectrumSource};
-pub use spectrum::Spectrum;
+pub use spectrum::RoughnessSpectrum;
 pub use surface::rough_surface;

@@ -1,6 +1,6 @@
 //! Roughness of a sample of finite size, by rings of the wavevector plane.
 
-use super::{RoughError, Spectrum};
+use super::{RoughError, RoughnessSpectrum};
 use std::f64::consts::TAU;
 
 /// Height variance of a periodic sample, split over rings of wavevectors of width Δq = 2π/length.
@@ -25,7 +25,7 @@ impl Rings {
     ///
     /// # Errors
     /// A length that is not positive; a spectrum with waves longer than the length or shorter than two steps.
-    pub fn of(spectrum: &Spectrum, length: f64, points: usize) -> Result<Self, RoughError> {
+    pub fn of(spectrum: &RoughnessSpectrum, length: f64, points: usize) -> Result<Self, RoughError> {
         let length = super::error::positive("length", length)?;
         let (least, greatest) = spectrum.cut_offs();
         let width = TAU / length;
@@ -118,8 +118,9 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    pub(crate) fn self_affine(hurst: f64, long: f64, short: f64) -> Spectrum {
-        Spectrum::table(&[(TAU / long, 1.0), (TAU / short, (long / short).powf(-2.0 * (1.0 + hurst)))]).unwrap()
+    pub(crate) fn self_affine(hurst: f64, long: f64, short: f64) -> RoughnessSpectrum {
+        RoughnessSpectrum::table(&[(TAU / long, 1.0), (TAU / short, (long / short).powf(-2.0 * (1.0 + hurst)))])
+            .unwrap()
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Self-affine roughness between two cut-offs.
 
-use super::{RoughError, Spectrum, spectrum::Piece};
+use super::{RoughError, RoughnessSpectrum, spectrum::PowerLaw};
 use crate::input::quantity::{Hurst, Length, Positive};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -35,7 +35,7 @@ impl SelfAffine {
     ///
     /// # Errors
     /// Cut-offs out of order; both or neither of `rms` and `amplitude`.
-    pub fn spectrum(&self) -> Result<Spectrum, RoughError> {
+    pub fn spectrum(&self) -> Result<RoughnessSpectrum, RoughError> {
         let (long, short) = (self.long.si(), self.short.si());
         let roll_off = self.roll_off.map_or(long, Length::si);
         ordered(("long", long), "at least", ("roll_off", roll_off))?;
@@ -62,10 +62,10 @@ fn ordered(
 }
 
 /// The spectrum with C₀ = 1 and wavevectors of the long cut-off, the roll-off and the short cut-off.
-fn unit_plateau(hurst: f64, (longest, roll, shortest): (f64, f64, f64)) -> Spectrum {
-    let law = Piece { from: roll, to: shortest, density: 1.0, exponent: -2.0 * (1.0 + hurst) };
-    let plateau = Piece { from: longest, to: roll, density: 1.0, exponent: 0.0 };
-    Spectrum::from_pieces(if longest < roll { vec![plateau, law] } else { vec![law] })
+fn unit_plateau(hurst: f64, (longest, roll, shortest): (f64, f64, f64)) -> RoughnessSpectrum {
+    let law = PowerLaw { from: roll, to: shortest, density: 1.0, exponent: -2.0 * (1.0 + hurst) };
+    let plateau = PowerLaw { from: longest, to: roll, density: 1.0, exponent: 0.0 };
+    RoughnessSpectrum::from_pieces(if longest < roll { vec![plateau, law] } else { vec![law] })
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Where a scene takes its spectrum from.
 
-use super::{RoughError, SelfAffine, Spectrum};
+use super::{RoughError, RoughnessSpectrum, SelfAffine};
 use crate::input::table::{TableError, Tables};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -30,7 +30,7 @@ impl SpectrumSource {
     ///
     /// # Errors
     /// Cut-offs out of order; a table that cannot be read or does not rise, with the row of the file.
-    pub fn spectrum(&self, tables: &dyn Tables) -> Result<Spectrum, SourceError> {
+    pub fn spectrum(&self, tables: &dyn Tables) -> Result<RoughnessSpectrum, SourceError> {
         let path = match self {
             Self::SelfAffine(parameters) => return Ok(parameters.spectrum()?),
             Self::Table(path) => path,
@@ -40,7 +40,7 @@ impl SpectrumSource {
             return Err(RoughError::SpectrumRows(0).into());
         };
         let rows: Vec<_> = wavevectors.iter().copied().zip(densities.iter().copied()).collect();
-        Spectrum::table(&rows).map_err(|error| match error {
+        RoughnessSpectrum::table(&rows).map_err(|error| match error {
             RoughError::SpectrumRow { row, fault } => {
                 let line = columns.rows.get(row - 1).copied().unwrap_or(row);
                 TableError::at(path, line, fault).into()

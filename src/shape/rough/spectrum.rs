@@ -9,20 +9,20 @@ use std::f64::consts::TAU;
 /// (Persson et al. 2008, figure 1). The one-dimensional equivalent is C₁D(q) = π q C(q) [m³] with
 /// ⟨z²⟩ = 2 ∫ C₁D dq (Popov & Heß 2015, ch. 10).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Spectrum {
-    pieces: Vec<Piece>,
+pub struct RoughnessSpectrum {
+    pieces: Vec<PowerLaw>,
 }
 
 /// C(q) = density (q/from)^exponent for q in [from, to].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct PowerLaw {
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) density: f64,
     pub(super) exponent: f64,
 }
 
-impl Piece {
+impl PowerLaw {
     fn at(&self, q: f64) -> f64 {
         self.density * (q / self.from).powf(self.exponent)
     }
@@ -49,8 +49,8 @@ fn relative_growth(y: f64) -> f64 {
     if y.abs() < f64::MIN_POSITIVE { 1.0 } else { y.exp_m1() / y }
 }
 
-impl Spectrum {
-    pub(super) fn from_pieces(pieces: Vec<Piece>) -> Self {
+impl RoughnessSpectrum {
+    pub(super) fn from_pieces(pieces: Vec<PowerLaw>) -> Self {
         Self { pieces }
     }
 
@@ -67,7 +67,7 @@ impl Spectrum {
         }
         let pieces = rows.windows(2).map(|pair| {
             let ((from, density), (to, next)) = (pair[0], pair[1]);
-            Piece { from, to, density, exponent: (next / density).ln() / (to / from).ln() }
+            PowerLaw { from, to, density, exponent: (next / density).ln() / (to / from).ln() }
         });
         Ok(Self { pieces: pieces.collect() })
     }
@@ -125,7 +125,7 @@ impl Spectrum {
     /// The spectrum with every density multiplied by a positive factor.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
-        let scale = |p: &Piece| Piece { density: p.density * factor, ..*p };
+        let scale = |p: &PowerLaw| PowerLaw { density: p.density * factor, ..*p };
         Self { pieces: self.pieces.iter().map(scale).collect() }
     }
 }
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_bad_table_names_its_row() {
-        let text = |rows: &[(f64, f64)]| Spectrum::table(rows).unwrap_err().to_string();
+        let text = |rows: &[(f64, f64)]| RoughnessSpectrum::table(rows).unwrap_err().to_string();
         assert!(text(&[(1.0, 1.0)]).contains("at least two rows"));
         assert!(text(&[(1.0, 1.0), (1.0, 2.0)]).contains("row 2: wavevector 1.0 rad/m does not increase"));
         assert!(text(&[(1.0, 0.0), (2.0, 2.0)]).contains("row 1: density 0.0"));
@@ -162,7 +162,7 @@ mod tests {
     /// C = q⁻² between 1 and 2: 2π ∫ q⁻¹ dq = 2π ln 2, 2π ∫ q dq = 3π, 2π ∫ q³ dq = 7.5π.
     #[test]
     fn an_integrable_table_gives_its_integrals() {
-        let s = Spectrum::table(&[(1.0, 1.0), (2.0, 0.25)]).unwrap();
+        let s = RoughnessSpectrum::table(&[(1.0, 1.0), (2.0, 0.25)]).unwrap();
         assert!((s.rms_height().powi(2) / (TAU * 2f64.ln()) - 1.0).abs() < 4.0 * f64::EPSILON);
         assert!((s.rms_slope().powi(2) / (1.5 * TAU) - 1.0).abs() < 4.0 * f64::EPSILON);
         assert!((4.0 * s.rms_curvature().powi(2) / (3.75 * TAU) - 1.0).abs() < 4.0 * f64::EPSILON);
@@ -174,7 +174,7 @@ mod tests {
         fn bands_add_up(h in 1i32..=100, cut in 1i32..99, wave in -40i32..80) {
             let q = 10f64.powf(0.1 * f64::from(wave));
             let exponent = -2.0 * (1.0 + 0.01 * f64::from(h));
-            let s = Spectrum::table(&[(q, 1.0), (2.0 * q, 1.0), (200.0 * q, 100f64.powf(exponent))]).unwrap();
+            let s = RoughnessSpectrum::table(&[(q, 1.0), (2.0 * q, 1.0), (200.0 * q, 100f64.powf(exponent))]).unwrap();
             let middle = q * 200f64.powf(0.01 * f64::from(cut));
             for n in 0..3 {
                 let whole = s.mean_square(n, (q, 200.0 * q));

@@ -1,7 +1,7 @@
 //! Random rough surfaces.
 
 use super::{
-    Random, Rings, RoughError, Spectrum,
+    Random, Rings, RoughError, RoughnessSpectrum,
     fourier::{Complex, Transform, transposed},
 };
 use ndarray::Array2;
@@ -28,12 +28,12 @@ use std::f64::consts::TAU;
 /// # Ok::<(), springbed::shape::rough::RoughError>(())
 /// ```
 pub fn rough_surface(
-    spectrum: &Spectrum,
+    spectrum: &RoughnessSpectrum,
     length: f64,
     (points, seed): (usize, u64),
 ) -> Result<Array2<f64>, RoughError> {
     let rings = Rings::of(spectrum, length, points)?;
-    let waves = Waves::new(spectrum, &rings);
+    let waves = Amplitudes::new(spectrum, &rings);
     let transform = Transform::new(points);
     let mut columns = vec![(0.0, 0.0); points * points];
     columns.par_chunks_mut(points).enumerate().for_each(|(m, line)| waves.fill(line, (m, seed), &transform));
@@ -44,16 +44,16 @@ pub fn rough_surface(
 }
 
 /// Amplitudes of the waves of a surface: a factor per ring times √C(|q|).
-struct Waves<'a> {
-    spectrum: &'a Spectrum,
+struct Amplitudes<'a> {
+    spectrum: &'a RoughnessSpectrum,
     width: f64,
     cut_offs: (f64, f64),
     /// 2V_k / Σ C over the half of ring k.
     factors: Vec<f64>,
 }
 
-impl<'a> Waves<'a> {
-    fn new(spectrum: &'a Spectrum, rings: &Rings) -> Self {
+impl<'a> Amplitudes<'a> {
+    fn new(spectrum: &'a RoughnessSpectrum, rings: &Rings) -> Self {
         let factors = vec![0.0; rings.variances().len()];
         let mut waves = Self { spectrum, width: TAU / rings.length(), cut_offs: spectrum.cut_offs(), factors };
         let last = waves.factors.len() - 1;
@@ -126,8 +126,8 @@ mod tests {
     use crate::shape::rough::{Border, HeightMap};
     use proptest::prelude::*;
 
-    fn spectrum(hurst: f64, short: f64) -> Spectrum {
-        Spectrum::table(&[(TAU, 1.0), (TAU / short, short.powf(2.0 * (1.0 + hurst)))]).unwrap()
+    fn spectrum(hurst: f64, short: f64) -> RoughnessSpectrum {
+        RoughnessSpectrum::table(&[(TAU, 1.0), (TAU / short, short.powf(2.0 * (1.0 + hurst)))]).unwrap()
     }
 
     #[test]

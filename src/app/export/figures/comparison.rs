@@ -1,6 +1,6 @@
 //! Error against run time, log–log.
 
-use crate::app::figure::{Axis, Colour, Figure, Guide, Line, Mark, Marks, Panel, Series};
+use crate::app::figure::{Axis, Figure, Guide, Hue, Line, Mark, Marks, Panel, Series};
 use crate::check::comparison::{Comparison, Method, Row};
 use crate::check::theory::power_law_fit;
 
@@ -51,9 +51,9 @@ fn panel(name: &str, comparison: &Comparison, of: Of) -> Panel {
 /// A method looks the same in every panel.
 fn series(method: Method, points: Vec<(f64, f64)>) -> Series {
     let (colour, line, mark) = match method {
-        Method::Springs => (Colour::Blue, Line::Solid, Mark::Disc),
-        Method::HalfSpace | Method::HalfPlane => (Colour::Orange, Line::Dashed, Mark::Square),
-        Method::Direct => (Colour::Black, Line::DashDot, Mark::Triangle),
+        Method::Springs => (Hue::Blue, Line::Solid, Mark::Disc),
+        Method::HalfSpace | Method::HalfPlane => (Hue::Orange, Line::Dashed, Mark::Square),
+        Method::Direct => (Hue::Black, Line::DashDot, Mark::Triangle),
     };
     Series::new(method.name(), points).colour(colour).line(line).marks(Marks::As(mark))
 }

@@ -1,7 +1,7 @@
 //! Tangential loops, stick and slip, shear stress, fretting, sliding friction against load.
 
 use super::fields::shown;
-use crate::app::figure::{Axis, Colour, Guide, Line, Mark, Marks, Panel, Series};
+use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Series};
 use crate::friction::Friction;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::sliding::{SlidingLaw, SlidingPoint, amontons_range, friction_curve};
@@ -110,7 +110,7 @@ pub fn stress(setup: &Setup, outcome: &Outcome) -> Option<Panel> {
     let limit = |row: &FieldRow| (row.radius, coefficient * row.pressure.unwrap_or(f64::NAN));
     let inside = field.rows.iter().filter(|row| row.radius <= field.contact_radius);
     let series = Series::new("limit μp", inside.map(limit).collect());
-    Some(panel.with(series.line(Line::Dotted).colour(Colour::Black)))
+    Some(panel.with(series.line(Line::Dotted).colour(Hue::Black)))
 }
 
 /// Energy lost at the surface over the radius.

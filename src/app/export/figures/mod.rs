@@ -9,7 +9,7 @@ mod impacts;
 mod rough;
 mod shape;
 
-use crate::app::figure::{Axis, Colour, Figure, Guide, Line, Panel, Series};
+use crate::app::figure::{Axis, Figure, Guide, Hue, Line, Panel, Series};
 use crate::run::record::{Outcome, Record};
 use crate::scene::Plot;
 use crate::scene::history::Entry;
@@ -138,8 +138,8 @@ fn against_depth((setup, records): (&Setup, &[Record]), axis: Axis, of: impl Fn(
 }
 
 /// Colour and line of a branch.
-fn look(label: &str) -> (Colour, Line) {
-    if label == branches::APPROACH { (Colour::Blue, Line::Solid) } else { (Colour::Orange, Line::Dashed) }
+fn look(label: &str) -> (Hue, Line) {
+    if label == branches::APPROACH { (Hue::Blue, Line::Solid) } else { (Hue::Orange, Line::Dashed) }
 }
 
 fn against_time(records: &[Record], (name, unit): (&str, &str), of: impl Fn(&Record) -> Option<f64>) -> Panel {

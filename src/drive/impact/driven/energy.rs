@@ -1,9 +1,9 @@
 //! Records of a motion, with the energy stored in the bed.
 
 use super::collocation::{Fading, NODES, Polynomial, RADAU, slope, through_all};
-use super::law::{Place, Shrinking, touch_of};
-use super::piece::{Piece, at};
-use super::{Driven, Flight, Moment};
+use super::law::{Kinematics, Shrinking, touch_of};
+use super::piece::{MotionPiece, at};
+use super::{Flight, ImpactState, StruckHalfSpace};
 use crate::contact::adhesion::line::Energy;
 use crate::contact::viscoelastic::spring::Free;
 use crate::numerics::quadrature;
@@ -20,19 +20,19 @@ struct Stores {
 impl Flight {
     /// States at `count` + 1 equal times from first touch to the end, with both sides of a sudden parting.
     #[must_use]
-    pub fn moments(&self, count: usize) -> Vec<Moment> {
+    pub fn moments(&self, count: usize) -> Vec<ImpactState> {
         let stores = self.stores();
         let end = self.end.time;
         let times = (0..=count).map(|k| if k == count { end } else { end * k as f64 / count as f64 });
-        let mut moments: Vec<Moment> = times.map(|t| self.moment(t, &stores)).collect();
+        let mut moments: Vec<ImpactState> = times.map(|t| self.moment(t, &stores)).collect();
         if self.parted && self.model.parts_at_once() {
             moments.push(self.apart(&stores));
         }
         moments
     }
 
-    fn moment(&self, time: f64, stores: &Stores) -> Moment {
-        let turn = self.loading.last().map_or(0.0, Piece::end);
+    fn moment(&self, time: f64, stores: &Stores) -> ImpactState {
+        let turn = self.loading.last().map_or(0.0, MotionPiece::end);
         if time <= turn || self.unloading.is_empty() {
             self.growing(time, stores)
         } else {
@@ -41,12 +41,12 @@ impl Flight {
     }
 
     /// What is not kinetic and not stored is heat.
-    fn balanced(&self, moment: Moment) -> Moment {
+    fn balanced(&self, moment: ImpactState) -> ImpactState {
         let kinetic = 0.5 * self.impact.mass * moment.speed * moment.speed;
-        Moment { dissipated: (self.impact.energy() - kinetic - moment.stored.elastic).max(0.0), ..moment }
+        ImpactState { dissipated: (self.impact.energy() - kinetic - moment.stored.elastic).max(0.0), ..moment }
     }
 
-    fn growing(&self, time: f64, stores: &Stores) -> Moment {
+    fn growing(&self, time: f64, stores: &Stores) -> ImpactState {
         let number = self.loading.partition_point(|piece| piece.end() < time).min(self.loading.len() - 1);
         let piece = &self.loading[number];
         let theta = piece.part(time);
@@ -58,42 +58,42 @@ impl Flight {
         let force =
             self.model.steady_force(depth, radius) + sums + 2.0 * radius * self.model.spectrum.viscosity() * speed;
         let stored = Energy { elastic: stored, surface: 0.0 };
-        self.balanced(Moment { time, depth, speed, force, radius, stored, dissipated: 0.0 })
+        self.balanced(ImpactState { time, depth, speed, force, radius, stored, dissipated: 0.0 })
     }
 
-    fn shrinking(&self, time: f64, stores: &Stores) -> Moment {
+    fn shrinking(&self, time: f64, stores: &Stores) -> ImpactState {
         let number = self.unloading.partition_point(|piece| piece.end() < time).min(self.unloading.len() - 1);
         let piece = &self.unloading[number];
         let theta = piece.part(time);
         let (depth, speed, memory) =
             (piece.depth(theta), piece.speed(theta), piece.memory(&self.model.spectrum, theta));
-        let place = Place { time, depth, speed, memory: &memory };
+        let place = Kinematics { time, depth, speed, memory: &memory };
         let law = Shrinking::new(&self.model, &self.loading);
         let answer = law.answer(&place, (piece.touched_at(theta), piece.touched_before(theta)));
         let gone = self.model.freed(piece, theta, &stores.modes[number], &law);
         let held = if answer.joined { self.held_energy(&place, answer.touched, answer.radius, stores) } else { 0.0 };
         let force = answer.force;
         let stored = Energy { elastic: held + self.model.recovering(&gone), surface: 0.0 };
-        self.balanced(Moment { time, depth, speed, force, radius: answer.radius, stored, dissipated: 0.0 })
+        self.balanced(ImpactState { time, depth, speed, force, radius: answer.radius, stored, dissipated: 0.0 })
     }
 
     /// After the last springs have been let go all at once.
-    fn apart(&self, stores: &Stores) -> Moment {
+    fn apart(&self, stores: &Stores) -> ImpactState {
         let a = self.last.radius;
         let mut modes = stores.modes.last().cloned().unwrap_or_default();
         let place =
-            Place { time: self.end.time, depth: self.end.depth, speed: self.end.speed, memory: &self.end.memory };
+            Kinematics { time: self.end.time, depth: self.end.depth, speed: self.end.speed, memory: &self.end.memory };
         let free = |x: f64| self.model.let_go(&place, touch_of(&self.model, &self.loading, x), &self.loading);
         for (m, sum) in modes.iter_mut().enumerate() {
             *sum += quadrature::panel(|x| 2.0 * free(x).modes[m].powi(2), 0.0, a);
         }
         let stored = Energy { elastic: self.model.recovering(&modes), surface: 0.0 };
         let (time, depth, speed) = (self.end.time, self.end.depth, self.end.speed);
-        self.balanced(Moment { time, depth, speed, force: 0.0, radius: 0.0, stored, dissipated: 0.0 })
+        self.balanced(ImpactState { time, depth, speed, force: 0.0, radius: 0.0, stored, dissipated: 0.0 })
     }
 
     /// Energy in the springs still pressed, the edge touched at `touched`.
-    fn held_energy(&self, place: &Place<'_>, touched: f64, radius: f64, stores: &Stores) -> f64 {
+    fn held_energy(&self, place: &Kinematics<'_>, touched: f64, radius: f64, stores: &Stores) -> f64 {
         let spectrum = &self.model.spectrum;
         let number = self.loading.partition_point(|piece| piece.end() < touched).min(self.loading.len() - 1);
         let piece = &self.loading[number];
@@ -128,7 +128,7 @@ impl Flight {
     }
 }
 
-impl Driven {
+impl StruckHalfSpace {
     /// Whether the last springs are let go all at the same time.
     fn parts_at_once(&self) -> bool {
         self.attraction.is_some() || self.profile.flat_radius() > 0.0
@@ -158,8 +158,8 @@ impl Driven {
     }
 
     /// ∫ sᵢ² at θ of a step of the loading: d/dt = 2Eᵢ ḋ Sᵢ − 2(…)/τᵢ.
-    fn squares(&self, piece: &Piece, theta: f64, before: &[f64]) -> Vec<f64> {
-        let of = |(k, term): (usize, &crate::contact::viscoelastic::Term)| {
+    fn squares(&self, piece: &MotionPiece, theta: f64, before: &[f64]) -> Vec<f64> {
+        let of = |(k, term): (usize, &crate::contact::viscoelastic::Element)| {
             let rate = |c: f64| {
                 let sum = piece.sum_of(&Fading::new(piece.span / term.time, c), (term.modulus, k));
                 2.0 * term.modulus * piece.speed(c) * sum
@@ -172,7 +172,7 @@ impl Driven {
     }
 
     /// ∫ zₘ² at θ of a step of the unloading: what is left of the springs let go before, and those let go in it.
-    fn freed(&self, piece: &Piece, theta: f64, before: &[f64], law: &Shrinking<'_>) -> Vec<f64> {
+    fn freed(&self, piece: &MotionPiece, theta: f64, before: &[f64], law: &Shrinking<'_>) -> Vec<f64> {
         let touch = |k: usize| if k == 0 { piece.touched_before(0.0) } else { piece.touched[k - 1] };
         let height = |t: f64| at(law.loading, t).map_or(0.0, |loaded| loaded.depth(loaded.part(t)));
         let radius = |k: usize| self.edge(height(touch(k))).unwrap_or(0.0);
@@ -181,7 +181,7 @@ impl Driven {
             let c = RADAU[j];
             let memory = piece.memory(&self.spectrum, c);
             let time = piece.start.time + c * piece.span;
-            let place = Place { time, depth: piece.depth(c), speed: piece.speed(c), memory: &memory };
+            let place = Kinematics { time, depth: piece.depth(c), speed: piece.speed(c), memory: &memory };
             self.let_go(&place, (piece.touched[j], height(piece.touched[j])), law.loading)
         });
         let mode = |(m, mode): (usize, &crate::contact::viscoelastic::Mode)| {
@@ -193,13 +193,13 @@ impl Driven {
     }
 
     /// A spring touched at `touched` under the height g, let go at `place`.
-    fn let_go(&self, place: &Place<'_>, (touched, height): (f64, f64), loading: &[Piece]) -> Free {
+    fn let_go(&self, place: &Kinematics<'_>, (touched, height): (f64, f64), loading: &[MotionPiece]) -> Free {
         let spectrum = &self.spectrum;
         let mut free = Free::default();
         let Some(piece) = at(loading, touched) else { return free };
         let before = piece.memory(spectrum, piece.part(touched));
         let terms = spectrum.terms().iter().enumerate();
-        let kept = |term: &crate::contact::viscoelastic::Term| (-(place.time - touched) / term.time).exp();
+        let kept = |term: &crate::contact::viscoelastic::Element| (-(place.time - touched) / term.time).exp();
         let loads: Vec<f64> = terms.map(|(k, term)| place.memory[k] - kept(term) * before[k]).collect();
         spectrum.let_go((place.depth - height, &loads), 0.0, &mut free);
         free

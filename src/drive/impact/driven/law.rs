@@ -6,15 +6,15 @@
 //! being that of the growing contact. The edge is where its spring is let go: at q = 0, or, held by an
 //! attraction, at q = −√(2πaE_c w) (Ting 1966; Lee & Radok 1960).
 
-use super::Driven;
+use super::StruckHalfSpace;
 use super::collocation::Fading;
-use super::piece::{Piece, at};
+use super::piece::{MotionPiece, at};
 use crate::numerics::{extremum, root};
 use crate::shape::Rim;
 
 /// What the bed does at one time.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Answer {
+pub struct BedResponse {
     /// Force [N].
     pub force: f64,
     /// Contact radius [m].
@@ -27,7 +27,7 @@ pub struct Answer {
 
 /// Where the indenter is, and what it has left in a spring touched at the beginning.
 #[derive(Debug, Clone, Copy)]
-pub struct Place<'m> {
+pub struct Kinematics<'m> {
     /// Time [s].
     pub time: f64,
     /// Depth [m].
@@ -53,9 +53,9 @@ struct Load {
 #[derive(Debug, Clone, Copy)]
 pub struct Shrinking<'p> {
     /// What the bed is made of.
-    pub model: &'p Driven,
+    pub model: &'p StruckHalfSpace,
     /// How it was loaded.
-    pub loading: &'p [Piece],
+    pub loading: &'p [MotionPiece],
     /// When the outermost spring was touched [s]: the end of the loading, or before it under a wall.
     pub full: f64,
 }
@@ -65,8 +65,8 @@ const REACH: f64 = 1e-4;
 
 impl<'p> Shrinking<'p> {
     /// The contact of a bed that was loaded so.
-    pub fn new(model: &'p Driven, loading: &'p [Piece]) -> Self {
-        let turn = loading.last().map_or(0.0, Piece::end);
+    pub fn new(model: &'p StruckHalfSpace, loading: &'p [MotionPiece]) -> Self {
+        let turn = loading.last().map_or(0.0, MotionPiece::end);
         let full = match model.profile.rim() {
             Rim::Wall(end) => touch_of(model, loading, end).0.min(turn),
             _ => turn,
@@ -75,7 +75,7 @@ impl<'p> Shrinking<'p> {
     }
 
     /// Load at `place` of the spring touched at the time `touched`.
-    fn load(&self, place: &Place<'_>, touched: f64) -> Load {
+    fn load(&self, place: &Kinematics<'_>, touched: f64) -> Load {
         let spectrum = &self.model.spectrum;
         let Some(piece) = at(self.loading, touched) else {
             return Load { load: 0.0, stiffness: 0.0, height: 0.0, speed: 0.0 };
@@ -94,23 +94,23 @@ impl<'p> Shrinking<'p> {
     }
 
     /// The load of the first spring touched: negative once the bodies have parted, if nothing holds them.
-    pub fn first(&self, place: &Place<'_>) -> f64 {
+    pub fn first(&self, place: &Kinematics<'_>) -> f64 {
         let spectrum = &self.model.spectrum;
         spectrum.equilibrium() * place.depth + place.memory.iter().sum::<f64>() + spectrum.viscosity() * place.speed
     }
 
     /// The contact at `place`; `hint` is when the spring at the edge may have been touched, `last` when
     /// the one at the edge before was.
-    pub fn answer(&self, place: &Place<'_>, (hint, last): (f64, f64)) -> Answer {
+    pub fn answer(&self, place: &Kinematics<'_>, (hint, last): (f64, f64)) -> BedResponse {
         let touched = match &self.model.attraction {
             None => self.released(place, hint),
             Some(_) => self.torn(place, last),
         };
-        touched.map_or_else(Answer::default, |touched| self.held(place, touched))
+        touched.map_or_else(BedResponse::default, |touched| self.held(place, touched))
     }
 
     /// When the spring just let go was touched; `None` if all are.
-    fn released(&self, place: &Place<'_>, hint: f64) -> Option<f64> {
+    fn released(&self, place: &Kinematics<'_>, hint: f64) -> Option<f64> {
         if self.first(place) <= 0.0 {
             return None;
         }
@@ -135,7 +135,7 @@ impl<'p> Shrinking<'p> {
     }
 
     /// The same where an attraction holds the edge: the largest time not above `last` whose spring holds.
-    fn torn(&self, place: &Place<'_>, last: f64) -> Option<f64> {
+    fn torn(&self, place: &Kinematics<'_>, last: f64) -> Option<f64> {
         let margin = |t: f64| self.margin(place, t);
         if margin(last) >= 0.0 {
             return Some(last);
@@ -159,16 +159,16 @@ impl<'p> Shrinking<'p> {
     }
 
     /// q + √(2πaE_c w) of the spring touched at the time `t`; negative if it is torn off.
-    fn margin(&self, place: &Place<'_>, t: f64) -> f64 {
+    fn margin(&self, place: &Kinematics<'_>, t: f64) -> f64 {
         let seen = self.load(place, t);
         let a = self.model.profile.edge(seen.height).unwrap_or(0.0);
         seen.load + self.model.attraction.as_ref().map_or(0.0, |attraction| attraction.strength(a, 0.0))
     }
 
     /// Force with the edge at the spring touched at the time `touched`.
-    fn held(&self, place: &Place<'_>, touched: f64) -> Answer {
+    fn held(&self, place: &Kinematics<'_>, touched: f64) -> BedResponse {
         let (spectrum, profile) = (&self.model.spectrum, &self.model.profile);
-        let Some(piece) = at(self.loading, touched) else { return Answer::default() };
+        let Some(piece) = at(self.loading, touched) else { return BedResponse::default() };
         let theta = piece.part(touched);
         let edge = self.load(place, touched);
         let radius = profile.edge(edge.height).unwrap_or(0.0);
@@ -178,12 +178,12 @@ impl<'p> Shrinking<'p> {
             let kept = (-(place.time - touched) / term.time).exp();
             force += kept * piece.sum_of(&fading, (term.modulus, k));
         }
-        Answer { force, radius, touched, joined: true }
+        BedResponse { force, radius, touched, joined: true }
     }
 }
 
 /// When the spring at the distance `x` from the axis was touched, and the height g above it.
-pub fn touch_of(model: &Driven, loading: &[Piece], x: f64) -> (f64, f64) {
+pub fn touch_of(model: &StruckHalfSpace, loading: &[MotionPiece], x: f64) -> (f64, f64) {
     let height = model.profile.reduced(x);
     let number = loading.partition_point(|piece| piece.depth(1.0) < height).min(loading.len().saturating_sub(1));
     let Some(piece) = loading.get(number).filter(|_| height > 0.0) else { return (0.0, height) };

@@ -11,15 +11,15 @@ mod tests;
 #[cfg(test)]
 mod twin;
 
-use super::{Impact, ImpactError, Moment, Rebound};
+use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::opening::Attraction;
 use crate::numerics::{extremum, root};
 use crate::shape::Profile;
-use law::{Answer, Place, Shrinking};
-use piece::{Instant, Piece};
+use law::{BedResponse, Kinematics, Shrinking};
+use piece::{MotionPiece, MotionState};
 use std::sync::Arc;
-use step::{Solved, Step};
+use step::{Collocation, Solved};
 
 /// A viscoelastic half-space that may be hit.
 ///
@@ -31,7 +31,7 @@ use step::{Solved, Step};
 /// [`Attraction`]; a closing edge attaches where the bodies touch.
 /// Check: Kelvin–Voigt with δ = (η/E∞)(E∞²Rv/m²)^{1/5} = 0.1 gives e = 0.83272.
 #[derive(Debug, Clone)]
-pub struct Driven {
+pub struct StruckHalfSpace {
     /// Springs' material.
     pub spectrum: Arc<Spectrum>,
     /// Profile of the indenter.
@@ -43,13 +43,13 @@ pub struct Driven {
 /// The motion of a mass through a viscoelastic contact.
 #[derive(Debug, Clone)]
 pub struct Flight {
-    model: Driven,
-    impact: Impact,
-    loading: Vec<Piece>,
-    unloading: Vec<Piece>,
-    end: Instant,
+    model: StruckHalfSpace,
+    impact: Projectile,
+    loading: Vec<MotionPiece>,
+    unloading: Vec<MotionPiece>,
+    end: MotionState,
     /// The contact just before its end.
-    last: Answer,
+    last: BedResponse,
     parted: bool,
     error: f64,
 }
@@ -73,7 +73,7 @@ const BLINK: f64 = 1e-3;
 /// Error that rounding leaves in any case.
 const ROUNDING: f64 = 1e-11;
 
-impl Driven {
+impl StruckHalfSpace {
     /// The motion of a mass, to a relative error of restitution, contact time, greatest depth and force of
     /// `accuracy` (default 1e-6; smaller costs steps as its ninth root, larger shows in the curves).
     ///
@@ -82,7 +82,7 @@ impl Driven {
     ///
     /// # Errors
     /// The contact would outgrow the profile, or comes to no end.
-    pub fn flight(&self, impact: &Impact, accuracy: f64) -> Result<Flight, ImpactError> {
+    pub fn flight(&self, impact: &Projectile, accuracy: f64) -> Result<Flight, ImpactError> {
         let mut tolerance = FIRST * accuracy;
         let mut coarse = self.run(impact, tolerance)?;
         loop {
@@ -102,11 +102,11 @@ impl Driven {
         }
     }
 
-    fn run(&self, impact: &Impact, tolerance: f64) -> Result<Flight, ImpactError> {
+    fn run(&self, impact: &Projectile, tolerance: f64) -> Result<Flight, ImpactError> {
         let depth = self.depth_scale(impact)?;
         let (loading, turned) = self.load((impact, depth), tolerance)?;
         let end = loading.last().map(|solved| solved.end.clone()).unwrap_or_default();
-        let last = loading.last().map_or(Answer::default(), |solved| solved.answer);
+        let last = loading.last().map_or(BedResponse::default(), |solved| solved.answer);
         let loading = loading.into_iter().map(|solved| solved.piece).collect();
         let mut flight = Flight {
             model: self.clone(),
@@ -125,21 +125,21 @@ impl Driven {
     }
 
     /// The contact while it grows; whether the mass turns or stays in a liquid.
-    fn load(&self, (impact, depth): (&Impact, f64), tolerance: f64) -> Result<(Vec<Solved>, bool), ImpactError> {
+    fn load(&self, (impact, depth): (&Projectile, f64), tolerance: f64) -> Result<(Vec<Solved>, bool), ImpactError> {
         let terms = vec![0.0; self.spectrum.terms().len()];
         let flat = 2.0 * self.edge(0.0)? * self.spectrum.viscosity() * impact.speed;
-        let mut now = Instant {
+        let mut now = MotionState {
             speed: impact.speed,
             acceleration: -flat / impact.mass,
             memory: terms.clone(),
             sums: terms,
-            ..Instant::default()
+            ..MotionState::default()
         };
         // The contact grows like a root at first, which no polynomial follows: a first step that does not matter.
         let mut pace = Pace::new(impact.speed * tolerance, FIRST_STEP * depth / impact.speed);
         let mut steps: Vec<Solved> = Vec::new();
         while pace.tries < MOST_STEPS {
-            let step = Step {
+            let step = Collocation {
                 model: self,
                 mass: impact.mass,
                 start: &now,
@@ -167,13 +167,13 @@ impl Driven {
     }
 
     /// Whether a liquid has taken all but a part `least` of the speed and can give no more than it back.
-    fn rests(&self, now: &Instant, impact: &Impact, least: f64) -> bool {
+    fn rests(&self, now: &MotionState, impact: &Projectile, least: f64) -> bool {
         let to_come: f64 = self.spectrum.terms().iter().zip(&now.sums).map(|(term, s)| s.abs() * term.time).sum();
         self.spectrum.equilibrium() <= 0.0 && now.speed.abs() + to_come / impact.mass <= least * impact.speed
     }
 
     /// Depth at which the work against E(0) and the dashpot has used up the kinetic energy.
-    fn depth_scale(&self, impact: &Impact) -> Result<f64, ImpactError> {
+    fn depth_scale(&self, impact: &Projectile) -> Result<f64, ImpactError> {
         let stiff = self.spectrum.instantaneous();
         let work = |d: f64| {
             let Some(a) = self.profile.edge(d) else { return f64::MAX };
@@ -213,7 +213,7 @@ impl Flight {
 
     /// One step of the way out; whether it was the last.
     fn lift(&mut self, law: Shrinking<'_>, pace: &mut Pace) -> Result<bool, ImpactError> {
-        let step = Step {
+        let step = Collocation {
             model: law.model,
             mass: self.impact.mass,
             start: &self.end,
@@ -258,11 +258,11 @@ impl Flight {
     }
 
     /// Where in a piece without attraction the last spring is let go.
-    fn release(&self, law: &Shrinking<'_>, piece: &Piece) -> Option<f64> {
+    fn release(&self, law: &Shrinking<'_>, piece: &MotionPiece) -> Option<f64> {
         let load = |theta: f64| {
             let memory = piece.memory(&self.model.spectrum, theta);
             let time = piece.start.time + theta * piece.span;
-            law.first(&Place { time, depth: piece.depth(theta), speed: piece.speed(theta), memory: &memory })
+            law.first(&Kinematics { time, depth: piece.depth(theta), speed: piece.speed(theta), memory: &memory })
         };
         self.model.attraction.is_none().then(|| crossing(load))
     }
@@ -301,18 +301,18 @@ impl Flight {
     /// Bytes of its state.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.steps() * (size_of::<Piece>() + 2 * size_of::<f64>() * self.model.spectrum.terms().len())
+        self.steps() * (size_of::<MotionPiece>() + 2 * size_of::<f64>() * self.model.spectrum.terms().len())
     }
 
     /// The motion at the time `t` [s].
-    fn piece_at(&self, t: f64) -> Option<&Piece> {
-        let turn = self.loading.last().map_or(0.0, Piece::end);
+    fn piece_at(&self, t: f64) -> Option<&MotionPiece> {
+        let turn = self.loading.last().map_or(0.0, MotionPiece::end);
         piece::at(if t <= turn || self.unloading.is_empty() { &self.loading } else { &self.unloading }, t)
     }
 }
 
 /// Greatest deceleration in a piece: the best of a few places, and the top about it.
-fn strongest(piece: &Piece) -> f64 {
+fn strongest(piece: &MotionPiece) -> f64 {
     const LOOKS: u32 = 16;
     let at = |theta: f64| -piece.acceleration(theta);
     let looks = (0..=LOOKS).map(|k| f64::from(k) / f64::from(LOOKS));
@@ -350,7 +350,7 @@ impl Pace {
     }
 
     /// The step solved, if it is good enough; sets the length of the next one.
-    fn accepted(&mut self, step: &Step<'_>) -> Result<Option<Solved>, ImpactError> {
+    fn accepted(&mut self, step: &Collocation<'_>) -> Result<Option<Solved>, ImpactError> {
         self.tries += 1;
         let Some(solved) = step.solve()? else {
             self.span = 0.25 * step.span;

@@ -5,7 +5,7 @@ use crate::contact::viscoelastic::Spectrum;
 
 /// The motion at one time.
 #[derive(Debug, Clone, Default)]
-pub struct Instant {
+pub struct MotionState {
     /// Time [s].
     pub time: f64,
     /// Depth [m].
@@ -22,9 +22,9 @@ pub struct Instant {
 
 /// A step of the motion, θ from 0 to 1.
 #[derive(Debug, Clone)]
-pub struct Piece {
+pub struct MotionPiece {
     /// Its beginning.
-    pub start: Instant,
+    pub start: MotionState,
     /// Its duration h [s].
     pub span: f64,
     /// ḋ(θ) [m/s].
@@ -39,7 +39,7 @@ pub struct Piece {
     pub missed: f64,
 }
 
-impl Piece {
+impl MotionPiece {
     /// Its end [s].
     pub fn end(&self) -> f64 {
         self.start.time + self.span
@@ -104,7 +104,7 @@ impl Piece {
 }
 
 /// The piece that holds the time `t` [s].
-pub fn at(pieces: &[Piece], t: f64) -> Option<&Piece> {
+pub fn at(pieces: &[MotionPiece], t: f64) -> Option<&MotionPiece> {
     let next = pieces.partition_point(|piece| piece.end() < t).min(pieces.len().saturating_sub(1));
     pieces.get(next)
 }

@@ -1,7 +1,7 @@
 //! Pressure under a mass while the contact grows.
 
 use super::Flight;
-use super::piece::Piece;
+use super::piece::MotionPiece;
 use crate::contact::viscoelastic::pressure;
 
 /// Times at which the pressure is looked at.
@@ -39,7 +39,7 @@ impl Flight {
     /// Time of the greatest depth [s].
     #[must_use]
     pub fn turn(&self) -> f64 {
-        self.loading.last().map_or(0.0, Piece::end)
+        self.loading.last().map_or(0.0, MotionPiece::end)
     }
 
     /// Pressure [Pa] at the radius `r` and the time `t` up to the greatest depth.
@@ -63,7 +63,7 @@ impl Flight {
         let (touched, height) = super::law::touch_of(&self.model, &self.loading, x);
         let Some(piece) = super::piece::at(&self.loading, touched) else { return 0.0 };
         let before = piece.memory(spectrum, piece.part(touched));
-        let element = |(k, term): (usize, &crate::contact::viscoelastic::Term)| {
+        let element = |(k, term): (usize, &crate::contact::viscoelastic::Element)| {
             memory[k] - (-(time - touched) / term.time).exp() * before[k]
         };
         let elements: f64 = spectrum.terms().iter().enumerate().map(element).sum();

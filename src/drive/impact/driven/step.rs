@@ -3,9 +3,9 @@
 use super::collocation::{
     Fading, NODES, Polynomial, RADAU, TERMS, solved, through_all, through_nodes, value, velocity_of_node,
 };
-use super::law::{Answer, Place, Shrinking};
-use super::piece::{Instant, Piece};
-use super::{Driven, ImpactError};
+use super::law::{BedResponse, Kinematics, Shrinking};
+use super::piece::{MotionPiece, MotionState};
+use super::{ImpactError, StruckHalfSpace};
 use crate::contact::viscoelastic::memory::BedError;
 use std::array::from_fn;
 
@@ -16,13 +16,13 @@ const MOST_ITERATIONS: usize = 25;
 const MISFIT: f64 = 0.2;
 
 /// A step from one time on.
-pub struct Step<'s> {
+pub struct Collocation<'s> {
     /// What is driven.
-    pub model: &'s Driven,
+    pub model: &'s StruckHalfSpace,
     /// Mass [kg].
     pub mass: f64,
     /// Beginning.
-    pub start: &'s Instant,
+    pub start: &'s MotionState,
     /// Duration [s].
     pub span: f64,
     /// How the bed was loaded, and when the spring at the edge was touched, once the contact shrinks.
@@ -34,16 +34,16 @@ pub struct Step<'s> {
 /// A step that has been solved.
 pub struct Solved {
     /// The motion.
-    pub piece: Piece,
+    pub piece: MotionPiece,
     /// Its end.
-    pub end: Instant,
+    pub end: MotionState,
     /// The bed at its end.
-    pub answer: Answer,
+    pub answer: BedResponse,
     /// Estimate of the error of the speed [m/s].
     pub error: f64,
 }
 
-impl Step<'_> {
+impl Collocation<'_> {
     /// The step; `None` if it is too long for the iteration.
     ///
     /// # Errors
@@ -77,11 +77,11 @@ impl Step<'_> {
         Ok(None)
     }
 
-    fn piece(&self, acceleration: &[f64; NODES], touched: [f64; NODES]) -> Piece {
+    fn piece(&self, acceleration: &[f64; NODES], touched: [f64; NODES]) -> MotionPiece {
         let rate = through_nodes(acceleration);
         let velocity = from_fn(|p| if p == 0 { self.start.speed } else { self.span * rate[p - 1] / p as f64 });
         let touched_first = self.shrinking.as_ref().map_or(self.start.time, |(_, touched)| *touched);
-        Piece {
+        MotionPiece {
             start: self.start.clone(),
             span: self.span,
             velocity,
@@ -95,9 +95,9 @@ impl Step<'_> {
     /// What the bed does at the points, and the growth of the contact.
     fn answers(
         &self,
-        piece: &Piece,
+        piece: &MotionPiece,
         fadings: &[[Fading; NODES]],
-    ) -> Result<(Polynomial, [Answer; NODES]), ImpactError> {
+    ) -> Result<(Polynomial, [BedResponse; NODES]), ImpactError> {
         match &self.shrinking {
             None => self.growing(piece, fadings),
             Some((law, last)) => {
@@ -107,7 +107,7 @@ impl Step<'_> {
                         memory[k] = piece.memory_of(&fading[j], (term.modulus, k));
                     }
                     let c = RADAU[j];
-                    let place = Place {
+                    let place = Kinematics {
                         time: piece.start.time + c * piece.span,
                         depth: piece.depth(c),
                         speed: piece.speed(c),
@@ -122,9 +122,9 @@ impl Step<'_> {
 
     fn growing(
         &self,
-        piece: &Piece,
+        piece: &MotionPiece,
         fadings: &[[Fading; NODES]],
-    ) -> Result<(Polynomial, [Answer; NODES]), ImpactError> {
+    ) -> Result<(Polynomial, [BedResponse; NODES]), ImpactError> {
         let (spectrum, profile) = (&self.model.spectrum, &self.model.profile);
         let mut radius = [0.0; NODES];
         for j in 0..NODES {
@@ -132,7 +132,7 @@ impl Step<'_> {
         }
         let flows = from_fn(|j| 2.0 * radius[j] * piece.speed(RADAU[j]));
         let flow = through_all(2.0 * self.model.edge(self.start.depth)? * self.start.speed, &flows);
-        let grown = Piece { flow, ..piece.clone() };
+        let grown = MotionPiece { flow, ..piece.clone() };
         let answer = |j: usize| {
             let elements = spectrum.terms().iter().zip(fadings).enumerate();
             let elements: f64 = elements.map(|(k, (term, fading))| grown.sum_of(&fading[j], (term.modulus, k))).sum();
@@ -140,13 +140,13 @@ impl Step<'_> {
             let over = d - profile.reduced(a);
             let steady = 2.0 * spectrum.equilibrium() * (profile.load_integral(a) + a * over);
             let force = steady + elements + spectrum.viscosity() * flows[j];
-            Answer { force, radius: a, touched: piece.start.time + RADAU[j] * piece.span, joined: true }
+            BedResponse { force, radius: a, touched: piece.start.time + RADAU[j] * piece.span, joined: true }
         };
         Ok((flow, from_fn(answer)))
     }
 
     /// ∂(d̈ + F/m)/∂d̈ with the edge where it is.
-    fn jacobian(&self, fadings: &[[Fading; NODES]], answers: &[Answer; NODES]) -> [[f64; NODES]; NODES] {
+    fn jacobian(&self, fadings: &[[Fading; NODES]], answers: &[BedResponse; NODES]) -> [[f64; NODES]; NODES] {
         let spectrum = &self.model.spectrum;
         from_fn(|j| {
             let c = RADAU[j];
@@ -165,13 +165,19 @@ impl Step<'_> {
         })
     }
 
-    fn finished(&self, piece: Piece, flow: Polynomial, fadings: &[[Fading; NODES]], answer: Answer) -> Solved {
-        let piece = Piece { flow, ..piece };
+    fn finished(
+        &self,
+        piece: MotionPiece,
+        flow: Polynomial,
+        fadings: &[[Fading; NODES]],
+        answer: BedResponse,
+    ) -> Solved {
+        let piece = MotionPiece { flow, ..piece };
         let at_end = |of: &dyn Fn(&Fading, (f64, usize)) -> f64| -> Vec<f64> {
             let terms = self.model.spectrum.terms().iter().zip(fadings).enumerate();
             terms.map(|(k, (term, fading))| of(&fading[NODES - 1], (term.modulus, k))).collect()
         };
-        let end = Instant {
+        let end = MotionState {
             time: piece.end(),
             depth: piece.depth(1.0),
             speed: piece.speed(1.0),
@@ -185,23 +191,23 @@ impl Step<'_> {
         };
         let misfit = (piece.acceleration(0.0) - self.start.acceleration).abs();
         let error = MISFIT * self.span * misfit + self.flow_error(&piece);
-        let piece = Piece { missed: error, ..piece };
+        let piece = MotionPiece { missed: error, ..piece };
         Solved { piece, end, answer, error }
     }
 
     /// What the polynomial of the growth, looked at in its middle, may do to the speed [m/s].
-    fn flow_error(&self, piece: &Piece) -> f64 {
+    fn flow_error(&self, piece: &MotionPiece) -> f64 {
         if self.shrinking.is_some() {
             return 0.0;
         }
         let exact = 2.0 * self.model.edge(piece.depth(0.5)).unwrap_or(0.0) * piece.speed(0.5);
-        let lasting = |term: &crate::contact::viscoelastic::Term| term.modulus * term.time.min(self.span);
+        let lasting = |term: &crate::contact::viscoelastic::Element| term.modulus * term.time.min(self.span);
         let stiffness: f64 = self.model.spectrum.terms().iter().map(lasting).sum();
         MISFIT * self.span * stiffness * (exact - value(&piece.flow, 0.5)).abs() / self.mass
     }
 }
 
-impl Driven {
+impl StruckHalfSpace {
     /// Contact radius [m] of a contact that grows, at the depth `d`.
     pub(super) fn edge(&self, d: f64) -> Result<f64, ImpactError> {
         let beyond = || ImpactError::Bed(BedError::BeyondProfile { indentation: d });

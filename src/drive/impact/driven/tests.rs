@@ -7,7 +7,7 @@ use crate::material::Relaxation;
 use crate::shape::{Cone, FlatPunch, Paraboloid, Power};
 use proptest::prelude::*;
 
-const UNIT: Impact = Impact { mass: 1.0, speed: 1.0 };
+const UNIT: Projectile = Projectile { mass: 1.0, speed: 1.0 };
 
 fn ball() -> Arc<dyn Profile> {
     Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() })
@@ -17,8 +17,8 @@ fn spectrum(equilibrium: f64, terms: &[(f64, f64)], viscosity: f64) -> Arc<Spect
     Arc::new(Spectrum::new(&Relaxation { equilibrium, terms: terms.to_vec(), viscosity }))
 }
 
-fn driven(spectrum: Arc<Spectrum>) -> Driven {
-    Driven { spectrum, profile: ball(), attraction: None }
+fn driven(spectrum: Arc<Spectrum>) -> StruckHalfSpace {
+    StruckHalfSpace { spectrum, profile: ball(), attraction: None }
 }
 
 fn rebound(spectrum: Arc<Spectrum>, accuracy: f64) -> Rebound {
@@ -96,7 +96,7 @@ fn liquid_swallows_a_slow_ball() {
 #[test]
 fn flat_punch_is_linear() {
     let punch = Arc::new(FlatPunch { radius: Length::new(0.5).unwrap() });
-    let model = Driven { spectrum: spectrum(1.0, &[(2.0, 0.7)], 0.1), profile: punch, attraction: None };
+    let model = StruckHalfSpace { spectrum: spectrum(1.0, &[(2.0, 0.7)], 0.1), profile: punch, attraction: None };
     let seen = model.flight(&UNIT, 1e-9).unwrap().rebound();
     let force = |y: [f64; 3]| y[0] + y[2] + 0.1 * y[1];
     let rate = |y: [f64; 3]| [y[1], -force(y), 2.0 * y[1] - y[2] / 0.7];
@@ -125,8 +125,8 @@ fn flat_punch_is_linear() {
 #[test]
 fn held_elastic_ball() {
     let elastic = spectrum(1.0, &[], 0.0);
-    let model = Driven { attraction: Some(Attraction::relaxed(1.0, &elastic)), ..driven(elastic) };
-    let impact = Impact { mass: 1.0, speed: 8.0 };
+    let model = StruckHalfSpace { attraction: Some(Attraction::relaxed(1.0, &elastic)), ..driven(elastic) };
+    let impact = Projectile { mass: 1.0, speed: 8.0 };
     let flight = model.flight(&impact, 1e-6).unwrap();
     let seen = flight.rebound();
     // In units of w = R = E* = 1: the contact sticks at its largest radius A until q(A) = −√(2πA), then follows
@@ -140,7 +140,7 @@ fn held_elastic_ball() {
     let last = a * d * d - 2.0 / 3.0 * d * a.powi(3) + 0.2 * a.powi(5);
     let lost = torn - std::f64::consts::PI * a * a + last;
     assert!((seen.lost / lost - 1.0).abs() < 1e-4, "{} {lost}", seen.lost);
-    let slow = model.flight(&Impact { mass: 1.0, speed: 1.0 }, 1e-6).unwrap();
+    let slow = model.flight(&Projectile { mass: 1.0, speed: 1.0 }, 1e-6).unwrap();
     assert!(slow.rebound().sticks(), "{:?}", slow.rebound());
 }
 
@@ -173,8 +173,8 @@ proptest! {
     #[test]
     fn laws(relaxation in recipe(), profile in shape(), speed in -10i32..10) {
         let spectrum = Arc::new(Spectrum::new(&relaxation));
-        let impact = Impact { mass: 1.0, speed: 10f64.powf(0.1 * f64::from(speed)) };
-        let flight = Driven { spectrum, profile, attraction: None }.flight(&impact, 1e-6).unwrap();
+        let impact = Projectile { mass: 1.0, speed: 10f64.powf(0.1 * f64::from(speed)) };
+        let flight = StruckHalfSpace { spectrum, profile, attraction: None }.flight(&impact, 1e-6).unwrap();
         let seen = flight.rebound();
         prop_assert!((0.0..=1.0 + 1e-6).contains(&seen.restitution), "{seen:?}");
         prop_assert!(seen.error <= 1e-6, "{seen:?}");
@@ -188,7 +188,7 @@ proptest! {
     /// The error stated bounds the distance to a far finer run.
     #[test]
     fn the_error_is_true(relaxation in recipe(), profile in shape(), accuracy in 2i32..7) {
-        let model = Driven { spectrum: Arc::new(Spectrum::new(&relaxation)), profile, attraction: None };
+        let model = StruckHalfSpace { spectrum: Arc::new(Spectrum::new(&relaxation)), profile, attraction: None };
         let seen = model.flight(&UNIT, 10f64.powi(-accuracy)).unwrap().rebound();
         let fine = model.flight(&UNIT, 1e-10).unwrap().rebound();
         prop_assert!(seen.difference(&fine) <= seen.error, "{:e} {:e}", seen.difference(&fine), seen.error);
@@ -217,8 +217,8 @@ proptest! {
             viscosity: modulus * time * relaxation.viscosity,
         };
         let profile = Arc::new(Paraboloid { radius: Length::new(radius).unwrap() });
-        let model = Driven { spectrum: Arc::new(Spectrum::new(&scaled)), profile, attraction: None };
-        let here = model.flight(&Impact { mass, speed }, 1e-6).unwrap().rebound();
+        let model = StruckHalfSpace { spectrum: Arc::new(Spectrum::new(&scaled)), profile, attraction: None };
+        let here = model.flight(&Projectile { mass, speed }, 1e-6).unwrap().rebound();
         let there = rebound(Arc::new(Spectrum::new(&relaxation)), 1e-6);
         prop_assert!((here.restitution - there.restitution).abs() < 2e-6, "{here:?} {there:?}");
         prop_assert!((here.contact_time.unwrap() / time / there.contact_time.unwrap() - 1.0).abs() < 2e-6);

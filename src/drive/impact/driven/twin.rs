@@ -4,7 +4,7 @@ use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::drive::{Bed, Springs};
 use crate::contact::viscoelastic::layout::Layout;
 use crate::contact::viscoelastic::memory::BedError;
-use crate::drive::impact::{Impact, Rebound};
+use crate::drive::impact::{Projectile, Rebound};
 use crate::numerics::root;
 use crate::shape::Profile;
 use std::sync::Arc;
@@ -30,8 +30,8 @@ pub struct Twin {
 /// Steps after which a mass that does not come back counts as stuck.
 const MOST_STEPS: usize = 200_000;
 
-struct Flight<'i> {
-    impact: &'i Impact,
+struct TwinFlight<'i> {
+    impact: &'i Projectile,
     bed: Springs,
     speed: f64,
     time: f64,
@@ -43,7 +43,7 @@ impl Twin {
     ///
     /// # Errors
     /// The contact would outgrow the profile.
-    pub fn rebound(&self, impact: &Impact) -> Result<Rebound, BedError> {
+    pub fn rebound(&self, impact: &Projectile) -> Result<Rebound, BedError> {
         let depth = self.depth_scale(impact);
         let radius = self.profile.edge(depth).ok_or(BedError::BeyondProfile { indentation: depth })?;
         let layout = Layout::graded(self.profile.as_ref(), (radius / 64.0, radius), self.springs);
@@ -56,7 +56,7 @@ impl Twin {
             error: 0.0,
         };
         let bed = Springs::new(self.spectrum.clone(), self.profile.clone(), layout);
-        let mut flight = Flight { impact, bed, speed: impact.speed, time: 0.0, most };
+        let mut flight = TwinFlight { impact, bed, speed: impact.speed, time: 0.0, most };
         let longest = depth / impact.speed / self.steps;
         // The force rises from zero like a root: steps in geometric progression at first.
         let mut step = 1e-6 * longest;
@@ -70,7 +70,7 @@ impl Twin {
     }
 
     /// Depth at which the work against E(0) and the dashpot has used up the kinetic energy.
-    fn depth_scale(&self, impact: &Impact) -> f64 {
+    fn depth_scale(&self, impact: &Projectile) -> f64 {
         let energy = 0.5 * impact.mass * impact.speed * impact.speed;
         let stiff = self.spectrum.instantaneous();
         let work = |d: f64| {
@@ -91,7 +91,7 @@ impl Twin {
     }
 }
 
-impl Flight<'_> {
+impl TwinFlight<'_> {
     /// One step; whether the bodies have parted in it.
     fn step(&mut self, duration: f64) -> Result<bool, BedError> {
         let mean = self.mean_speed(duration)?;
