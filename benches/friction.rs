@@ -8,6 +8,7 @@ use springbed::friction::{CoulombBed, Grip, Pose, TangentialMemory};
 use springbed::input::quantity::Length;
 use springbed::shape::{Paraboloid, Profile};
 use std::hint::black_box;
+use std::sync::Arc;
 
 const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.3 };
 
@@ -23,7 +24,7 @@ fn friction(criterion: &mut Criterion) {
     for (name, path) in [("1000 records, fretting", &level), ("1000 records, load varied while sheared", &path)] {
         criterion.bench_function(name, |bencher| {
             bencher.iter(|| {
-                let mut memory = TangentialMemory::new(&shape, GRIP);
+                let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
                 path.iter()
                     .map(|&to| memory.advance(to).map(|()| memory.state().tangential_force).unwrap())
                     .sum::<f64>()

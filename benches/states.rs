@@ -5,13 +5,15 @@ use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_m
 use rayon::prelude::*;
 use springbed::app::scene_file::setup;
 use springbed::contact::adhesion::line::EdgeLine;
-use springbed::contact::direct::{Attraction, QuasiStatic};
+use springbed::contact::direct::QuasiStatic;
+use springbed::contact::foundation::HalfSpace;
 use springbed::input::quantity::Length;
 use springbed::run::{Wanted, run};
 use springbed::scene::setup::Setup;
 use springbed::shape::Paraboloid;
 use std::hint::black_box;
 use std::path::Path;
+use std::sync::Arc;
 
 const MODULUS: f64 = 6.4e6;
 const WORK: f64 = 0.042;
@@ -20,23 +22,23 @@ fn lens() -> Paraboloid {
     Paraboloid { radius: Length::new(2.5e-3).unwrap() }
 }
 
-fn contact(lens: &Paraboloid, work: f64) -> QuasiStatic<'_> {
-    QuasiStatic::new(lens, MODULUS, Attraction::Line(EdgeLine::new(lens, MODULUS, work)))
+fn contact(ground: &HalfSpace, work: f64) -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(ground.clone(), work))
 }
 
 /// Depth given, force and radius wanted, from bodies that just touch.
 fn one_state(c: &mut Criterion) {
     let mut group = c.benchmark_group("state");
-    let lens = lens();
+    let ground = HalfSpace::new(Arc::new(lens()), MODULUS);
     for (name, work) in [("hertz", 0.0), ("jkr", WORK)] {
         group.bench_function(BenchmarkId::from_parameter(name), |b| {
             b.iter(|| {
-                let mut contact = contact(&lens, work);
+                let mut contact = contact(&ground, work);
                 contact.indent(black_box(1e-5)).unwrap();
                 contact.present().balance
             });
         });
-        let mut present = contact(&lens, work);
+        let mut present = contact(&ground, work);
         let mut d = 1e-5;
         group.bench_function(BenchmarkId::new("next depth", name), |b| {
             b.iter(|| {

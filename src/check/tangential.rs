@@ -143,6 +143,8 @@ pub fn amontons_limit_on_hertz(radius: f64, modulus: f64, (coefficient, limit): 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::adhesion::line::EdgeLine;
+    use crate::contact::foundation::HalfSpace;
     use crate::friction::peeling::{ShearedAdhesion, TangentialLoad};
     use crate::friction::sliding::Pressed;
     use crate::friction::{CoulombBed, CoulombOrowan, Grip, Pose, TangentialMemory};
@@ -150,11 +152,16 @@ mod tests {
     use crate::shape::{Paraboloid, Profile};
     use proptest::prelude::*;
     use std::num::NonZeroUsize;
+    use std::sync::Arc;
 
     const GRIP: Grip = Grip { normal_modulus: 2.0, tangential_modulus: 1.5, coefficient: 0.3 };
 
     fn lens() -> Paraboloid {
         Paraboloid { radius: Length::new(1.0).unwrap() }
+    }
+
+    fn ground(shape: &Paraboloid, modulus: f64) -> HalfSpace {
+        HalfSpace::new(Arc::new(shape.clone()), modulus)
     }
 
     /// The contact of a lens pressed to unit depth.
@@ -172,7 +179,7 @@ mod tests {
         fn first_loading(k in 0i32..125) {
             let (shape, exact) = (lens(), mindlin());
             let slide = exact.reach() * 10f64.powf(-12.0 + 0.1 * f64::from(k));
-            let mut memory = TangentialMemory::new(&shape, GRIP);
+            let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
             memory.advance(at(0.0)).unwrap();
             memory.advance(at(slide)).unwrap();
             let state = memory.state();
@@ -191,7 +198,7 @@ mod tests {
         fn cycles(k in 0i32..125) {
             let (shape, exact) = (lens(), mindlin());
             let amplitude = exact.reach() * 10f64.powf(-12.0 + 0.1 * f64::from(k));
-            let mut memory = TangentialMemory::new(&shape, GRIP);
+            let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
             memory.advance(at(0.0)).unwrap();
             memory.advance(at(amplitude)).unwrap();
             for _ in 0..3 {
@@ -214,7 +221,7 @@ mod tests {
         #[test]
         fn a_paraboloid_follows_the_closed_form(k in -60i32..60, sign in 0..2, part in 0u32..1000) {
             let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
-            let contact = ShearedAdhesion { profile: &shape, modulus: 1.0, work: 1.0, ratio: 0.7 };
+            let contact = ShearedAdhesion { line: EdgeLine::new(ground(&shape, 1.0), 1.0), ratio: 0.7 };
             let exact = SavkoorBriggs { radius: 1.0, modulus: 1.0, work: 1.0, ratio: 0.7 };
             let size = exact.adhesion_force() * 10f64.powf(0.1 * f64::from(k));
             let force = if sign == 0 { size } else { -size.min(0.99 * exact.adhesion_force()) };
@@ -232,7 +239,7 @@ mod tests {
     #[test]
     fn a_million_reversals_leave_nothing() {
         let (shape, exact) = (lens(), mindlin());
-        let mut memory = TangentialMemory::new(&shape, GRIP);
+        let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
         memory.advance(at(0.0)).unwrap();
         let mut fresh = memory.clone();
         let mut random = 1u64;
@@ -259,7 +266,7 @@ mod tests {
     fn a_million_turns_of_depth_and_slide_do_not_drift() {
         let (shape, springs, radius) = (lens(), 48u32, 1.1);
         let size = (NonZeroUsize::new(48).unwrap(), radius);
-        let mut memory = TangentialMemory::new(&shape, GRIP);
+        let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
         let mut bed = CoulombBed::new(&shape, GRIP, size).unwrap();
         let mut random = 7u64;
         let mut draw = || {
@@ -313,7 +320,7 @@ mod tests {
     #[test]
     fn orowan_friction_of_a_lens() {
         let shape = lens();
-        let pressed = Pressed { profile: &shape, modulus: 2.0, contact_radius: 0.8, edge_load: 0.0 };
+        let pressed = Pressed { ground: ground(&shape, 2.0), contact_radius: 0.8, edge_load: 0.0 };
         let force = 4.0 * shape.load_integral(0.8);
         for k in -30..30 {
             let (coefficient, limit) = (0.4, 10f64.powf(0.1 * f64::from(k)));

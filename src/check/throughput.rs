@@ -2,7 +2,8 @@
 
 use super::clock::quickest;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::direct::Direct;
 use crate::contact::viscoelastic::layout::Layout;
@@ -121,8 +122,8 @@ fn ball() -> Option<Paraboloid> {
     Some(Paraboloid { radius: Length::new(1.0).ok()? })
 }
 
-fn contact(ball: &Paraboloid, work: f64) -> QuasiStatic<'_> {
-    QuasiStatic::new(ball, 1.0, Attraction::Line(EdgeLine::new(ball, 1.0, work)))
+fn contact(ball: &Paraboloid, work: f64) -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(ball.clone()), 1.0), work))
 }
 
 /// Depth in, force and radius out.
@@ -218,7 +219,7 @@ fn fretting(records: u32) -> Kernel {
     Kernel::new(("fretting loop, turning points", "records"), records as usize, move || {
         let (ball, path) = (ball()?, shaken(records));
         Some(move || {
-            let mut memory = TangentialMemory::new(&ball, GRIP);
+            let mut memory = TangentialMemory::new(Arc::new(ball.clone()), GRIP);
             path.iter().all(|&to| memory.advance(to).is_ok() && memory.state().tangential_force.is_finite())
         })
     })

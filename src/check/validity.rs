@@ -148,13 +148,8 @@ fn yielding(setup: &Setup, (a, largest): (f64, &Normal), body: &Body) -> Option<
         ));
     }
     let edge = largest.indentation? - setup.profile.reduced(a);
-    let loading = Loading {
-        profile: setup.profile.as_ref(),
-        modulus,
-        poisson: elastic.poisson.si(),
-        contact_radius: a,
-        edge_load: modulus * edge,
-    };
+    let loading =
+        Loading { ground: setup.ground(), poisson: elastic.poisson.si(), contact_radius: a, edge_load: modulus * edge };
     let worst = loading.profile_down(96).into_iter().max_by(|x, y| x.shear.total_cmp(&y.shear))?;
     (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
         format!(

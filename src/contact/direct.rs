@@ -6,16 +6,29 @@
 use crate::contact::adhesion::equilibrium::{Balance, BranchError, Branches, Control, Equilibrium, Leap, Search};
 use crate::contact::adhesion::line::{EdgeLine, Energy};
 use crate::contact::adhesion::range::{RangeDisc, attraction};
+use crate::contact::foundation::HalfSpace;
 use crate::shape::{Profile, Rim};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, PI};
 
 /// What holds the edge of the contact.
-#[derive(Debug, Clone, Copy)]
-pub enum Attraction<'p> {
+#[derive(Debug, Clone)]
+pub enum Attraction {
     /// Nothing, or an attraction of vanishing range.
-    Line(EdgeLine<'p>),
+    Line(EdgeLine),
     /// An attraction of finite range.
-    Range(RangeDisc<'p>),
+    Range(RangeDisc),
+}
+
+impl From<EdgeLine> for Attraction {
+    fn from(line: EdgeLine) -> Self {
+        Self::Line(line)
+    }
+}
+
+impl From<RangeDisc> for Attraction {
+    fn from(disc: RangeDisc) -> Self {
+        Self::Range(disc)
+    }
 }
 
 /// A sudden change of the contact, at a given depth or force.
@@ -43,36 +56,50 @@ pub struct Present {
     pub balance: Balance,
 }
 
-/// A quasi-static contact of two elastic bodies.
+/// A quasi-static contact of two elastic bodies, and the energy it has lost in jumps.
 #[derive(Debug, Clone)]
-pub struct QuasiStatic<'p> {
-    profile: &'p dyn Profile,
-    modulus: f64,
-    stress: f64,
-    attraction: Attraction<'p>,
+pub struct QuasiStatic {
+    attraction: Attraction,
     by_depth: Option<Branches>,
     by_force: Option<Branches>,
     s: f64,
     present: Present,
+    dissipated: f64,
 }
 
-impl<'p> QuasiStatic<'p> {
-    /// Bodies that just touch, d = 0, before any attraction has acted.
-    ///
-    /// `modulus` is E* [Pa]; `attraction` what holds the edge.
+impl QuasiStatic {
+    /// Bodies that just touch, d = 0, before any attraction has acted; `attraction` is what holds the edge.
     #[must_use]
-    pub fn new(profile: &'p dyn Profile, modulus: f64, attraction: Attraction<'p>) -> Self {
+    pub fn new(attraction: impl Into<Attraction>) -> Self {
+        let attraction = attraction.into();
         let s = attraction.start();
         let balance = Balance { contact_radius: 0.0, reach: 0.0, indentation: 0.0, force: 0.0 };
-        let (by_depth, by_force, present) = (None, None, Present { joined: false, balance });
-        let stress = if let Attraction::Range(disc) = &attraction { disc.stress() } else { 0.0 };
-        Self { profile, modulus, stress, attraction, by_depth, by_force, s, present }
+        let present = Present { joined: false, balance };
+        Self { attraction, by_depth: None, by_force: None, s, present, dissipated: 0.0 }
     }
 
     /// The same bodies before any attraction has acted.
     #[must_use]
     pub fn apart(&self) -> Self {
-        Self::new(self.profile, self.modulus, self.attraction)
+        Self::new(self.attraction.clone())
+    }
+
+    /// The same state with nothing lost on the way to it.
+    #[must_use]
+    pub fn without_losses(self) -> Self {
+        Self { dissipated: 0.0, ..self }
+    }
+
+    /// What holds the edge.
+    #[must_use]
+    pub fn attraction(&self) -> &Attraction {
+        &self.attraction
+    }
+
+    /// Energy lost in jumps so far [J].
+    #[must_use]
+    pub fn dissipated(&self) -> f64 {
+        self.dissipated
     }
 
     /// Present state.
@@ -98,17 +125,20 @@ impl<'p> QuasiStatic<'p> {
     }
 
     fn follow(&mut self, control: Control, to: f64) -> Result<Vec<Jump>, BranchError> {
-        let attraction = self.attraction;
+        let attraction = &self.attraction;
         let slot = if control == Control::Indentation { &mut self.by_depth } else { &mut self.by_force };
         let mut branches = match slot.take() {
             Some(branches) => branches,
-            None => Branches::new(&attraction, control)?,
+            None => Branches::new(attraction, control)?,
         };
-        let (s, leaps) = branches.follow(&attraction, self.s, to)?;
+        let (s, leaps) = branches.follow(attraction, self.s, to)?;
         *slot = Some(branches);
         let jumps = leaps.iter().map(|leap| self.jump(control, leap)).collect::<Result<Vec<_>, _>>()?;
-        self.s = s;
         self.present = self.state_at(control, s, to)?;
+        self.s = s;
+        for jump in &jumps {
+            self.dissipated += jump.dissipated;
+        }
         Ok(jumps)
     }
 
@@ -118,15 +148,15 @@ impl<'p> QuasiStatic<'p> {
     /// # Errors
     /// The contact cannot be followed.
     pub fn force_turns(&mut self, from: f64, to: f64) -> Result<Vec<Balance>, BranchError> {
-        let attraction = self.attraction;
+        let attraction = &self.attraction;
         if attraction.search() == Search::Nowhere {
             return Ok(Vec::new());
         }
         let mut branches = match self.by_force.take() {
             Some(branches) => branches,
-            None => Branches::new(&attraction, Control::Force)?,
+            None => Branches::new(attraction, Control::Force)?,
         };
-        let mut turns = branches.turns_between(&attraction, from.min(to), from.max(to))?;
+        let mut turns = branches.turns_between(attraction, from.min(to), from.max(to))?;
         self.by_force = Some(branches);
         if to < from {
             turns.reverse();
@@ -166,8 +196,8 @@ impl<'p> QuasiStatic<'p> {
     /// alone says d and F to few digits; both follow from each other at a given radius to rounding.
     /// Without adhesion ∂F/∂a = 2E*(d − g) vanishes at the edge.
     fn prescribed(&self, control: Control, s: f64, to: f64) -> Balance {
-        let ends = matches!(self.profile.rim(), Rim::End(_));
-        let steep = |line: &EdgeLine<'_>| self.profile.kink().is_some() || ends && line.elongation(s) <= 0.0;
+        let ends = matches!(self.profile().rim(), Rim::End(_));
+        let steep = |line: &EdgeLine| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
         match (&self.attraction, control) {
             (Attraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
             (Attraction::Line(line), Control::Force) if steep(line) => {
@@ -180,7 +210,7 @@ impl<'p> QuasiStatic<'p> {
 
     /// A contact held by a wall; an error at the end of a profile that is not defined further.
     fn beyond_end(&self, control: Control, s: f64, to: f64) -> Result<Present, BranchError> {
-        let (Attraction::Line(line), Rim::Wall(_)) = (&self.attraction, self.profile.rim()) else {
+        let (Attraction::Line(line), Rim::Wall(_)) = (&self.attraction, self.profile().rim()) else {
             return Err(BranchError::BeyondEnd { end: s });
         };
         let d = match control {
@@ -249,13 +279,13 @@ impl<'p> QuasiStatic<'p> {
     }
 
     fn edge_of(&self, balance: &Balance) -> f64 {
-        balance.indentation - self.profile.reduced(balance.contact_radius)
+        balance.indentation - self.profile().reduced(balance.contact_radius)
     }
 
     /// Contact stiffness 2E*a [N/m]: dF/dd at constant contact radius (Popov & Heß 2015, eq. 3.25).
     #[must_use]
     pub fn stiffness(&self) -> f64 {
-        2.0 * self.modulus * self.present.balance.contact_radius
+        2.0 * self.ground().modulus() * self.present.balance.contact_radius
     }
 
     /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] at the edge of the contact; zero without adhesion
@@ -270,7 +300,7 @@ impl<'p> QuasiStatic<'p> {
     fn edge_load(&self) -> f64 {
         match &self.attraction {
             Attraction::Line(_) if self.is_smooth() => 0.0,
-            Attraction::Line(_) => self.modulus * self.edge_of(&self.present.balance),
+            Attraction::Line(_) => self.ground().modulus() * self.edge_of(&self.present.balance),
             Attraction::Range(_) => 0.0,
         }
     }
@@ -288,13 +318,14 @@ impl<'p> QuasiStatic<'p> {
     pub fn pressure(&self, r: f64) -> f64 {
         let balance = &self.present.balance;
         let a = balance.contact_radius;
-        let drawn = if let Attraction::Range(_) = self.attraction { attraction(self.stress, balance, r) } else { 0.0 };
+        let drawn =
+            if let Attraction::Range(disc) = &self.attraction { attraction(disc.stress(), balance, r) } else { 0.0 };
         if !self.present.joined || r > a {
             return drawn;
         }
         let edge = self.edge_load();
         let singular = if edge.abs() > 0.0 { FRAC_1_PI * edge / ((a - r) * (a + r)).sqrt() } else { 0.0 };
-        self.modulus * self.profile.pressure_integral(r, a) + singular + drawn
+        self.ground().modulus() * self.profile().pressure_integral(r, a) + singular + drawn
     }
 
     /// Displacement u_z(r) [m] of the surface into the body, relative to the undeformed plane.
@@ -308,22 +339,37 @@ impl<'p> QuasiStatic<'p> {
             return 0.0;
         }
         if r <= a && a > 0.0 {
-            return balance.indentation - self.profile.height(r);
+            return balance.indentation - self.profile().height(r);
         }
         let drawn = if let Attraction::Range(disc) = &self.attraction { disc.pulled_up(balance, r) } else { 0.0 };
         let edge = self.edge_of(balance) * FRAC_2_PI * (a / r).min(1.0).asin();
-        let pressed = if a > 0.0 { self.profile.displacement_integral(r, a) + edge } else { 0.0 };
+        let pressed = if a > 0.0 { self.profile().displacement_integral(r, a) + edge } else { 0.0 };
         pressed + drawn
     }
 
     /// The profile.
     #[must_use]
-    pub fn profile(&self) -> &'p dyn Profile {
-        self.profile
+    pub fn profile(&self) -> &dyn Profile {
+        self.ground().profile()
+    }
+
+    /// What the indenter is pressed into.
+    #[must_use]
+    pub fn ground(&self) -> &HalfSpace {
+        self.attraction.ground()
     }
 }
 
-impl Attraction<'_> {
+impl Attraction {
+    /// What the indenter is pressed into.
+    #[must_use]
+    pub fn ground(&self) -> &HalfSpace {
+        match self {
+            Self::Line(line) => line.ground(),
+            Self::Range(disc) => disc.ground(),
+        }
+    }
+
     fn at(&self, s: f64) -> Balance {
         match self {
             Self::Line(line) => line.at(s),
@@ -332,7 +378,7 @@ impl Attraction<'_> {
     }
 }
 
-impl Equilibrium for Attraction<'_> {
+impl Equilibrium for Attraction {
     fn value(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.value(control, s),
@@ -382,13 +428,14 @@ mod tests {
     use crate::input::quantity::{Length, Positive};
     use crate::numerics::root;
     use crate::shape::{Cone, Paraboloid, TruncatedCone};
+    use std::sync::Arc;
 
     fn paraboloid(radius: f64) -> Paraboloid {
         Paraboloid { radius: Length::new(radius).unwrap() }
     }
 
-    fn jkr(profile: &dyn Profile, modulus: f64, work: f64) -> QuasiStatic<'_> {
-        QuasiStatic::new(profile, modulus, Attraction::Line(EdgeLine::new(profile, modulus, work)))
+    fn jkr<P: Profile + Clone + 'static>(profile: &P, modulus: f64, work: f64) -> QuasiStatic {
+        QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), work))
     }
 
     fn near(value: f64, expected: f64, bound: f64) {
@@ -526,8 +573,8 @@ mod tests {
             (1.0, -1.600_734_911_254_09),
             (5.0, -1.506_349_967_716_04),
         ] {
-            let disc = RangeDisc::new(&ball, modulus, work, 0.5 * lambda).unwrap();
-            let mut contact = QuasiStatic::new(&ball, modulus, Attraction::Range(disc));
+            let ground = HalfSpace::new(Arc::new(ball.clone()), modulus);
+            let mut contact = QuasiStatic::new(RangeDisc::new(ground, work, 0.5 * lambda).unwrap());
             contact.press(0.0).unwrap();
             let out = contact.press(-3.0).unwrap();
             near(out.last().unwrap().before.force, force, 1e-13);

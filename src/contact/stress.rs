@@ -3,8 +3,8 @@
 //! A profile is a superposition of flat punches of radius x, each with the load 2x(−q′) dx, and one
 //! of radius a with the load 2aq(a) for a singular edge.
 
+use crate::contact::foundation::HalfSpace;
 use crate::numerics::quadrature;
-use crate::shape::Profile;
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// Stresses on the axis below the surface.
@@ -21,12 +21,10 @@ pub struct StressRow {
 }
 
 /// Load of a contact: E* [Pa], Poisson's ratio, contact radius a [m] and q(a) at the edge [N/m].
-#[derive(Debug, Clone, Copy)]
-pub struct Loading<'p> {
-    /// Profile.
-    pub profile: &'p dyn Profile,
-    /// Effective modulus E* [Pa].
-    pub modulus: f64,
+#[derive(Debug, Clone)]
+pub struct Loading {
+    /// What the indenter is pressed into.
+    pub ground: HalfSpace,
     /// Poisson's ratio ν of the body looked into.
     pub poisson: f64,
     /// Contact radius a [m].
@@ -35,7 +33,7 @@ pub struct Loading<'p> {
     pub edge_load: f64,
 }
 
-impl Loading<'_> {
+impl Loading {
     /// Stresses on the axis at the depth `z` > 0 [m].
     ///
     /// Of a flat punch of radius x and load P: σ_zz = −(P/2π)(x²+3z²)/(x²+z²)² and
@@ -45,8 +43,8 @@ impl Loading<'_> {
     pub fn on_axis(&self, z: f64) -> StressRow {
         let a = self.contact_radius;
         let edge = FRAC_1_PI * a * self.edge_load;
-        let weight = |x: f64| FRAC_1_PI * self.modulus * x * self.profile.reduced_slope(x);
-        let mut breaks = self.profile.breaks(a);
+        let weight = |x: f64| FRAC_1_PI * self.ground.modulus() * x * self.ground.profile().reduced_slope(x);
+        let mut breaks = self.ground.profile().breaks(a);
         // Panels that grow with the distance from the poles at x = ±iz.
         breaks.extend((-2..10).map(|k| 4f64.powi(k) * z));
         breaks.sort_by(f64::total_cmp);
@@ -72,7 +70,7 @@ impl Loading<'_> {
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         let a = self.contact_radius;
-        2.0 * (self.modulus * self.profile.load_integral(a) + a * self.edge_load) / (PI * a * a)
+        2.0 * (self.ground.modulus() * self.ground.profile().load_integral(a) + a * self.edge_load) / (PI * a * a)
     }
 }
 
@@ -81,12 +79,14 @@ mod tests {
     use super::*;
     use crate::input::quantity::Length;
     use crate::shape::Paraboloid;
+    use std::sync::Arc;
 
     #[test]
     fn hertz_on_the_axis() {
         let ball = Paraboloid { radius: Length::new(1.0).unwrap() };
         let a = 0.1;
-        let load = Loading { profile: &ball, modulus: 1.0, poisson: 0.33, contact_radius: a, edge_load: 0.0 };
+        let load =
+            Loading { ground: HalfSpace::new(Arc::new(ball), 1.0), poisson: 0.33, contact_radius: a, edge_load: 0.0 };
         let peak = 2.0 * a * FRAC_1_PI;
         for part in [0.01, 0.1, 0.49, 1.0, 3.0, 30.0] {
             let z = part * a;

@@ -7,7 +7,7 @@ use crate::numerics::root::brent;
 /// Halvings after which a curved step is taken as straight.
 const MOST_HALVINGS: u32 = 24;
 
-impl TangentialMemory<'_> {
+impl TangentialMemory {
     /// The slide u_x [m] at which a straight step to `indentation` ends with the tangential force
     /// `force` [N].
     ///
@@ -90,6 +90,7 @@ mod tests {
     use crate::input::quantity::Length;
     use crate::shape::{Paraboloid, Profile};
     use proptest::prelude::*;
+    use std::sync::Arc;
 
     const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.4 };
 
@@ -104,7 +105,7 @@ mod tests {
         #[test]
         fn the_slide_under_a_force_gives_the_force(history in prop::collection::vec((1i32..12, -99i32..100), 1..16)) {
             let shape = lens();
-            let mut memory = TangentialMemory::new(&shape, GRIP);
+            let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
             memory.advance(Pose { indentation: 0.5, slide: 0.0 }).unwrap();
             for (depth, part) in history {
                 let indentation = 0.1 * f64::from(depth);
@@ -128,7 +129,7 @@ mod tests {
         let (shape, slide) = (lens(), 0.1);
         let exact = 2.0 * GRIP.tangential_modulus * slide * 0.75;
         for accuracy in [1e-3, 1e-5, 1e-7] {
-            let mut memory = TangentialMemory::new(&shape, GRIP);
+            let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
             memory.advance_along(&|t: f64| t.powf(2.0 / 3.0), slide, accuracy).unwrap();
             let error = memory.state().tangential_force / exact - 1.0;
             // A depth wrong by ε shifts a = √d by ε/(2√d); over the path t^{2/3} that is (3/4)ε of the mean.

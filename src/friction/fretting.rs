@@ -3,6 +3,7 @@
 use super::turning::{Grip, Pose};
 use crate::shape::{Profile, Rim};
 use std::f64::consts::{FRAC_2_PI, PI};
+use std::sync::Arc;
 
 /// Energy lost to friction by spring, gathered along a history: the fretting map.
 ///
@@ -61,17 +62,18 @@ impl FrettingMap {
 /// s(x) is taken as linear between neighbouring positions. While the depth changes, p is the mean of
 /// both ends of a step.
 #[derive(Debug, Clone)]
-pub struct WearMap<'a> {
-    profile: &'a dyn Profile,
+pub struct WearMap {
+    profile: Arc<dyn Profile>,
     springs: FrettingMap,
     energy: Vec<f64>,
 }
 
-impl<'a> WearMap<'a> {
+impl WearMap {
     /// A map over the radii `radii` ≥ 0 [m], ascending.
     #[must_use]
-    pub fn new(profile: &'a dyn Profile, grip: Grip, radii: &[f64]) -> Self {
-        Self { profile, springs: FrettingMap::new(profile, grip, radii), energy: vec![0.0; radii.len()] }
+    pub fn new(profile: Arc<dyn Profile>, grip: Grip, radii: &[f64]) -> Self {
+        let springs = FrettingMap::new(profile.as_ref(), grip, radii);
+        Self { profile, springs, energy: vec![0.0; radii.len()] }
     }
 
     /// Moves on a straight line to `to`.
@@ -110,7 +112,7 @@ impl<'a> WearMap<'a> {
         let edges = depths.map(|d| if d > 0.0 { self.profile.edge(d) } else { None });
         let half = 0.5 * self.springs.grip.coefficient * self.springs.grip.normal_modulus;
         for (k, energy) in self.energy.iter_mut().enumerate() {
-            let at = |(&edge, d)| pressure(self.profile, springs[k].x, (edge, d));
+            let at = |(&edge, d)| pressure(self.profile.as_ref(), springs[k].x, (edge, d));
             let pressure: f64 = edges.iter().zip(depths).map(at).sum();
             *energy += half * pressure * surface_slip(&springs[..=k]);
         }
@@ -191,8 +193,9 @@ mod tests {
         let n = 800;
         let cell = 1.0 / f64::from(n);
         let radii: Vec<f64> = (0..n).map(|k| (f64::from(k) + 0.5) * cell).collect();
-        let mut memory = TangentialMemory::new(&shape, grip);
-        let (mut springs, mut wear) = (FrettingMap::new(&shape, grip, &radii), WearMap::new(&shape, grip, &radii));
+        let mut memory = TangentialMemory::new(Arc::new(shape.clone()), grip);
+        let (mut springs, mut wear) =
+            (FrettingMap::new(&shape, grip, &radii), WearMap::new(Arc::new(shape.clone()), grip, &radii));
         let reach = grip.reach();
         for (depth, part) in [(1.0, 0.0), (1.0, 0.6), (1.0, -0.6), (1.0, 0.6), (0.9, 0.5), (0.95, 0.9), (0.95, 3.0)] {
             for to in (1..=4)

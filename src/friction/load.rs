@@ -8,6 +8,7 @@
 use crate::numerics::quadrature::node_and_weight;
 use crate::shape::{Profile, Rim};
 use std::f64::consts::FRAC_1_PI;
+use std::sync::Arc;
 use std::sync::LazyLock;
 
 /// Nodes of the rule for narrow slices. In a slice of at most half the depth x(h) is analytic inside
@@ -84,16 +85,16 @@ impl LinearProduct {
 }
 
 /// The normal load as a function of depth, F(d) = 2E* ∫₀^d a(h) dh.
-#[derive(Debug, Clone, Copy)]
-pub struct LoadCurve<'a> {
+#[derive(Debug, Clone)]
+pub struct LoadCurve {
     /// The profile.
-    pub profile: &'a dyn Profile,
+    pub profile: Arc<dyn Profile>,
     wall: f64,
 }
 
-impl<'a> LoadCurve<'a> {
+impl LoadCurve {
     /// The curve of a profile.
-    pub fn new(profile: &'a dyn Profile) -> Self {
+    pub fn new(profile: Arc<dyn Profile>) -> Self {
         let wall = match profile.rim() {
             Rim::Wall(b) => profile.reduced(b),
             Rim::None | Rim::End(_) => f64::INFINITY,
@@ -224,7 +225,7 @@ mod tests {
     fn narrow_and_wide_slices_are_exact() {
         // N(h) = (2/3) h^{3/2}: the increment below d = 1 is (2/3)(1 − (1−y)^{3/2}).
         let shape = parabola();
-        let curve = LoadCurve::new(&shape);
+        let curve = LoadCurve::new(Arc::new(shape.clone()));
         let upper = curve.place(1.0, 0.0).unwrap();
         for k in 0..=160 {
             let y = 10f64.powf(-0.1 * f64::from(k));
@@ -238,7 +239,7 @@ mod tests {
     fn moments_of_a_cone_are_exact() {
         // x = h·2/π for unit slope: ∫ z² dx = (2/π) y³/3 for a slice of height y.
         let shape = Cone { slope: Positive::new(1.0).unwrap() };
-        let curve = LoadCurve::new(&shape);
+        let curve = LoadCurve::new(Arc::new(shape.clone()));
         let upper = curve.place(1.0, 0.0).unwrap();
         for k in 0..=140 {
             let y = 10f64.powf(-0.1 * f64::from(k));
@@ -254,7 +255,7 @@ mod tests {
     #[test]
     fn moments_of_a_power_agree_across_the_switch() {
         let shape = Power { coefficient: Positive::new(1.0).unwrap(), exponent: Positive::new(2.5).unwrap() };
-        let curve = LoadCurve::new(&shape);
+        let curve = LoadCurve::new(Arc::new(shape.clone()));
         let upper = curve.place(1.0, 0.0).unwrap();
         let lower = curve.place(1.0, 0.99 * NARROW).unwrap();
         let product = LinearProduct { first: (1.0, 0.25), second: (0.5, 2.0) };
@@ -265,7 +266,7 @@ mod tests {
     #[test]
     fn pressure_slices_add_up() {
         let shape = parabola();
-        let curve = LoadCurve::new(&shape);
+        let curve = LoadCurve::new(Arc::new(shape.clone()));
         let places: Vec<SpringDepth> = [1.0, 0.7, 0.1, 1e-3, 1e-9, 0.0].map(|y| curve.place(1.0, y).unwrap()).to_vec();
         for r in [0.0, 0.3, 0.9, 0.999, 1.0] {
             let sum: f64 = places.windows(2).map(|w| curve.pressure(r, (w[0], w[1]))).sum();

@@ -7,6 +7,7 @@ use crate::numerics::quadrature::node_and_weight;
 use crate::shape::Paraboloid;
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 /// I/(mR²) of a solid ball.
 pub const SOLID: f64 = 0.4;
@@ -236,7 +237,7 @@ fn ticks(steps: usize) -> Vec<Waypoint> {
 fn run(before: f64, chi: f64, steps: usize) -> Result<ObliquePath, FrictionError> {
     let shape = Paraboloid { radius: Length::new(1.0).map_err(|_| FrictionError::BeyondRadius { radius: 1.0 })? };
     let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 1.0 };
-    let mut memory = TangentialMemory::new(&shape, grip);
+    let mut memory = TangentialMemory::new(Arc::new(shape.clone()), grip);
     let ticks = ticks(steps);
     let (mut psi, mut slide) = (before, 0.0);
     // At first touch F_x/F → the slope of the path, within the cone.

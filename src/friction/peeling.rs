@@ -1,6 +1,7 @@
 //! Adhesion under shear: peeling of an adhesive contact by a tangential load.
 
 use super::FrictionError;
+use crate::contact::adhesion::line::EdgeLine;
 use crate::numerics::root::{bracket_upwards, brent};
 use crate::shape::{Profile, Rim};
 use std::f64::consts::PI;
@@ -51,14 +52,10 @@ pub enum TangentialLoad {
 /// condition of the jump, ∂F/∂a = 0, is Δl = 3πw/(E*g′(a)) for every profile.
 /// Under a prescribed stress it shrinks without a jump until Δl = 0, the contact without adhesion.
 /// Slip at the edge before peeling is left out. Valid for profiles with growing g.
-#[derive(Debug, Clone, Copy)]
-pub struct ShearedAdhesion<'p> {
-    /// Profile of the indenter.
-    pub profile: &'p dyn Profile,
-    /// Effective modulus E* [Pa].
-    pub modulus: f64,
-    /// Work of adhesion w [J/m²].
-    pub work: f64,
+#[derive(Debug, Clone)]
+pub struct ShearedAdhesion {
+    /// The contact without shear.
+    pub line: EdgeLine,
     /// α = tangential stiffness/(2E*a).
     pub ratio: f64,
 }
@@ -76,16 +73,24 @@ pub struct Sheared {
     pub slide: f64,
 }
 
-impl ShearedAdhesion<'_> {
+impl ShearedAdhesion {
+    fn profile(&self) -> &dyn Profile {
+        self.line.ground().profile()
+    }
+
+    fn modulus(&self) -> f64 {
+        self.line.ground().modulus()
+    }
+
     /// Contact radius [m] under the normal force `force` [N] without adhesion; zero without a load.
     ///
     /// # Errors
     /// The profile ends before the force is reached.
     pub fn plain_radius(&self, force: f64) -> Result<f64, FrictionError> {
         if force <= 0.0 {
-            return Ok(self.profile.flat_radius());
+            return Ok(self.profile().flat_radius());
         }
-        self.grow(|a| 2.0 * self.modulus * self.profile.load_integral(a) - force, force)
+        self.grow(|a| 2.0 * self.modulus() * self.profile().load_integral(a) - force, force)
     }
 
     /// Radius [m] at which the contact jumps, and the tangential force [N] that brings it there.
@@ -96,10 +101,10 @@ impl ShearedAdhesion<'_> {
         if let Some(b) = self.wall() {
             return self.with_share(b, force, self.edge_limit(b) - self.edge_energy(b, force));
         }
-        let elongation = |a: f64| 3.0 * PI * (self.work / self.modulus) / self.profile.reduced_slope(a);
-        let load = |a: f64| 2.0 * self.modulus * (self.profile.load_integral(a) - a * elongation(a));
+        let elongation = |a: f64| 3.0 * PI * (self.line.work() / self.modulus()) / self.profile().reduced_slope(a);
+        let load = |a: f64| 2.0 * self.modulus() * (self.profile().load_integral(a) - a * elongation(a));
         let a = self.grow(|a| load(a) - force, force)?;
-        self.with_share(a, force, self.edge_limit(a) - self.modulus * elongation(a).powi(2))
+        self.with_share(a, force, self.edge_limit(a) - self.modulus() * elongation(a).powi(2))
     }
 
     /// Equilibrium under the normal force `force` [N] and a tangential load.
@@ -109,8 +114,8 @@ impl ShearedAdhesion<'_> {
     /// the stress above that of the contact without adhesion; the profile ends first.
     pub fn under(&self, force: f64, shear: TangentialLoad) -> Result<Sheared, FrictionError> {
         let share = |a: f64| match shear {
-            TangentialLoad::Force(tangential) => (tangential / a).powi(2) / (4.0 * self.ratio * self.modulus),
-            TangentialLoad::Stress(stress) => (PI * stress * a).powi(2) / (4.0 * self.ratio * self.modulus),
+            TangentialLoad::Force(tangential) => (tangential / a).powi(2) / (4.0 * self.ratio * self.modulus()),
+            TangentialLoad::Stress(stress) => (PI * stress * a).powi(2) / (4.0 * self.ratio * self.modulus()),
         };
         let excess = |a: f64| self.edge_energy(a, force) + share(a) - self.edge_limit(a);
         let least = match shear {
@@ -171,15 +176,15 @@ impl ShearedAdhesion<'_> {
     /// # Errors
     /// The contact peels altogether, and nothing presses the bodies.
     pub fn at_depth(&self, depth: f64, stress: f64, rest: f64) -> Result<Sheared, FrictionError> {
-        let scale = (PI * stress).powi(2) / (4.0 * self.ratio * self.modulus);
-        let edge = |a: f64| self.profile.reduced(a) - depth;
-        let excess = |a: f64| self.modulus * edge(a).powi(2) + scale * a * a - self.edge_limit(a);
-        let plain = if depth > 0.0 { self.profile.edge(depth) } else { None };
+        let scale = (PI * stress).powi(2) / (4.0 * self.ratio * self.modulus());
+        let edge = |a: f64| self.profile().reduced(a) - depth;
+        let excess = |a: f64| self.modulus() * edge(a).powi(2) + scale * a * a - self.edge_limit(a);
+        let plain = if depth > 0.0 { self.profile().edge(depth) } else { None };
         let least = plain.unwrap_or(1e-6 * rest).min(rest);
         let held = self.first_inside(excess, (least, rest));
         let a = held.or(plain).ok_or(FrictionError::PeeledAt { depth })?;
         let tangential_force = PI * a * a * stress;
-        let slide = tangential_force / (2.0 * self.ratio * self.modulus * a);
+        let slide = tangential_force / (2.0 * self.ratio * self.modulus() * a);
         Ok(Sheared { contact_radius: a, indentation: depth, tangential_force, slide })
     }
 
@@ -193,17 +198,17 @@ impl ShearedAdhesion<'_> {
 
     /// E*Δl² [N/m] with the elongation the normal force asks for.
     fn edge_energy(&self, a: f64, force: f64) -> f64 {
-        let elongation = (self.profile.load_integral(a) - 0.5 * force / self.modulus) / a;
-        self.modulus * elongation * elongation
+        let elongation = (self.profile().load_integral(a) - 0.5 * force / self.modulus()) / a;
+        self.modulus() * elongation * elongation
     }
 
     /// 2πaw [N/m].
     fn edge_limit(&self, a: f64) -> f64 {
-        2.0 * PI * a * self.work
+        2.0 * PI * a * self.line.work()
     }
 
     fn wall(&self) -> Option<f64> {
-        match self.profile.rim() {
+        match self.profile().rim() {
             Rim::Wall(b) => Some(b),
             Rim::None | Rim::End(_) => None,
         }
@@ -214,22 +219,22 @@ impl ShearedAdhesion<'_> {
         if share < -8.0 * f64::EPSILON * self.edge_limit(a) {
             return Err(FrictionError::Parted { force });
         }
-        self.with_force(a, force, 2.0 * a * (self.ratio * self.modulus * share.max(0.0)).sqrt())
+        self.with_force(a, force, 2.0 * a * (self.ratio * self.modulus() * share.max(0.0)).sqrt())
     }
 
     fn with_force(&self, a: f64, force: f64, tangential_force: f64) -> Result<Sheared, FrictionError> {
-        let elongation = (self.profile.load_integral(a) - 0.5 * force / self.modulus) / a;
+        let elongation = (self.profile().load_integral(a) - 0.5 * force / self.modulus()) / a;
         Ok(Sheared {
             contact_radius: a,
-            indentation: self.profile.reduced(a) - elongation,
+            indentation: self.profile().reduced(a) - elongation,
             tangential_force,
-            slide: tangential_force / (2.0 * self.ratio * self.modulus * a),
+            slide: tangential_force / (2.0 * self.ratio * self.modulus() * a),
         })
     }
 
     /// The zero of a function that grows with the radius and is negative at small ones.
     fn grow(&self, residual: impl Fn(f64) -> f64, force: f64) -> Result<f64, FrictionError> {
-        let mut low = self.profile.scale();
+        let mut low = self.profile().scale();
         while residual(low) > 0.0 && low > f64::MIN_POSITIVE {
             low *= 0.125;
         }
@@ -237,7 +242,7 @@ impl ShearedAdhesion<'_> {
     }
 
     fn grow_from(&self, low: f64, residual: impl Fn(f64) -> f64, force: f64) -> Result<f64, FrictionError> {
-        let limit = match self.profile.rim() {
+        let limit = match self.profile().rim() {
             Rim::None => f64::MAX.sqrt(),
             Rim::Wall(end) | Rim::End(end) => end,
         };
@@ -250,13 +255,20 @@ impl ShearedAdhesion<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::foundation::HalfSpace;
     use crate::input::quantity::{Length, Positive};
     use crate::shape::{Paraboloid, Power};
+    use std::sync::Arc;
+
+    fn sheared<P: Profile + Clone + 'static>(shape: &P, (modulus, work): (f64, f64), ratio: f64) -> ShearedAdhesion {
+        let ground = HalfSpace::new(Arc::new(shape.clone()), modulus);
+        ShearedAdhesion { line: EdgeLine::new(ground, work), ratio }
+    }
 
     #[test]
     fn above_the_critical_force_the_contact_has_peeled() {
         let shape = Power { coefficient: Positive::new(1.0).unwrap(), exponent: Positive::new(3.0).unwrap() };
-        let contact = ShearedAdhesion { profile: &shape, modulus: 1.0, work: 0.1, ratio: 0.7 };
+        let contact = sheared(&shape, (1.0, 0.1), 0.7);
         let critical = contact.critical(0.1).unwrap();
         let under = |part: f64| contact.under(0.1, TangentialLoad::Force(part * critical.tangential_force));
         assert!(under(1.0 - 1e-9).is_ok());
@@ -267,7 +279,7 @@ mod tests {
     #[test]
     fn the_edge_releases_the_work_of_adhesion() {
         let shape = Power { coefficient: Positive::new(0.8).unwrap(), exponent: Positive::new(2.4).unwrap() };
-        let contact = ShearedAdhesion { profile: &shape, modulus: 1.3, work: 0.2, ratio: 0.7 };
+        let contact = sheared(&shape, (1.3, 0.2), 0.7);
         let state = contact.under(0.3, TangentialLoad::Force(0.2)).unwrap();
         let energy = |a: f64| {
             let edge = state.indentation - shape.reduced(a);
@@ -284,9 +296,9 @@ mod tests {
     #[test]
     fn stress_brings_the_lens_to_hertz_without_a_jump() {
         let shape = Paraboloid { radius: Length::new(2.5e-3).unwrap() };
-        let contact = ShearedAdhesion { profile: &shape, modulus: 6.4e6, work: 0.042, ratio: uniform_ratio(0.5) };
+        let contact = sheared(&shape, (6.4e6, 0.042), uniform_ratio(0.5));
         let hertz = contact.plain_radius(0.048).unwrap();
-        let last = (8.0 * contact.ratio * contact.modulus * contact.work / (PI * hertz)).sqrt();
+        let last = (8.0 * contact.ratio * contact.modulus() * contact.line.work() / (PI * hertz)).sqrt();
         let mut before = 1.0 + 1e-15;
         for k in 0..=1000 {
             let ratio = contact.area_ratio(0.048, TangentialLoad::Stress(1e-3 * f64::from(k) * last)).unwrap();
@@ -300,7 +312,7 @@ mod tests {
     fn the_lens_of_figure_10() {
         let shape = Paraboloid { radius: Length::new(2.5e-3).unwrap() };
         let modulus = 4.8e6 / 0.75;
-        let contact = ShearedAdhesion { profile: &shape, modulus, work: 0.042, ratio: stuck_ratio(0.5) };
+        let contact = sheared(&shape, (modulus, 0.042), stuck_ratio(0.5));
         let hertz = contact.plain_radius(0.048).unwrap();
         let rest = contact.under(0.048, TangentialLoad::Force(0.0)).unwrap().contact_radius;
         let last = contact.critical(0.048).unwrap().contact_radius;

@@ -3,9 +3,9 @@
 use super::peeling::{ShearedAdhesion, TangentialLoad};
 use super::strength::{OutsideTable, Strength, StrengthCurve};
 use super::{Coulomb, CoulombOrowan, Friction, FrictionError};
+use crate::contact::foundation::HalfSpace;
 use crate::numerics::quadrature::panel_with_root_ends;
 use crate::numerics::root::brent;
-use crate::shape::Profile;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 /// Samples of the pressure between which it is searched for the corners of a law.
@@ -86,19 +86,17 @@ impl Friction {
 }
 
 /// A pressed contact: p(r) = E*/π ∫_r^a g′(x) dx/√(x²−r²) + q(a)/(π√(a²−r²)).
-#[derive(Debug, Clone, Copy)]
-pub struct Pressed<'p> {
-    /// Profile of the indenter.
-    pub profile: &'p dyn Profile,
-    /// Effective modulus E* [Pa].
-    pub modulus: f64,
+#[derive(Debug, Clone)]
+pub struct Pressed {
+    /// What the indenter is pressed into.
+    pub ground: HalfSpace,
     /// Contact radius a [m].
     pub contact_radius: f64,
     /// Line load q(a) = E*(d − g(a)) of the edge [N/m]: positive at a wall, negative with adhesion.
     pub edge_load: f64,
 }
 
-impl Pressed<'_> {
+impl Pressed {
     /// Friction force F_x = 2π∫₀^a τ(p(r)) r dr [N] in gross sliding.
     ///
     /// With r = a sin θ both the root at the edge of a smooth contact and the inverse root at a wall or
@@ -109,7 +107,7 @@ impl Pressed<'_> {
     pub fn sliding_force(&self, law: &dyn SlidingLaw) -> f64 {
         let a = self.contact_radius;
         let mut ends: Vec<f64> = law.corners().into_iter().flat_map(|p| self.crossings(p)).collect();
-        ends.extend(self.profile.breaks(a).into_iter().filter(|&x| x < a).map(|x| (x / a).asin()));
+        ends.extend(self.ground.profile().breaks(a).into_iter().filter(|&x| x < a).map(|x| (x / a).asin()));
         ends.push(FRAC_PI_2);
         ends.sort_by(f64::total_cmp);
         let mut from = 0.0;
@@ -129,7 +127,7 @@ impl Pressed<'_> {
         if r > a {
             return Some(0.0);
         }
-        let regular = self.modulus * self.profile.pressure_integral(r, a);
+        let regular = self.ground.modulus() * self.ground.profile().pressure_integral(r, a);
         let root = ((a - r) * (a + r)).sqrt();
         let p = if self.edge_load.abs() > 0.0 { regular + self.edge_load / (PI * root) } else { regular };
         Some(p).filter(|p| p.is_finite())
@@ -138,11 +136,11 @@ impl Pressed<'_> {
     /// Displacement u_z(r) [m] of the surface into the body.
     #[must_use]
     pub fn surface_at(&self, r: f64) -> f64 {
-        let (a, edge) = (self.contact_radius, self.edge_load / self.modulus);
+        let (a, edge) = (self.contact_radius, self.edge_load / self.ground.modulus());
         if r <= a {
-            return self.profile.reduced(a) + edge - self.profile.height(r);
+            return self.ground.profile().reduced(a) + edge - self.ground.profile().height(r);
         }
-        self.profile.displacement_integral(r, a) + edge * FRAC_2_PI * (a / r).asin()
+        self.ground.profile().displacement_integral(r, a) + edge * FRAC_2_PI * (a / r).asin()
     }
 
     /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] of the edge, if it is singular.
@@ -154,7 +152,7 @@ impl Pressed<'_> {
     /// Pressure [Pa] at r = a sin θ.
     fn pressure(&self, theta: f64) -> f64 {
         let a = self.contact_radius;
-        let regular = self.modulus * self.profile.pressure_integral(a * theta.sin(), a);
+        let regular = self.ground.modulus() * self.ground.profile().pressure_integral(a * theta.sin(), a);
         let root = a * theta.cos();
         if self.edge_load.abs() > 0.0 { regular + self.edge_load / (PI * root) } else { regular }
     }
@@ -169,7 +167,11 @@ impl Pressed<'_> {
             let p = self.pressure(theta);
             if p.is_finite() { (p - level) * theta.cos() } else { p }
         };
-        let fine = self.profile.feature().map_or(1.0, |length| (self.contact_radius / length).clamp(1.0, 64.0).ceil());
+        let fine = self
+            .ground
+            .profile()
+            .feature()
+            .map_or(1.0, |length| (self.contact_radius / length).clamp(1.0, 64.0).ceil());
         let samples = f64::from(SAMPLES) * fine;
         let mut angles: Vec<f64> = Vec::new();
         let (mut k, mut low) = (0.0, 1e-9);
@@ -210,14 +212,14 @@ pub fn friction_curve(
     loads: &[f64],
 ) -> Result<Vec<SlidingPoint>, FrictionError> {
     let pressed = |force: f64| -> Result<Pressed, FrictionError> {
-        let (profile, modulus) = (contact.profile, contact.modulus);
-        if contact.work > 0.0 {
+        let ground = contact.line.ground().clone();
+        if contact.line.work() > 0.0 {
             let state = contact.under(force, TangentialLoad::Force(0.0))?;
-            let edge_load = modulus * (state.indentation - profile.reduced(state.contact_radius));
-            return Ok(Pressed { profile, modulus, contact_radius: state.contact_radius, edge_load });
+            let edge_load = ground.modulus() * (state.indentation - ground.profile().reduced(state.contact_radius));
+            return Ok(Pressed { ground, contact_radius: state.contact_radius, edge_load });
         }
-        let a = contact.plain_radius(force)?;
-        Ok(Pressed { profile, modulus, contact_radius: a, edge_load: 0.0 })
+        let contact_radius = contact.plain_radius(force)?;
+        Ok(Pressed { ground, contact_radius, edge_load: 0.0 })
     };
     let point = |&force: &f64| {
         let middle = pressed(force)?;
@@ -255,8 +257,10 @@ fn holds(point: &SlidingPoint, tolerance: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::adhesion::line::EdgeLine;
     use crate::input::quantity::{Length, Modulus, Positive, Ratio};
-    use crate::shape::{Cone, Paraboloid};
+    use crate::shape::{Cone, Paraboloid, Profile};
+    use std::sync::Arc;
 
     fn orowan(coefficient: f64, limit: f64) -> CoulombOrowan {
         CoulombOrowan { coefficient: Ratio::new(coefficient).unwrap(), shear_limit: Modulus::new(limit).unwrap() }
@@ -266,6 +270,10 @@ mod tests {
         Paraboloid { radius: Length::new(1.0).unwrap() }
     }
 
+    fn ground() -> HalfSpace {
+        HalfSpace::new(Arc::new(lens()), 1.0)
+    }
+
     /// Linear laws: μF and τ_cπa² + βF for any profile, the logarithm of the cone included.
     #[test]
     fn linear_laws_need_no_pressure() {
@@ -273,9 +281,9 @@ mod tests {
         let (lens, a) = (lens(), 0.7);
         let law = LinearLaw { strength: 0.2, slope: 0.1 };
         let coulomb = Coulomb { coefficient: Ratio::new(0.4).unwrap() };
-        for (profile, bound) in [(&lens as &dyn Profile, 1e-13), (&cone, 1e-9)] {
-            let pressed = Pressed { profile, modulus: 1.0, contact_radius: a, edge_load: 0.0 };
+        for (profile, bound) in [(Arc::new(lens) as Arc<dyn Profile>, 1e-13), (Arc::new(cone), 1e-9)] {
             let force = 2.0 * profile.load_integral(a);
+            let pressed = Pressed { ground: HalfSpace::new(profile, 1.0), contact_radius: a, edge_load: 0.0 };
             assert!((pressed.sliding_force(&coulomb) / (0.4 * force) - 1.0).abs() < bound);
             let exact = 0.2 * PI * a * a + 0.1 * force;
             assert!((pressed.sliding_force(&law) / exact - 1.0).abs() < bound);
@@ -286,7 +294,7 @@ mod tests {
     #[test]
     fn an_edge_load_is_integrated() {
         let (lens, a) = (lens(), 0.7);
-        let pressed = Pressed { profile: &lens, modulus: 1.0, contact_radius: a, edge_load: 0.5 };
+        let pressed = Pressed { ground: ground(), contact_radius: a, edge_load: 0.5 };
         let force = 2.0 * (lens.load_integral(a) + 0.5 * a);
         let coulomb = Coulomb { coefficient: Ratio::new(0.4).unwrap() };
         assert!((pressed.sliding_force(&coulomb) / (0.4 * force) - 1.0).abs() < 1e-13);
@@ -304,7 +312,7 @@ mod tests {
     #[test]
     fn tension_carries_no_friction() {
         let e: f64 = 0.2;
-        let pressed = Pressed { profile: &lens(), modulus: 1.0, contact_radius: 1.0, edge_load: -2.0 * e };
+        let pressed = Pressed { ground: ground(), contact_radius: 1.0, edge_load: -2.0 * e };
         let coulomb = Coulomb { coefficient: Ratio::new(1.0).unwrap() };
         let exact = 4.0 * (1.0 / 3.0 - e + 2.0 / 3.0 * e.powf(1.5));
         assert!((pressed.sliding_force(&coulomb) / exact - 1.0).abs() < 1e-13);
@@ -312,7 +320,7 @@ mod tests {
 
     #[test]
     fn amontons_holds_at_low_load_under_a_cap() {
-        let contact = ShearedAdhesion { profile: &lens(), modulus: 1.0, work: 0.0, ratio: 1.0 };
+        let contact = ShearedAdhesion { line: EdgeLine::new(ground(), 0.0), ratio: 1.0 };
         let loads: Vec<f64> = (-60..40).map(|k| 10f64.powf(0.1 * f64::from(k))).collect();
         let law = orowan(0.5, 0.05);
         let points = friction_curve(&contact, &law, &loads).unwrap();

@@ -18,6 +18,7 @@ use super::load::{LinearProduct, LoadCurve, SpringDepth};
 use super::slipped::{Node, SlideStep, slip_work};
 use crate::shape::Profile;
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// Moduli and friction of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,8 +96,8 @@ struct Cut {
 /// Check: a paraboloid, E* = G* = R = 1, μ = 0.3, at d = 1, pushed to u_x = 0.225 has c = 0.5 a and
 /// F_x = μF (1 − c³/a³) = 0.35.
 #[derive(Debug, Clone)]
-pub struct TangentialMemory<'a> {
-    curve: LoadCurve<'a>,
+pub struct TangentialMemory {
+    curve: LoadCurve,
     grip: Grip,
     reach: f64,
     at: Pose,
@@ -106,13 +107,13 @@ pub struct TangentialMemory<'a> {
     turns: Vec<Turn>,
 }
 
-impl<'a> TangentialMemory<'a> {
+impl TangentialMemory {
     /// Bytes of one turning point.
     pub const BYTES_PER_TURN: usize = size_of::<Turn>();
 
     /// Bodies that just touch, without tangential load.
     #[must_use]
-    pub fn new(profile: &'a dyn Profile, grip: Grip) -> Self {
+    pub fn new(profile: Arc<dyn Profile>, grip: Grip) -> Self {
         let curve = LoadCurve::new(profile);
         let (reach, at) = (grip.reach(), Pose::default());
         Self { curve, grip, reach, at, contact_radius: 0.0, stick_radius: 0.0, dissipated: 0.0, turns: Vec::new() }
@@ -371,12 +372,12 @@ mod tests {
     use crate::shape::{Cone, FlatPunch, Paraboloid, Power, RoundedCone, RoundedPunch, TruncatedParaboloid};
     use proptest::prelude::*;
 
-    fn shapes() -> [Box<dyn Profile>; 4] {
+    fn shapes() -> [Arc<dyn Profile>; 4] {
         [
-            Box::new(Paraboloid { radius: Length::new(1.0).unwrap() }),
-            Box::new(Cone { slope: Positive::new(0.7).unwrap() }),
-            Box::new(Power { coefficient: Positive::new(0.4).unwrap(), exponent: Positive::new(3.3).unwrap() }),
-            Box::new(RoundedPunch { flat_radius: Length::new(0.4).unwrap(), edge_radius: Length::new(0.5).unwrap() }),
+            Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }),
+            Arc::new(Cone { slope: Positive::new(0.7).unwrap() }),
+            Arc::new(Power { coefficient: Positive::new(0.4).unwrap(), exponent: Positive::new(3.3).unwrap() }),
+            Arc::new(RoundedPunch { flat_radius: Length::new(0.4).unwrap(), edge_radius: Length::new(0.5).unwrap() }),
         ]
     }
 
@@ -397,7 +398,7 @@ mod tests {
     #[test]
     fn first_loading_is_cattaneo_mindlin() {
         for profile in shapes() {
-            let mut memory = TangentialMemory::new(profile.as_ref(), grip(0.3));
+            let mut memory = TangentialMemory::new(profile.clone(), grip(0.3));
             memory.advance(at(1.0, 0.0)).unwrap();
             let a = profile.edge(1.0).unwrap();
             for k in 1..=20 {
@@ -417,8 +418,8 @@ mod tests {
     #[test]
     fn without_friction_there_is_no_force_and_with_infinite_friction_no_slip() {
         for profile in shapes() {
-            let mut smooth = TangentialMemory::new(profile.as_ref(), grip(0.0));
-            let mut rough = TangentialMemory::new(profile.as_ref(), grip(1e12));
+            let mut smooth = TangentialMemory::new(profile.clone(), grip(0.0));
+            let mut rough = TangentialMemory::new(profile.clone(), grip(1e12));
             for memory in [&mut smooth, &mut rough] {
                 memory.advance(at(1.0, 0.0)).unwrap();
                 memory.advance(at(1.0, 3.0)).unwrap();
@@ -436,7 +437,7 @@ mod tests {
     #[test]
     fn a_flat_punch_holds_or_slips_as_a_whole() {
         let punch = FlatPunch { radius: Length::new(0.5).unwrap() };
-        let mut memory = TangentialMemory::new(&punch, grip(0.3));
+        let mut memory = TangentialMemory::new(Arc::new(punch.clone()), grip(0.3));
         memory.advance(at(0.2, 0.0)).unwrap();
         memory.advance(at(0.2, 0.07)).unwrap();
         let state = memory.state();
@@ -458,13 +459,13 @@ mod tests {
     #[test]
     fn shapes_with_corners_keep_the_laws() {
         let length = |x: f64| Length::new(x).unwrap();
-        let shapes: [Box<dyn Profile>; 3] = [
-            Box::new(TruncatedParaboloid { flat_radius: length(0.4), radius: length(1.0) }),
-            Box::new(RoundedPunch { flat_radius: length(0.4), edge_radius: length(0.5) }),
-            Box::new(RoundedCone { radius: length(1.0), slope: Positive::new(0.5).unwrap() }),
+        let shapes: [Arc<dyn Profile>; 3] = [
+            Arc::new(TruncatedParaboloid { flat_radius: length(0.4), radius: length(1.0) }),
+            Arc::new(RoundedPunch { flat_radius: length(0.4), edge_radius: length(0.5) }),
+            Arc::new(RoundedCone { radius: length(1.0), slope: Positive::new(0.5).unwrap() }),
         ];
         for profile in &shapes {
-            let mut memory = TangentialMemory::new(profile.as_ref(), grip(0.3));
+            let mut memory = TangentialMemory::new(profile.clone(), grip(0.3));
             memory.advance(at(0.3, 0.0)).unwrap();
             for part in [0.2, 0.9, 0.4, -0.3, 0.1, -0.95, 1.5, 1.0 - 1e-9] {
                 memory.advance(at(0.3, part * 0.3 * memory.reach)).unwrap();
@@ -512,7 +513,7 @@ mod tests {
             let coefficient = 10f64.powf(0.1 * f64::from(k));
             for profile in shapes() {
                 let radius = profile.edge(1.3).unwrap();
-                let mut memory = TangentialMemory::new(profile.as_ref(), grip(coefficient));
+                let mut memory = TangentialMemory::new(profile.clone(), grip(coefficient));
                 let mut bed = CoulombBed::new(profile.as_ref(), grip(coefficient), (500.try_into().unwrap(), radius)).unwrap();
                 for to in positions(coefficient, &knots) {
                     memory.advance(to).unwrap();
@@ -534,7 +535,7 @@ mod tests {
         fn dissipation_closes_the_ledger((k, knots) in history()) {
             let coefficient = 10f64.powf(0.1 * f64::from(k));
             for profile in shapes() {
-                let mut memory = TangentialMemory::new(profile.as_ref(), grip(coefficient));
+                let mut memory = TangentialMemory::new(profile.clone(), grip(coefficient));
                 let (mut work, mut bound) = (0.0, 0.0);
                 let stiffness = 2.0 * 0.8 * profile.edge(1.2).unwrap();
                 for to in positions(coefficient, &knots) {
@@ -575,7 +576,7 @@ mod tests {
                 let cell = radius / f64::from(n);
                 let middles: Vec<f64> = (0..n).map(|k| (f64::from(k) + 0.5) * cell).collect();
                 let mut map = FrettingMap::new(profile.as_ref(), grip(coefficient), &middles);
-                let mut memory = TangentialMemory::new(profile.as_ref(), grip(coefficient));
+                let mut memory = TangentialMemory::new(profile.clone(), grip(coefficient));
                 for to in positions(coefficient, &knots) {
                     memory.advance(to).unwrap();
                     map.advance(to);
@@ -593,7 +594,7 @@ mod tests {
         fn reversing_all_slides_reverses_the_force((k, knots) in history()) {
             let coefficient = 10f64.powf(0.1 * f64::from(k));
             for profile in shapes() {
-                let mut memory = TangentialMemory::new(profile.as_ref(), grip(coefficient));
+                let mut memory = TangentialMemory::new(profile.clone(), grip(coefficient));
                 let mut mirror = memory.clone();
                 for to in positions(coefficient, &knots) {
                     memory.advance(to).unwrap();

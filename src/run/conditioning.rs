@@ -21,7 +21,7 @@ pub fn moved_edge(setup: &Setup, records: &[Record]) -> f64 {
         Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
         Some(Adhesion::Maugis(_)) => return 0.0,
     };
-    let line = EdgeLine::new(setup.profile.as_ref(), setup.pair.normal, work);
+    let line = EdgeLine::new(setup.ground(), work);
     let controls: Vec<Option<Control>> = setup.entries().map(|(entry, motion)| control(entry, motion)).collect();
     let largest = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let jumps = |at: usize| records.get(at + 1).is_some_and(|next| (next.time - records[at].time).abs() <= 0.0);
@@ -43,7 +43,7 @@ fn control(entry: &Entry, motion: Option<&Motion>) -> Option<Control> {
 }
 
 /// How far rounding moves an edge at the radius `a` [m].
-fn moved(line: &EdgeLine<'_>, (control, a): (Control, f64), modulus: f64) -> Option<f64> {
+fn moved(line: &EdgeLine, (control, a): (Control, f64), modulus: f64) -> Option<f64> {
     if a <= 0.0 || a >= line.end() {
         return None;
     }

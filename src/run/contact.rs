@@ -161,108 +161,93 @@ pub trait NormalContact {
     fn snapshot(&self) -> Box<dyn NormalContact + '_>;
 }
 
-/// The direct path with the energy it has lost in jumps.
-#[derive(Debug, Clone)]
-pub struct Direct<'p> {
-    contact: QuasiStatic<'p>,
-    modulus: f64,
-    dissipated: f64,
+/// The state of the direct path with the equilibrium `balance`, at which it has lost `dissipated` [J].
+fn normal(contact: &QuasiStatic, balance: &Balance, (stored, dissipated): (Energy, f64)) -> Normal {
+    Normal {
+        indentation: (!balance.indentation.is_nan()).then_some(balance.indentation),
+        force: balance.force,
+        contact_radius: Some(balance.contact_radius),
+        stiffness: 2.0 * contact.ground().modulus() * balance.contact_radius,
+        stored,
+        dissipated,
+    }
 }
 
-impl<'p> Direct<'p> {
-    /// A contact with the effective modulus E* [Pa].
-    #[must_use]
-    pub fn new(contact: QuasiStatic<'p>, modulus: f64) -> Self {
-        Self { contact, modulus, dissipated: 0.0 }
-    }
+/// The jumps of a motion, before which `lost` [J] had been lost; under a prescribed depth also the states
+/// between them at which the force turns: pull-off is no matter of records.
+struct Course<'c> {
+    contact: &'c mut QuasiStatic,
+    lost: f64,
+    events: Vec<Event>,
+}
 
-    /// The contact itself.
-    #[must_use]
-    pub fn contact(&self) -> &QuasiStatic<'p> {
-        &self.contact
-    }
-
-    fn normal(&self, balance: &Balance, stored: Energy) -> Normal {
-        Normal {
-            indentation: (!balance.indentation.is_nan()).then_some(balance.indentation),
-            force: balance.force,
-            contact_radius: Some(balance.contact_radius),
-            stiffness: 2.0 * self.modulus * balance.contact_radius,
-            stored,
-            dissipated: self.dissipated,
-        }
-    }
-
-    /// The jumps, and between them the states at which the force turns: pull-off is no matter of records.
-    fn with_force_turns(&mut self, from: f64, jumps: &[Jump]) -> Result<Vec<Event>, ContactError> {
-        let mut events = Vec::new();
-        let mut from = from;
-        for jump in jumps {
-            self.turn_events(from, jump.before.reach, &mut events)?;
-            events.push(self.event(jump));
-            from = jump.after.map_or(0.0, |balance| balance.reach);
-        }
-        self.turn_events(from, self.contact.present().balance.reach, &mut events)?;
-        Ok(events)
-    }
-
-    fn turn_events(&mut self, from: f64, to: f64, events: &mut Vec<Event>) -> Result<(), ContactError> {
+impl Course<'_> {
+    fn turns(&mut self, from: f64, to: f64) -> Result<(), ContactError> {
         for balance in self.contact.force_turns(from, to)? {
-            let state = self.normal(&balance, self.contact.energy_at(&balance));
-            events.push(Event { at: Moment::Value(balance.indentation), before: state, after: state });
+            let state = normal(self.contact, &balance, (self.contact.energy_at(&balance), self.lost));
+            self.events.push(Event { at: Moment::Value(balance.indentation), before: state, after: state });
         }
         Ok(())
     }
 
-    fn event(&mut self, jump: &Jump) -> Event {
-        let before = self.normal(&jump.before, jump.stored.0);
-        self.dissipated += jump.dissipated;
-        let at = if jump.control == Control::Indentation { jump.before.indentation } else { jump.before.force };
-        let indentation = if jump.control == Control::Indentation { at } else { f64::NAN };
+    fn jump(&mut self, jump: &Jump) {
+        let before = normal(self.contact, &jump.before, (jump.stored.0, self.lost));
+        self.lost += jump.dissipated;
+        let by_depth = jump.control == Control::Indentation;
+        let at = if by_depth { jump.before.indentation } else { jump.before.force };
+        let indentation = if by_depth { at } else { f64::NAN };
         let parted = Balance { contact_radius: 0.0, reach: 0.0, indentation, force: 0.0 };
-        let after = self.normal(&jump.after.unwrap_or(parted), jump.stored.1);
-        Event { at: Moment::Value(at), before, after }
+        let after = normal(self.contact, &jump.after.unwrap_or(parted), (jump.stored.1, self.lost));
+        self.events.push(Event { at: Moment::Value(at), before, after });
     }
 }
 
-impl NormalContact for Direct<'_> {
+impl NormalContact for QuasiStatic {
     fn advance(&mut self, control: Control, to: f64, _until: f64) -> Result<Vec<Event>, ContactError> {
-        let from = self.contact.present().balance.reach;
-        match control {
-            Control::Force => Ok(self.contact.press(to)?.iter().map(|jump| self.event(jump)).collect()),
-            Control::Indentation => {
-                let jumps = self.contact.indent(to)?;
-                self.with_force_turns(from, &jumps)
+        let (mut from, lost) = (self.present().balance.reach, self.dissipated());
+        let by_depth = control == Control::Indentation;
+        let jumps = if by_depth { self.indent(to)? } else { self.press(to)? };
+        let end = self.present().balance.reach;
+        let mut course = Course { contact: self, lost, events: Vec::new() };
+        for jump in &jumps {
+            if by_depth {
+                course.turns(from, jump.before.reach)?;
+                from = jump.after.map_or(0.0, |balance| balance.reach);
             }
+            course.jump(jump);
         }
+        if by_depth {
+            course.turns(from, end)?;
+        }
+        Ok(course.events)
     }
 
     fn state(&self) -> Normal {
-        self.normal(&self.contact.present().balance, self.contact.energy())
+        normal(self, &self.present().balance, (self.energy(), self.dissipated()))
     }
 
     fn last_depth(&self, _speed: f64) -> Result<f64, ContactError> {
-        Ok(self.contact.last_depth()?)
+        Ok(self.last_depth()?)
     }
 
     fn pressure(&self, r: f64) -> Option<f64> {
-        Some(self.contact.pressure(r)).filter(|pressure| pressure.is_finite())
+        Some(self.pressure(r)).filter(|pressure| pressure.is_finite())
     }
 
     fn surface(&self, r: f64) -> Option<f64> {
-        Some(self.contact.surface(r))
+        Some(self.surface(r))
     }
 
     fn stress_intensity(&self) -> Option<f64> {
-        Some(self.contact.stress_intensity()).filter(|intensity| intensity.abs() > 0.0)
+        Some(self.stress_intensity()).filter(|intensity| intensity.abs() > 0.0)
     }
 
     fn joined(&self) -> bool {
-        self.contact.present().joined
+        self.present().joined
     }
 
     fn reach(&self) -> f64 {
-        self.contact.present().balance.reach
+        self.present().balance.reach
     }
 
     fn snapshot(&self) -> Box<dyn NormalContact + '_> {

@@ -54,7 +54,7 @@ fn springs_error(setup: &Setup, springs: NonZeroUsize, records: &[Record]) -> Er
     let second = (17.0 / 16.0 * 2.0 / count).powi(2).max(1e-11);
     let work = if let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion { jkr.work.si() } else { 0.0 };
     let width = SpringBed::reach_for(setup.profile.as_ref(), a) / count;
-    let line = EdgeLine::new(setup.profile.as_ref(), setup.pair.normal, work);
+    let line = EdgeLine::new(setup.ground(), work);
     let edge = setup.pair.normal * line.elongation(a) * width / force.max(f64::MIN_POSITIVE);
     if edge > second {
         let basis = format!("bed of {springs} springs: the load of one spring at the adhesive edge, first order");

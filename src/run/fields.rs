@@ -91,7 +91,7 @@ pub fn stresses(setup: &Setup, normal: &Normal) -> Vec<StressRow> {
     let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
     let edge_load = setup.pair.normal * edge;
     let poisson = poisson(&setup.scene.bodies);
-    Loading { profile, modulus: setup.pair.normal, poisson, contact_radius: a, edge_load }.profile_down(DEPTHS)
+    Loading { ground: setup.ground(), poisson, contact_radius: a, edge_load }.profile_down(DEPTHS)
 }
 
 fn poisson(bodies: &(Body, Body)) -> f64 {

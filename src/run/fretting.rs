@@ -30,7 +30,7 @@ pub fn map(setup: &Setup, path: &[Pose]) -> Vec<FrettingRow> {
     let Some(a) = profile.edge(deepest).filter(|&a| a > 0.0) else { return Vec::new() };
     let at = |k: usize| a * (FRAC_PI_2 * k as f64 / POSITIONS as f64).sin();
     let positions: Vec<f64> = (0..=POSITIONS).map(at).collect();
-    let mut map = WearMap::new(profile, shear::grip(setup, law), &positions);
+    let mut map = WearMap::new(setup.profile.clone(), shear::grip(setup, law), &positions);
     for &to in path {
         map.advance(to);
     }

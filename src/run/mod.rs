@@ -14,7 +14,7 @@ mod rough;
 mod shear;
 mod strike;
 
-pub use contact::{ContactError, Direct, Drive, Event, Loop, Moment, NormalContact, Springs};
+pub use contact::{ContactError, Drive, Event, Loop, Moment, NormalContact, Springs};
 pub use plane::PlaneError;
 pub use rough::LineTooShort;
 pub use shear::{TangentialContact, sheared};
@@ -141,28 +141,26 @@ fn contact(setup: &Setup, wanted: Wanted) -> Result<Contact<'_>, SimulationError
 ///
 /// # Errors
 /// The attraction has no contact.
-pub fn direct(setup: &Setup) -> Result<Direct<'_>, SimulationError> {
-    let modulus = setup.pair.normal;
-    let profile = setup.profile.as_ref();
-    let attraction = match &setup.scene.adhesion {
-        None => Attraction::Line(EdgeLine::new(profile, modulus, 0.0)),
-        Some(Adhesion::Jkr(jkr)) => Attraction::Line(EdgeLine::new(profile, modulus, jkr.work.si())),
+pub fn direct(setup: &Setup) -> Result<QuasiStatic, SimulationError> {
+    let ground = setup.ground();
+    let mut contact = match &setup.scene.adhesion {
+        None => QuasiStatic::new(EdgeLine::new(ground, 0.0)),
+        Some(Adhesion::Jkr(jkr)) => QuasiStatic::new(EdgeLine::new(ground, jkr.work.si())),
         Some(Adhesion::Maugis(maugis)) => {
-            let disc = RangeDisc::new(profile, modulus, maugis.work.si(), maugis.stress.si());
-            Attraction::Range(disc.map_err(|error| SimulationError::Refused(error.to_string()))?)
+            let disc = RangeDisc::new(ground, maugis.work.si(), maugis.stress.si());
+            QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?)
         }
     };
-    let mut contact = QuasiStatic::new(profile, modulus, attraction);
-    if let Attraction::Range(_) = attraction {
+    if let Attraction::Range(_) = contact.attraction() {
         // The bodies have come from far away: at d = 0 they attract each other already.
         contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
     }
-    Ok(Direct::new(contact, modulus))
+    Ok(contact.without_losses())
 }
 
 /// A bed of `springs` springs that is just wide enough for the history, as the direct path finds it,
 /// and its half width [m].
-fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: Direct<'_>) -> Result<(Springs, f64), SimulationError> {
+fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: QuasiStatic) -> Result<(Springs, f64), SimulationError> {
     let work = match &setup.scene.adhesion {
         Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
         Some(Adhesion::Maugis(_)) => {

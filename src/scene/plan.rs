@@ -49,7 +49,7 @@ pub fn of(setup: &Setup) -> Plan {
     let (solver, reason) =
         if matches!(scene.history[..], [Entry::Impact(_)]) { of_impact(setup) } else { of_history(setup) };
     let tangential = rubbing.map_or(0, |kind| kind.bytes(springs));
-    let state_bytes = size_of::<QuasiStatic<'_>>() + 16 * springs + tangential;
+    let state_bytes = size_of::<QuasiStatic>() + 16 * springs + tangential;
     Plan { solver, reason, used, left_out, springs, state_bytes }
 }
 
@@ -124,13 +124,13 @@ impl Rubbing {
     fn bytes(self, springs: usize) -> usize {
         match self {
             // With as many turning points as fit into the first growths of the list.
-            Self::Memory => size_of::<TangentialMemory<'_>>() + 8 * TangentialMemory::BYTES_PER_TURN,
+            Self::Memory => size_of::<TangentialMemory>() + 8 * TangentialMemory::BYTES_PER_TURN,
             // Depth and slip in the bed; place, depth, slip, loss and way in the map.
             Self::Springs => size_of::<CoulombBed>() + (16 + 40) * springs,
             // Known from the run.
             Self::Relaxing => 0,
             Self::Sliding => size_of::<Tangential>(),
-            Self::Peeling => size_of::<ShearedAdhesion<'_>>() + size_of::<Tangential>(),
+            Self::Peeling => size_of::<ShearedAdhesion>() + size_of::<Tangential>(),
         }
     }
 }

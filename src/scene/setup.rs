@@ -1,6 +1,7 @@
 //! A scene made ready: what the simulation works with.
 
 use crate::contact::adhesion::Adhesion;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::viscoelastic::Spectrum;
 use crate::friction::{Friction, Strength, StrengthCurve};
 use crate::input::problem::Problem;
@@ -43,6 +44,12 @@ impl Setup {
     #[must_use]
     pub fn accuracy(&self) -> f64 {
         self.scene.accuracy.map_or(1e-6, |accuracy| accuracy.si())
+    }
+
+    /// What the indenter is pressed into; instantaneous where it relaxes.
+    #[must_use]
+    pub fn ground(&self) -> HalfSpace {
+        HalfSpace::new(self.profile.clone(), self.pair.normal)
     }
 
     /// The entries of the history in order, each with the motion of its table if it names one.

@@ -7,13 +7,15 @@
 use proptest::prelude::*;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::adhesion::range::RangeDisc;
-use springbed::contact::direct::{Attraction, QuasiStatic};
+use springbed::contact::direct::QuasiStatic;
+use springbed::contact::foundation::HalfSpace;
 use springbed::input::quantity::{Length, Positive};
 use springbed::numerics::quadrature;
 use springbed::shape::{
     Cone, FlatPunch, Paraboloid, Power, Profile, RoundedCone, RoundedPunch, Sphere, TruncatedCone, TruncatedParaboloid,
 };
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 const BOUND: f64 = 1e-11;
 
@@ -30,8 +32,8 @@ fn plain(value: f64) -> Positive {
     Positive::new(value).unwrap()
 }
 
-fn bare(profile: &dyn Profile, modulus: f64) -> QuasiStatic<'_> {
-    QuasiStatic::new(profile, modulus, Attraction::Line(EdgeLine::new(profile, modulus, 0.0)))
+fn bare<P: Profile + Clone + 'static>(profile: &P, modulus: f64) -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), 0.0))
 }
 
 fn close(value: f64, right: f64) -> Result<(), TestCaseError> {
@@ -40,8 +42,8 @@ fn close(value: f64, right: f64) -> Result<(), TestCaseError> {
 }
 
 /// Stable states of a contact without adhesion: F, a, stiffness and energy, by depth and by force.
-fn holds(
-    profile: &dyn Profile,
+fn holds<P: Profile + Clone + 'static>(
+    profile: &P,
     modulus: f64,
     d: f64,
     (force, a, energy): (f64, f64, f64),
@@ -127,21 +129,21 @@ proptest! {
     #[test]
     fn force_and_energy_are_integrals(size in decades(-6, 6), from in 1i32..40, stretch in 1i32..20) {
         let (b, modulus) = (0.3 * size, 7.0);
-        let shapes: [Box<dyn Profile>; 9] = [
-            Box::new(Paraboloid { radius: metres(size) }),
-            Box::new(Sphere { radius: metres(size) }),
-            Box::new(Cone { slope: plain(0.2) }),
-            Box::new(Power { coefficient: plain(0.1 * size.powi(-3)), exponent: plain(4.0) }),
-            Box::new(FlatPunch { radius: metres(b) }),
-            Box::new(TruncatedCone { flat_radius: metres(b), slope: plain(0.2) }),
-            Box::new(TruncatedParaboloid { flat_radius: metres(b), radius: metres(size) }),
-            Box::new(RoundedCone { radius: metres(size), slope: plain(0.3) }),
-            Box::new(RoundedPunch { flat_radius: metres(b), edge_radius: metres(size) }),
+        let shapes: [Arc<dyn Profile>; 9] = [
+            Arc::new(Paraboloid { radius: metres(size) }),
+            Arc::new(Sphere { radius: metres(size) }),
+            Arc::new(Cone { slope: plain(0.2) }),
+            Arc::new(Power { coefficient: plain(0.1 * size.powi(-3)), exponent: plain(4.0) }),
+            Arc::new(FlatPunch { radius: metres(b) }),
+            Arc::new(TruncatedCone { flat_radius: metres(b), slope: plain(0.2) }),
+            Arc::new(TruncatedParaboloid { flat_radius: metres(b), radius: metres(size) }),
+            Arc::new(RoundedCone { radius: metres(size), slope: plain(0.3) }),
+            Arc::new(RoundedPunch { flat_radius: metres(b), edge_radius: metres(size) }),
         ];
         let (low, high) = (0.01 * size * f64::from(from), 0.01 * size * f64::from(from) * (1.0 + 0.02 * f64::from(stretch)));
         for shape in shapes {
             let at = |d: f64| {
-                let mut state = bare(shape.as_ref(), modulus);
+                let mut state = QuasiStatic::new(EdgeLine::new(HalfSpace::new(shape.clone(), modulus), 0.0));
                 state.indent(d).unwrap();
                 (state.present().balance.force, state.stiffness(), state.energy().elastic)
             };
@@ -200,8 +202,8 @@ proptest! {
         let stress = 0.5 * lambda * (PI * work * stiffness * stiffness / radius).cbrt();
         let unit = (PI * work * radius * radius / stiffness).cbrt();
         let shape = Paraboloid { radius: metres(radius) };
-        let disc = RangeDisc::new(&shape, modulus, work, stress).unwrap();
-        let mut state = QuasiStatic::new(&shape, modulus, Attraction::Range(disc));
+        let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), modulus), work, stress).unwrap();
+        let mut state = QuasiStatic::new(disc);
         state.press(0.0).unwrap();
         state.press(force * PI * work * radius).unwrap();
         let found = state.present().balance;
@@ -224,8 +226,8 @@ proptest! {
         let stiffness = 4.0 / 3.0 * modulus;
         let stress = 0.5 * lambda * (PI * work * stiffness * stiffness / radius).cbrt();
         let shape = Paraboloid { radius: metres(radius) };
-        let disc = RangeDisc::new(&shape, modulus, work, stress).unwrap();
-        let mut state = QuasiStatic::new(&shape, modulus, Attraction::Range(disc));
+        let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), modulus), work, stress).unwrap();
+        let mut state = QuasiStatic::new(disc);
         state.press(0.0).unwrap();
         let off = state.press(-3.0 * PI * work * radius).unwrap().last().unwrap().before.force;
         prop_assert!((off / (right * PI * work * radius) - 1.0).abs() < 1e-12, "{off}");
@@ -261,7 +263,7 @@ proptest! {
         let ratio = 2.0 * stress / modulus;
         let gap = 2.0 / PI * (integral + ratio * c * (phi * phi.sin() - 2.0 * (0.5 * phi).sin().powi(2)));
         let shape = TruncatedCone { flat_radius: metres(b), slope: plain(slope) };
-        let disc = RangeDisc::new(&shape, modulus, gap * stress, stress).unwrap();
+        let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), modulus), gap * stress, stress).unwrap();
         let state = disc.at(c);
         let (g, pull) = (slope * a * q.atan2(b), ratio * c * phi.sin());
         // Rounding of c against a neck of 1e-2 of it, in two quadratures and a root.

@@ -7,11 +7,13 @@
 use proptest::prelude::*;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::adhesion::range::RangeDisc;
-use springbed::contact::direct::{Attraction, QuasiStatic};
+use springbed::contact::direct::QuasiStatic;
+use springbed::contact::foundation::HalfSpace;
 use springbed::input::quantity::{Length, Positive};
 use springbed::numerics::quadrature;
 use springbed::shape::{Cone, Paraboloid, Power, Profile};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 const BOUND: f64 = 1e-11;
 
@@ -24,8 +26,8 @@ fn ball(radius: f64) -> Paraboloid {
     Paraboloid { radius: Length::new(radius).unwrap() }
 }
 
-fn contact(profile: &dyn Profile, modulus: f64, work: f64) -> QuasiStatic<'_> {
-    QuasiStatic::new(profile, modulus, Attraction::Line(EdgeLine::new(profile, modulus, work)))
+fn contact<P: Profile + Clone + 'static>(profile: &P, modulus: f64, work: f64) -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), work))
 }
 
 fn close(value: f64, right: f64) -> Result<(), TestCaseError> {
@@ -199,8 +201,8 @@ proptest! {
         let shape = ball(1.0);
         let right = jkr_radius(load, (1.0, 1.0, 1.0));
         let error = |stress: f64| {
-            let disc = RangeDisc::new(&shape, 1.0, 1.0, stress).unwrap();
-            let mut state = QuasiStatic::new(&shape, 1.0, Attraction::Range(disc));
+            let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), 1.0), 1.0, stress).unwrap();
+            let mut state = QuasiStatic::new(disc);
             state.press(0.0).unwrap();
             state.press(load).unwrap();
             (state.present().balance.contact_radius / right - 1.0).abs()
@@ -219,8 +221,8 @@ fn cone_and_dmt() {
     state.indent(0.02).unwrap();
     assert!((state.present().balance.force / (2.0 / PI * 3.0 * 0.02 * 0.02 / 0.1) - 1.0).abs() < 1e-14);
     let shape = ball(1.0);
-    let disc = RangeDisc::new(&shape, 1e6, 1.0, 1.0).unwrap();
-    let mut tip = QuasiStatic::new(&shape, 1e6, Attraction::Range(disc));
+    let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), 1e6), 1.0, 1.0).unwrap();
+    let mut tip = QuasiStatic::new(disc);
     tip.press(0.0).unwrap();
     let off = tip.press(-10.0).unwrap().last().unwrap().before.force;
     // λ = 1.2e-4 here; the departure from DMT is of the order λ.

@@ -6,11 +6,13 @@
 
 use proptest::prelude::*;
 use springbed::contact::adhesion::line::{EdgeLine, Energy};
-use springbed::contact::direct::{Attraction, Jump, QuasiStatic};
+use springbed::contact::direct::{Jump, QuasiStatic};
+use springbed::contact::foundation::HalfSpace;
 use springbed::input::quantity::{Amplitude, Length};
 use springbed::numerics::quadrature;
 use springbed::shape::WavyParaboloid;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::Arc;
 
 /// Guduru's lens: R, amplitude, wavelength [m], E* [Pa], w [J/m²].
 #[derive(Debug, Clone, Copy)]
@@ -79,8 +81,8 @@ impl Lens {
 /// Jumps on the way to `to` and out again, with `records` stops each way.
 fn loop_of(lens: Lens, to: f64, records: u32) -> (Vec<Jump>, Vec<Jump>) {
     let shape = lens.shape();
-    let line = EdgeLine::new(&shape, lens.modulus, lens.work);
-    let mut contact = QuasiStatic::new(&shape, lens.modulus, Attraction::Line(line));
+    let line = EdgeLine::new(HalfSpace::new(Arc::new(shape.clone()), lens.modulus), lens.work);
+    let mut contact = QuasiStatic::new(line);
     let mut ways = [(0.0, to), (to, contact.last_depth().unwrap())].map(|(from, to)| {
         let stop = |k| if k == records { to } else { from + (to - from) * f64::from(k) / f64::from(records) };
         (1..=records).flat_map(|k| contact.indent(stop(k)).unwrap()).collect::<Vec<_>>()
@@ -122,8 +124,8 @@ fn every_jump_is_found_whatever_the_number_of_records() {
 fn every_jump_under_force_is_found_whatever_the_number_of_records() {
     let shape = LENS.shape();
     let run = |records: u32| {
-        let line = EdgeLine::new(&shape, LENS.modulus, LENS.work);
-        let mut contact = QuasiStatic::new(&shape, LENS.modulus, Attraction::Line(line));
+        let line = EdgeLine::new(HalfSpace::new(Arc::new(shape.clone()), LENS.modulus), LENS.work);
+        let mut contact = QuasiStatic::new(line);
         let mut way = |from: f64, to: f64| -> Vec<Jump> {
             let stop = |k| from + (to - from) * f64::from(k) / f64::from(records);
             (1..=records).flat_map(|k| contact.press(stop(k)).unwrap()).collect()

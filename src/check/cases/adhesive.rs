@@ -4,10 +4,12 @@ use crate::check::case::{Case, Proof, worst};
 use crate::contact::adhesion::equilibrium::BranchError;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::input::quantity::{Length, Positive};
 use crate::shape::{Cone, FlatPunch, Paraboloid, Profile};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 const ROUNDING: &str = "a root to two units in the last place and sums of one sign; a hundred roundings allowed";
 
@@ -90,8 +92,8 @@ fn ball() -> Option<Paraboloid> {
     Some(Paraboloid { radius: Length::new(1.0).ok()? })
 }
 
-fn unit_jkr(profile: &dyn Profile) -> QuasiStatic<'_> {
-    QuasiStatic::new(profile, 1.0, Attraction::Line(EdgeLine::new(profile, 1.0, 1.0)))
+fn unit_jkr<P: Profile + Clone + 'static>(profile: &P) -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), 1.0), 1.0))
 }
 
 /// (πwR)-scaled turning point under force: a = (9π/8)^{1/3}, F = −1.5π.
@@ -141,7 +143,7 @@ fn radius_under_load() -> Option<f64> {
     let lens = Paraboloid { radius: Length::new(radius).ok()? };
     let pull = 1.5 * PI * work * radius;
     let one = |load: f64| -> Result<(f64, f64), BranchError> {
-        let mut contact = QuasiStatic::new(&lens, modulus, Attraction::Line(EdgeLine::new(&lens, modulus, work)));
+        let mut contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(lens.clone()), modulus), work));
         contact.press(load)?;
         let right = (0.75 * radius / modulus * (pull.sqrt() + (load + pull).sqrt()).powi(2)).cbrt();
         Ok((contact.present().balance.contact_radius, right))
@@ -162,7 +164,7 @@ fn work_to_detach() -> Option<f64> {
 fn cone() -> Option<f64> {
     let (slope, work, modulus) = (0.2, 0.7, 3.0);
     let cone = Cone { slope: Positive::new(slope).ok()? };
-    let contact = || QuasiStatic::new(&cone, modulus, Attraction::Line(EdgeLine::new(&cone, modulus, work)));
+    let contact = || QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(cone.clone()), modulus), work));
     let mut pulled = contact();
     pulled.press(0.0).ok()?;
     let by_force = pulled.press(-1e6).ok()?.first()?.before;
@@ -181,8 +183,8 @@ fn cone() -> Option<f64> {
 fn flat_punch() -> Option<f64> {
     let (radius, work, modulus) = (0.3, 0.7, 3.0);
     let punch = FlatPunch { radius: Length::new(radius).ok()? };
-    let line = EdgeLine::new(&punch, modulus, work);
-    let mut contact = QuasiStatic::new(&punch, modulus, Attraction::Line(line));
+    let line = EdgeLine::new(HalfSpace::new(Arc::new(punch.clone()), modulus), work);
+    let mut contact = QuasiStatic::new(line);
     let touched = *contact.indent(0.0).ok()?.first()?;
     let off = *contact.indent(-1e3).ok()?.first()?;
     Some(worst(&[
@@ -214,8 +216,8 @@ fn maugis_pull_off() -> Option<f64> {
         (5.0, -1.506_349_967_716_04),
     ];
     let one = |(lambda, right): (f64, f64)| {
-        let disc = RangeDisc::new(&ball, 0.75, 1.0 / PI, 0.5 * lambda).ok()?;
-        let mut contact = QuasiStatic::new(&ball, 0.75, Attraction::Range(disc));
+        let disc = RangeDisc::new(HalfSpace::new(Arc::new(ball.clone()), 0.75), 1.0 / PI, 0.5 * lambda).ok()?;
+        let mut contact = QuasiStatic::new(disc);
         contact.press(0.0).ok()?;
         Some((contact.press(-3.0).ok()?.last()?.before.force, right))
     };

@@ -3,12 +3,14 @@
 use crate::check::case::{Case, Proof, worst};
 use crate::check::elliptic;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::springs::{EdgeLocation, SpringBed};
 use crate::contact::stress::Loading;
 use crate::input::quantity::{Length, Positive};
 use crate::shape::{FlatPunch, Paraboloid, Power, Profile};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 const ROUNDING: &str = "closed forms, a dozen roundings";
 
@@ -87,8 +89,8 @@ pub(super) const CASES: &[Case] = &[
     },
 ];
 
-fn indented(profile: &dyn Profile, modulus: f64, d: f64) -> Option<QuasiStatic<'_>> {
-    let mut contact = QuasiStatic::new(profile, modulus, Attraction::Line(EdgeLine::new(profile, modulus, 0.0)));
+fn indented<P: Profile + Clone + 'static>(profile: &P, modulus: f64, d: f64) -> Option<QuasiStatic> {
+    let mut contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), 0.0));
     contact.indent(d).ok()?;
     Some(contact)
 }
@@ -107,7 +109,7 @@ fn steel_ball() -> Option<f64> {
 fn rail_and_wheel() -> Option<f64> {
     let wheel = Paraboloid { radius: Length::new(0.5).ok()? };
     let modulus = 210e9 / 0.91 / 2.0;
-    let mut contact = QuasiStatic::new(&wheel, modulus, Attraction::Line(EdgeLine::new(&wheel, modulus, 0.0)));
+    let mut contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(wheel.clone()), modulus), 0.0));
     contact.press(1e5).ok()?;
     Some(worst(&[(contact.pressure(0.0), 1.0e9), (contact.present().balance.contact_radius, 6.8e-3)]))
 }
@@ -158,8 +160,9 @@ fn flat_punch() -> Option<f64> {
 }
 
 /// A ball of R = 1 pressed to a = 0.1 with E* = 1: p₀ = 2a/π.
-fn loading(ball: &Paraboloid) -> Loading<'_> {
-    Loading { profile: ball, modulus: 1.0, poisson: 0.33, contact_radius: 0.1, edge_load: 0.0 }
+fn loading(ball: &Paraboloid) -> Loading {
+    let ground = HalfSpace::new(Arc::new(ball.clone()), 1.0);
+    Loading { ground, poisson: 0.33, contact_radius: 0.1, edge_load: 0.0 }
 }
 
 fn stress_on_axis() -> Option<f64> {

@@ -3,6 +3,7 @@
 use super::{Fineness, Measured, Method, State, state_of, timed};
 use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::direct::QuasiStatic;
 use crate::contact::springs::SpringBed;
 use crate::numerics::extremum;
 use crate::run::record::Record;
@@ -85,7 +86,7 @@ impl<'s> Scenario<'s> {
         Ok(State {
             force_n: normal.force,
             contact_radius_m: normal.contact_radius,
-            peak_pressure_pa: self.peak_at.and_then(|r| contact.pressure(r)),
+            peak_pressure_pa: self.peak_at.and_then(|r| NormalContact::pressure(&contact, r)),
             ..self.most
         })
     }
@@ -125,7 +126,7 @@ impl<'s> Scenario<'s> {
 }
 
 /// The contact pressed to an indentation [m] from first touch.
-fn pressed(setup: &Setup, to: f64) -> Result<run::Direct<'_>, SimulationError> {
+fn pressed(setup: &Setup, to: f64) -> Result<QuasiStatic, SimulationError> {
     let mut contact = run::direct(setup)?;
     let pressed = contact.advance(Control::Indentation, to, 0.0);
     pressed.map_err(|source| SimulationError::Contact { entry: 0, source })?;

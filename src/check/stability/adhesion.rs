@@ -3,10 +3,12 @@
 use super::{Found, Trial, Whose, powers};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::input::quantity::Length;
 use crate::shape::Paraboloid;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 pub(super) const TRIALS: &[Trial] = &[
     Trial {
@@ -47,8 +49,8 @@ fn jkr() -> Option<Found> {
             for radius in powers(-9.0, 6.8, 1.58) {
                 let ball = Paraboloid { radius: Length::new(radius).ok()? };
                 let contact = || {
-                    let line = EdgeLine::new(&ball, modulus, work);
-                    QuasiStatic::new(&ball, modulus, Attraction::Line(line))
+                    let line = EdgeLine::new(HalfSpace::new(Arc::new(ball.clone()), modulus), work);
+                    QuasiStatic::new(line)
                 };
                 let mut pulled = contact();
                 pulled.press(0.0).ok()?;
@@ -72,7 +74,7 @@ fn hair() -> Option<Found> {
     let ball = Paraboloid { radius: Length::new(1.0).ok()? };
     let pull = 1.5 * PI;
     for hair in powers(-14.0, -2.0, 0.5) {
-        let mut contact = QuasiStatic::new(&ball, 1.0, Attraction::Line(EdgeLine::new(&ball, 1.0, 1.0)));
+        let mut contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(ball.clone()), 1.0), 1.0));
         contact.press(0.0).ok()?;
         let force = -pull * (1.0 - hair);
         contact.press(force).ok()?;
@@ -93,8 +95,9 @@ fn tabor() -> Option<Found> {
     let ball = Paraboloid { radius: Length::new(1.0).ok()? };
     let mut last = -2.0;
     for parameter in powers(-3.0, 3.0, 0.125) {
-        let disc = RangeDisc::new(&ball, 0.75, 1.0 / PI, 0.5 * 1.157 * parameter).ok()?;
-        let mut contact = QuasiStatic::new(&ball, 0.75, Attraction::Range(disc));
+        let disc =
+            RangeDisc::new(HalfSpace::new(Arc::new(ball.clone()), 0.75), 1.0 / PI, 0.5 * 1.157 * parameter).ok()?;
+        let mut contact = QuasiStatic::new(disc);
         contact.press(0.0).ok()?;
         let force = contact.press(-3.0).ok()?.last()?.before.force;
         found.law(force >= last - 1e-12 && (-2.0..=-1.5).contains(&force));

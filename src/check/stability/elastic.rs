@@ -3,11 +3,13 @@
 use super::{Found, Trial, Whose, powers};
 use crate::check::closed_forms;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::input::quantity::{Length, Modulus, Poisson};
 use crate::input::table::InMemory;
 use crate::material::{self, Body, Elastic};
 use crate::shape::{Paraboloid, Profile, Sphere};
+use std::sync::Arc;
 
 pub(super) const TRIALS: &[Trial] = &[
     Trial {
@@ -48,8 +50,8 @@ pub(super) const TRIALS: &[Trial] = &[
     },
 ];
 
-fn contact(profile: &dyn Profile, modulus: f64) -> QuasiStatic<'_> {
-    QuasiStatic::new(profile, modulus, Attraction::Line(EdgeLine::new(profile, modulus, 0.0)))
+fn contact<P: Profile + Clone + 'static>(profile: &P, modulus: f64) -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), 0.0))
 }
 
 fn hertz() -> Option<Found> {

@@ -7,6 +7,7 @@ use crate::friction::{Grip, Pose, TangentialMemory};
 use crate::input::quantity::Length;
 use crate::shape::Paraboloid;
 use crate::shape::rough::Random;
+use std::sync::Arc;
 
 pub(super) const TRIALS: &[Trial] = &[
     Trial {
@@ -50,7 +51,7 @@ fn coefficients() -> Option<Found> {
     for coefficient in powers(-6.0, 6.0, 0.5) {
         let exact = exact(coefficient);
         for part in powers(-12.0, 0.3, 0.3) {
-            let mut memory = TangentialMemory::new(&lens, grip(coefficient));
+            let mut memory = TangentialMemory::new(Arc::new(lens.clone()), grip(coefficient));
             memory.advance(Pose { indentation: DEPTH, slide: 0.0 }).ok()?;
             let slide = part * exact.reach();
             memory.advance(Pose { indentation: DEPTH, slide }).ok()?;
@@ -63,7 +64,7 @@ fn coefficients() -> Option<Found> {
 fn reversals() -> Option<Found> {
     let mut found = Found::default();
     let (lens, exact) = (lens()?, exact(0.3));
-    let mut memory = TangentialMemory::new(&lens, grip(0.3));
+    let mut memory = TangentialMemory::new(Arc::new(lens.clone()), grip(0.3));
     let mut random = Random::seeded(1);
     for _ in 0..1_000_000 {
         let slide = 0.9 * exact.reach() * (random.phase() / std::f64::consts::PI - 1.0);

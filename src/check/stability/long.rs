@@ -3,7 +3,8 @@
 use super::{Found, Trial, Whose};
 use crate::check::closed_forms;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::input::quantity::{Length, Modulus, Poisson};
 use crate::input::table::InMemory;
 use crate::material::{Body, Elastic};
@@ -13,6 +14,7 @@ use crate::scene::history::Entry;
 use crate::shape::rough::Random;
 use crate::shape::{Measured, Paraboloid, Profile, Shape};
 use std::path::Path;
+use std::sync::Arc;
 
 pub(super) const TRIALS: &[Trial] = &[
     Trial {
@@ -44,8 +46,8 @@ pub(super) const TRIALS: &[Trial] = &[
     },
 ];
 
-fn contact(profile: &dyn Profile) -> QuasiStatic<'_> {
-    QuasiStatic::new(profile, 1.0, Attraction::Line(EdgeLine::new(profile, 1.0, 0.0)))
+fn contact<P: Profile + Clone + 'static>(profile: &P) -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), 1.0), 0.0))
 }
 
 fn read(radii: &[f64], heights: &[f64]) -> Option<Measured> {

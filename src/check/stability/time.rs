@@ -4,7 +4,8 @@ use super::{Found, Trial, Whose, powers};
 use crate::check::ting::Triangle;
 use crate::check::usual;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::layout::Layout;
 use crate::contact::viscoelastic::lazy::Lazy;
@@ -140,7 +141,7 @@ fn impacts() -> Option<Found> {
     let ball = Paraboloid { radius: Length::new(0.3).ok()? };
     for mass in powers(-15.0, 15.0, 2.0) {
         for speed in powers(-6.0, 4.0, 1.0) {
-            let contact = QuasiStatic::new(&ball, 7.0, Attraction::Line(EdgeLine::new(&ball, 7.0, 0.0)));
+            let contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(ball.clone()), 7.0), 0.0));
             let seen = Passage::new(&contact, Projectile { mass, speed }, 1e-11).ok()?.rebound();
             let depth = (15.0 * mass * speed * speed / (16.0 * 7.0 * 0.3f64.sqrt())).powf(0.4);
             found.pair(seen.greatest_depth, depth);

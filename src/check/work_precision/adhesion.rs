@@ -2,11 +2,13 @@
 
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::springs::{EdgeLocation, SpringBed};
 use crate::input::quantity::Length;
 use crate::shape::Paraboloid;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Depth from which the ball is pulled away; R = E* = w = 1.
 const DEPTH: f64 = 2.0;
@@ -48,13 +50,13 @@ fn ball() -> Option<Paraboloid> {
 }
 
 fn direct(ball: &Paraboloid) -> Option<Answer> {
-    let mut contact = QuasiStatic::new(ball, 1.0, Attraction::Line(EdgeLine::new(ball, 1.0, 1.0)));
+    let mut contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(ball.clone()), 1.0), 1.0));
     contact.indent(DEPTH).ok()?;
     let from = contact.present().balance.reach;
     contact.indent(AWAY).ok()?;
     let turns = contact.force_turns(from, contact.present().balance.reach).ok()?;
     let values = vec![turns.first()?.force];
-    Some(Answer { values, bytes: size_of::<QuasiStatic<'_>>(), ..Answer::default() })
+    Some(Answer { values, bytes: size_of::<QuasiStatic>(), ..Answer::default() })
 }
 
 fn springs(mut bed: SpringBed) -> Answer {

@@ -3,11 +3,13 @@
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::closed_forms::{self, Contact};
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::springs::{EdgeLocation, SpringBed};
 use crate::input::quantity::{Length, Positive};
 use crate::shape::{Cone, Paraboloid, Profile};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use std::sync::Arc;
 
 /// Indentation over radius: small enough for the half-space, large enough for a window of pixels.
 const DEPTH: f64 = 0.01;
@@ -32,7 +34,7 @@ pub(super) fn cone(effort: Effort) -> Option<Study> {
     Some(study)
 }
 
-fn study<P: Profile + 'static>(
+fn study<P: Profile + Clone + 'static>(
     shape: impl Fn() -> Option<P> + Copy + 'static,
     (effort, exact, pressure): (Effort, Contact, Option<f64>),
 ) -> Study {
@@ -71,15 +73,15 @@ fn study<P: Profile + 'static>(
     }
 }
 
-fn direct(profile: &dyn Profile, pressure: bool) -> Option<Answer> {
-    let mut contact = QuasiStatic::new(profile, 1.0, Attraction::Line(EdgeLine::new(profile, 1.0, 0.0)));
+fn direct<P: Profile + Clone + 'static>(profile: &P, pressure: bool) -> Option<Answer> {
+    let mut contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), 1.0), 0.0));
     contact.indent(DEPTH).ok()?;
     let balance = contact.present().balance;
     Some(Answer {
         values: vec![balance.force],
         radius: Some(balance.contact_radius),
         pressure: pressure.then(|| contact.pressure(0.0)),
-        bytes: size_of::<QuasiStatic<'_>>(),
+        bytes: size_of::<QuasiStatic>(),
         iterations: None,
     })
 }

@@ -7,6 +7,7 @@ use crate::friction::{CoulombBed, Grip, Pose, TangentialMemory};
 use crate::input::quantity::Length;
 use crate::shape::Paraboloid;
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 
 const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
 const DEPTH: f64 = 0.01;
@@ -66,11 +67,11 @@ fn ball() -> Option<Paraboloid> {
 }
 
 fn memory(ball: &Paraboloid, path: &[Pose]) -> Option<Answer> {
-    let mut memory = TangentialMemory::new(ball, GRIP);
+    let mut memory = TangentialMemory::new(Arc::new(ball.clone()), GRIP);
     memory.advance(Pose { indentation: DEPTH, slide: 0.0 }).ok()?;
     let values: Option<Vec<f64>> =
         path.iter().map(|&to| memory.advance(to).ok().map(|()| memory.state().tangential_force)).collect();
-    Some(Answer { values: values?, bytes: size_of::<TangentialMemory<'_>>(), ..Answer::default() })
+    Some(Answer { values: values?, bytes: size_of::<TangentialMemory>(), ..Answer::default() })
 }
 
 fn springs(mut bed: CoulombBed, path: &[Pose]) -> Option<Answer> {

@@ -3,7 +3,8 @@
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::check::usual;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::viscoelastic::Spectrum;
 use crate::drive::impact::{Passage, Projectile, StruckHalfSpace};
 use crate::input::quantity::Length;
@@ -20,7 +21,7 @@ pub(super) fn hertz(effort: Effort) -> Option<Study> {
     let mut methods = vec![Method::new("energy integral", Setting::FREE, || {
         let ball = ball()?;
         Some(move || {
-            let contact = QuasiStatic::new(&ball, 1.0, Attraction::Line(EdgeLine::new(&ball, 1.0, 0.0)));
+            let contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(ball.clone()), 1.0), 0.0));
             let rebound = Passage::new(&contact, IMPACT, 1e-6).ok()?.rebound();
             Some(Answer { values: vec![rebound.contact_time?], ..Answer::default() })
         })

@@ -1,7 +1,8 @@
 //! Attraction of vanishing range on any profile, by Heß's rule.
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
-use crate::shape::{Profile, Rim};
+use crate::contact::foundation::HalfSpace;
+use crate::shape::Rim;
 use std::f64::consts::PI;
 
 /// Equilibrium of a contact whose edge carries the work of adhesion w, w = 0 included.
@@ -10,10 +11,9 @@ use std::f64::consts::PI;
 /// eq. 4.18), so d = g(a) − Δl(a) and F = 2E*(N(a) − aΔl(a)). With w = 0 it is the contact without
 /// adhesion, to the bit. Symbols: a contact radius [m], w work of adhesion [J/m²], E* effective
 /// modulus [Pa]. Check: R = E* = w = 1 parts at d = −1.608772047833270 under displacement control.
-#[derive(Debug, Clone, Copy)]
-pub struct EdgeLine<'p> {
-    profile: &'p dyn Profile,
-    modulus: f64,
+#[derive(Debug, Clone)]
+pub struct EdgeLine {
+    ground: HalfSpace,
     work: f64,
 }
 
@@ -34,17 +34,29 @@ impl Energy {
     }
 }
 
-impl<'p> EdgeLine<'p> {
-    /// A contact of `profile` with the effective modulus E* [Pa] and the work of adhesion w [J/m²].
+impl EdgeLine {
+    /// A contact on `ground` with the work of adhesion w [J/m²].
     #[must_use]
-    pub fn new(profile: &'p dyn Profile, modulus: f64, work: f64) -> Self {
-        Self { profile, modulus, work }
+    pub fn new(ground: HalfSpace, work: f64) -> Self {
+        Self { ground, work }
+    }
+
+    /// What the indenter is pressed into.
+    #[must_use]
+    pub fn ground(&self) -> &HalfSpace {
+        &self.ground
+    }
+
+    /// Work of adhesion w [J/m²].
+    #[must_use]
+    pub fn work(&self) -> f64 {
+        self.work
     }
 
     /// Δl(a) [m], the elongation at which the edge springs part.
     #[must_use]
     pub fn elongation(&self, a: f64) -> f64 {
-        (2.0 * PI * a * (self.work / self.modulus)).sqrt()
+        (2.0 * PI * a * (self.work / self.ground.modulus())).sqrt()
     }
 
     /// The state at the contact radius `a` [m] in equilibrium.
@@ -56,59 +68,63 @@ impl<'p> EdgeLine<'p> {
     /// The state of a contact of radius `a` whose indentation is `d`, in equilibrium or held by a wall.
     #[must_use]
     pub fn under_wall(&self, a: f64, d: f64) -> Balance {
-        let edge = d - self.profile.reduced(a);
-        let force = 2.0 * self.modulus * (self.profile.load_integral(a) + a * edge);
+        let edge = d - self.ground.profile().reduced(a);
+        let force = 2.0 * self.ground.modulus() * (self.ground.profile().load_integral(a) + a * edge);
         Balance { contact_radius: a, reach: a, indentation: d, force }
     }
 
     /// Indentation [m] at which a contact of radius `a` [m], held by a wall, carries the force [N].
     #[must_use]
     pub fn indentation_under_wall(&self, a: f64, force: f64) -> f64 {
-        self.profile.reduced(a) + (0.5 * force / self.modulus - self.profile.load_integral(a)) / a
+        self.ground.profile().reduced(a)
+            + (0.5 * force / self.ground.modulus() - self.ground.profile().load_integral(a)) / a
     }
 
     /// Energy of a contact of radius `a` [m] whose edge springs are compressed by `edge` [m].
     #[must_use]
     pub fn energy(&self, a: f64, edge: f64) -> Energy {
-        let (n, m) = (self.profile.load_integral(a), self.profile.energy_integral(a));
-        Energy { elastic: self.modulus * (m + 2.0 * edge * n + a * edge * edge), surface: -self.work * PI * a * a }
+        let (n, m) = (self.ground.profile().load_integral(a), self.ground.profile().energy_integral(a));
+        Energy {
+            elastic: self.ground.modulus() * (m + 2.0 * edge * n + a * edge * edge),
+            surface: -self.work * PI * a * a,
+        }
     }
 }
 
-impl Equilibrium for EdgeLine<'_> {
+impl Equilibrium for EdgeLine {
     fn value(&self, control: Control, a: f64) -> f64 {
         let elongation = self.elongation(a);
         match control {
-            Control::Indentation => self.profile.reduced(a) - elongation,
-            Control::Force => 2.0 * self.modulus * (self.profile.load_integral(a) - a * elongation),
+            Control::Indentation => self.ground.profile().reduced(a) - elongation,
+            Control::Force => 2.0 * self.ground.modulus() * (self.ground.profile().load_integral(a) - a * elongation),
         }
     }
 
     fn slope(&self, control: Control, a: f64) -> f64 {
-        let (slope, elongation) = (self.profile.reduced_slope(a), self.elongation(a));
+        let (slope, elongation) = (self.ground.profile().reduced_slope(a), self.elongation(a));
         match control {
             Control::Indentation => slope - 0.5 * elongation / a,
-            Control::Force => 2.0 * self.modulus * (a * slope - 1.5 * elongation),
+            Control::Force => 2.0 * self.ground.modulus() * (a * slope - 1.5 * elongation),
         }
     }
 
     fn start(&self) -> f64 {
-        if self.work > 0.0 { 0.0 } else { self.profile.flat_radius() }
+        if self.work > 0.0 { 0.0 } else { self.ground.profile().flat_radius() }
     }
 
     fn end(&self) -> f64 {
-        match self.profile.rim() {
+        match self.ground.profile().rim() {
             Rim::None => f64::INFINITY,
             Rim::Wall(end) | Rim::End(end) => end,
         }
     }
 
     fn scale(&self) -> f64 {
-        self.profile.scale()
+        self.ground.profile().scale()
     }
 
     fn search(&self) -> Search {
-        match (self.profile.feature(), self.profile.kink()) {
+        match (self.ground.profile().feature(), self.ground.profile().kink()) {
             _ if self.work <= 0.0 => Search::Nowhere,
             (Some(length), _) => Search::Spaced(length),
             (None, Some(kink)) => Search::About(kink),

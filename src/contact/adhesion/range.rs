@@ -2,8 +2,9 @@
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use super::line::Energy;
+use crate::contact::foundation::HalfSpace;
 use crate::numerics::{quadrature, root};
-use crate::shape::{Profile, Rim};
+use crate::shape::Rim;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI};
 
 /// Equilibrium of a contact with the attractive stress σ₀ up to the gap w/σ₀.
@@ -16,10 +17,9 @@ use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI};
 /// touch, a = 0, they attract each other over the radius c already. Symbols: a contact radius,
 /// c radius of attraction [m], w work of adhesion [J/m²], σ₀ attractive stress [Pa], E* effective
 /// modulus [Pa]. Check: λ = 1 parts at F = −1.600723 πwR.
-#[derive(Debug, Clone, Copy)]
-pub struct RangeDisc<'p> {
-    profile: &'p dyn Profile,
-    modulus: f64,
+#[derive(Debug, Clone)]
+pub struct RangeDisc {
+    ground: HalfSpace,
     work: f64,
     stress: f64,
     /// Radius c at which the bodies touch first.
@@ -28,14 +28,13 @@ pub struct RangeDisc<'p> {
     decades: f64,
 }
 
-impl<'p> RangeDisc<'p> {
-    /// A contact of `profile` with the effective modulus E* [Pa], the work of adhesion w [J/m²] and
-    /// the attractive stress σ₀ [Pa].
+impl RangeDisc {
+    /// A contact on `ground` with the work of adhesion w [J/m²] and the attractive stress σ₀ [Pa].
     ///
     /// # Errors
     /// No radius of attraction is found at which the bodies touch.
-    pub fn new(profile: &'p dyn Profile, modulus: f64, work: f64, stress: f64) -> Result<Self, root::RootError> {
-        let mut disc = Self { profile, modulus, work, stress, touch: 0.0, decades: 1.0 };
+    pub fn new(ground: HalfSpace, work: f64, stress: f64) -> Result<Self, root::RootError> {
+        let mut disc = Self { ground, work, stress, touch: 0.0, decades: 1.0 };
         let residual = |c: f64| disc.gap_without_contact(c) - disc.range();
         let (low, high) = root::bracket_upwards(residual, 0.0, disc.jkr_scale().min(disc.end()), disc.end().min(1e300))
             .unwrap_or((0.0, disc.end()));
@@ -49,8 +48,16 @@ impl<'p> RangeDisc<'p> {
 
     /// Radius at which the contact would turn if the range vanished: g′ = Δl/2a.
     fn short_range_turn(&self) -> f64 {
-        let residual = |a: f64| self.profile.reduced_slope(a) - (0.5 * PI * self.work / (self.modulus * a)).sqrt();
+        let residual = |a: f64| {
+            self.ground.profile().reduced_slope(a) - (0.5 * PI * self.work / (self.ground.modulus() * a)).sqrt()
+        };
         root::bracket_upwards(residual, 0.0, self.touch, self.end().min(1e300)).map_or(self.touch, |found| found.1)
+    }
+
+    /// What the indenter is pressed into.
+    #[must_use]
+    pub fn ground(&self) -> &HalfSpace {
+        &self.ground
     }
 
     /// Range of the attraction w/σ₀ [m].
@@ -81,31 +88,31 @@ impl<'p> RangeDisc<'p> {
 
     /// 2σ₀/E*.
     fn ratio(&self) -> f64 {
-        2.0 * self.stress / self.modulus
+        2.0 * self.stress / self.ground.modulus()
     }
 
     /// A length typical of the neck: the elongation limit of JKR on the profile's own scale.
     fn jkr_scale(&self) -> f64 {
-        (self.work / self.modulus).sqrt() * self.profile.scale().sqrt()
+        (self.work / self.ground.modulus()).sqrt() * self.ground.profile().scale().sqrt()
     }
 
     /// Gap at the rim c if the bodies just touch at the apex: f(c) − (2σ₀/E*)(2/π − 1)c.
     fn gap_without_contact(&self, c: f64) -> f64 {
-        self.profile.height(c) + self.ratio() * c * (1.0 - FRAC_2_PI)
+        self.ground.profile().height(c) + self.ratio() * c * (1.0 - FRAC_2_PI)
     }
 
     /// The angle arccos(b/c) of a kink of the profile at b that the neck a < x < c holds or is near to.
     ///
     /// Above a kink g goes as √(x−b). Farther from it than its own width the neck does not feel that.
     fn corner(&self, c: f64, phi: f64) -> Option<f64> {
-        let b = self.profile.kink().filter(|&b| b > 0.0 && b < c)?;
+        let b = self.ground.profile().kink().filter(|&b| b > 0.0 && b < c)?;
         let a = c * phi.cos();
         (c - b > 2.0 * (a - b)).then(|| ((c - b) * (c + b)).sqrt().atan2(b))
     }
 
     /// ∫₀^φ k(c cos ψ, ψ) dψ with panels at the breaks of the profile.
     fn over_neck(&self, c: f64, phi: f64, mut kernel: impl FnMut(f64, f64) -> f64) -> f64 {
-        let angles = self.profile.breaks(c).into_iter().map(|x| (x / c).min(1.0).acos());
+        let angles = self.ground.profile().breaks(c).into_iter().map(|x| (x / c).min(1.0).acos());
         let mut breaks: Vec<f64> = angles.filter(|&at| at < phi).collect();
         breaks.reverse();
         let mut at = |psi: f64| kernel(c * psi.cos(), psi);
@@ -120,10 +127,10 @@ impl<'p> RangeDisc<'p> {
     /// Gap h(c) for a = c cos φ.
     fn gap(&self, c: f64, phi: f64) -> f64 {
         let profile = if self.corner(c, phi).is_some() {
-            let edge = self.profile.reduced(c * phi.cos());
-            self.over_neck(c, phi, |x, _| self.profile.reduced(x) - edge)
+            let edge = self.ground.profile().reduced(c * phi.cos());
+            self.over_neck(c, phi, |x, _| self.ground.profile().reduced(x) - edge)
         } else {
-            self.over_neck(c, phi, |x, psi| self.profile.reduced_slope(x) * psi * c * psi.sin())
+            self.over_neck(c, phi, |x, psi| self.ground.profile().reduced_slope(x) * psi * c * psi.sin())
         };
         FRAC_2_PI * profile + self.gap_of_attraction(c, phi)
     }
@@ -139,9 +146,9 @@ impl<'p> RangeDisc<'p> {
     /// neck, which the gap prescribes, g(a) follows to rounding.
     fn edge_height(&self, c: f64, phi: f64) -> f64 {
         if self.corner(c, phi).is_none() {
-            return self.profile.reduced(c * phi.cos());
+            return self.ground.profile().reduced(c * phi.cos());
         }
-        let neck = self.over_neck(c, phi, |x, _| self.profile.reduced(x));
+        let neck = self.over_neck(c, phi, |x, _| self.ground.profile().reduced(x));
         (neck - FRAC_PI_2 * (self.range() - self.gap_of_attraction(c, phi))) / phi
     }
 
@@ -161,7 +168,7 @@ impl<'p> RangeDisc<'p> {
     }
 
     fn before_touch(&self, c: f64) -> Balance {
-        let indentation = self.profile.height(c) - FRAC_2_PI * self.ratio() * c - self.range();
+        let indentation = self.ground.profile().height(c) - FRAC_2_PI * self.ratio() * c - self.range();
         Balance { contact_radius: 0.0, reach: c, indentation, force: -PI * self.stress * c * c }
     }
 
@@ -172,8 +179,8 @@ impl<'p> RangeDisc<'p> {
         let indentation = edge - self.ratio() * c * sine;
         let attraction = 2.0 * self.stress * c * c * (sine * cosine + phi);
         // Zero but for the rounding of g near a kink, which N has too and which cancels.
-        let rounding = a * (edge - self.profile.reduced(a));
-        let force = 2.0 * self.modulus * (self.profile.load_integral(a) + rounding) - attraction;
+        let rounding = a * (edge - self.ground.profile().reduced(a));
+        let force = 2.0 * self.ground.modulus() * (self.ground.profile().load_integral(a) + rounding) - attraction;
         Balance { contact_radius: a, reach: c, indentation, force }
     }
 
@@ -181,15 +188,16 @@ impl<'p> RangeDisc<'p> {
     #[must_use]
     pub fn energy(&self, state: &Balance) -> Energy {
         let (a, c) = (state.contact_radius, state.reach);
-        let edge = state.indentation - self.profile.reduced(a);
+        let edge = state.indentation - self.ground.profile().reduced(a);
         let neck = ring_area(a, c);
-        let (n, m) = (self.profile.load_integral(a), self.profile.energy_integral(a));
-        let inside = self.modulus * (m + 2.0 * edge * n + a * edge * edge);
-        let outside = 4.0 * self.stress / self.modulus * self.stress * neck;
+        let (n, m) = (self.ground.profile().load_integral(a), self.ground.profile().energy_integral(a));
+        let inside = self.ground.modulus() * (m + 2.0 * edge * n + a * edge * edge);
+        let outside = 4.0 * self.stress / self.ground.modulus() * self.stress * neck;
         let phi = if c > 0.0 { (a / c).min(1.0).acos() } else { 0.0 };
         // ∫(g − d)√(c²−x²) dx over the neck, with √(c²−x²) dx = c² sin²ψ dψ.
-        let lift =
-            self.over_neck(c, phi, |x, psi| (self.profile.reduced(x) - state.indentation) * (c * psi.sin()).powi(2));
+        let lift = self.over_neck(c, phi, |x, psi| {
+            (self.ground.profile().reduced(x) - state.indentation) * (c * psi.sin()).powi(2)
+        });
         let gap_volume = 4.0 * lift - 4.0 * self.ratio() * neck;
         Energy { elastic: inside + outside, surface: self.stress * gap_volume - self.work * PI * c * c }
     }
@@ -198,9 +206,9 @@ impl<'p> RangeDisc<'p> {
     fn neck_slope(&self, c: f64, phi: f64) -> f64 {
         let (sine, cosine) = phi.sin_cos();
         let a = c * cosine;
-        let profile = self.over_neck(c, phi, |x, psi| self.profile.reduced_slope(x) * psi.cos());
+        let profile = self.over_neck(c, phi, |x, psi| self.ground.profile().reduced_slope(x) * psi.cos());
         let along_c = FRAC_2_PI * profile + FRAC_2_PI * self.ratio() * (phi / sine + cosine - 1.0);
-        let along_a = -FRAC_2_PI * phi * (self.profile.reduced_slope(a) + self.ratio() * cosine / sine);
+        let along_a = -FRAC_2_PI * phi * (self.ground.profile().reduced_slope(a) + self.ratio() * cosine / sine);
         -along_c / along_a
     }
 }
@@ -215,7 +223,7 @@ fn ring_area(a: f64, c: f64) -> f64 {
     (c - a).powi(2) * (2.0 * c + a) / 3.0
 }
 
-impl Equilibrium for RangeDisc<'_> {
+impl Equilibrium for RangeDisc {
     fn value(&self, control: Control, c: f64) -> f64 {
         let state = self.at(c);
         match control {
@@ -229,7 +237,7 @@ impl Equilibrium for RangeDisc<'_> {
             let step = 1e-6 * c;
             return match control {
                 Control::Indentation => {
-                    (self.profile.height(c + step) - self.profile.height(c - step)) / (2.0 * step)
+                    (self.ground.profile().height(c + step) - self.ground.profile().height(c - step)) / (2.0 * step)
                         - FRAC_2_PI * self.ratio()
                 }
                 Control::Force => -2.0 * PI * self.stress * c,
@@ -239,10 +247,10 @@ impl Equilibrium for RangeDisc<'_> {
         let (sine, cosine) = phi.sin_cos();
         let a = c * cosine;
         let a_slope = self.neck_slope(c, phi);
-        let d_slope = self.profile.reduced_slope(a) * a_slope - self.ratio() * (1.0 - cosine * a_slope) / sine;
+        let d_slope = self.ground.profile().reduced_slope(a) * a_slope - self.ratio() * (1.0 - cosine * a_slope) / sine;
         match control {
             Control::Indentation => d_slope,
-            Control::Force => 2.0 * self.modulus * a * d_slope - 4.0 * self.stress * c * phi,
+            Control::Force => 2.0 * self.ground.modulus() * a * d_slope - 4.0 * self.stress * c * phi,
         }
     }
 
@@ -251,7 +259,7 @@ impl Equilibrium for RangeDisc<'_> {
     }
 
     fn end(&self) -> f64 {
-        match self.profile.rim() {
+        match self.ground.profile().rim() {
             Rim::None => f64::INFINITY,
             Rim::Wall(end) | Rim::End(end) => end,
         }

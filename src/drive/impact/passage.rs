@@ -18,9 +18,9 @@ use std::f64::consts::PI;
 /// Check: Hertz, contact time 2.943275184324705 x₀/v with x₀ = (15mv²/(16E*√R))^{2/5} (Johnson 1985,
 /// eq. 11.23). Valid while v is far below the speed of sound and the edge runs far faster than the mass.
 #[derive(Debug, Clone)]
-pub struct Passage<'p> {
+pub struct Passage {
     impact: Projectile,
-    legs: Vec<Leg<'p>>,
+    legs: Vec<Leg>,
     /// Kinetic energy left as the bodies part [J]; `None` if they stay together.
     left: Option<f64>,
     lost: f64,
@@ -28,9 +28,9 @@ pub struct Passage<'p> {
 
 /// A stretch between two jumps, in one direction.
 #[derive(Debug, Clone)]
-struct Leg<'p> {
+struct Leg {
     /// The contact somewhere on this stretch.
-    contact: QuasiStatic<'p>,
+    contact: QuasiStatic,
     from: f64,
     to: f64,
     /// Energy lost in jumps before [J].
@@ -46,13 +46,13 @@ const LOOKS: u32 = 24;
 /// Most parts a leg is cut into for its duration.
 const MOST_PARTS: usize = 64;
 
-impl<'p> Passage<'p> {
+impl Passage {
     /// The way of a mass through a contact such as `contact`, from first touch on; `accuracy` is the relative error of the
     /// contact time aimed at (default 1e-6; smaller costs panels of a quadrature that converges fast).
     ///
     /// # Errors
     /// The kinetic energy carries the contact beyond its profile, or an equilibrium is not found.
-    pub fn new(contact: &QuasiStatic<'p>, impact: Projectile, accuracy: f64) -> Result<Self, ImpactError> {
+    pub fn new(contact: &QuasiStatic, impact: Projectile, accuracy: f64) -> Result<Self, ImpactError> {
         let mut passage = Self { impact, legs: Vec::new(), left: None, lost: 0.0 };
         let deepest = passage.inwards(contact.apart())?;
         passage.outwards(deepest)?;
@@ -83,12 +83,12 @@ impl<'p> Passage<'p> {
     /// Bytes of its state.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.legs.iter().map(|leg| size_of::<Leg<'_>>() + size_of::<f64>() * leg.clock.len()).sum()
+        self.legs.iter().map(|leg| size_of::<Leg>() + size_of::<f64>() * leg.clock.len()).sum()
     }
 
     /// The contact at the greatest depth.
     #[must_use]
-    pub fn deepest(&self) -> Option<QuasiStatic<'p>> {
+    pub fn deepest(&self) -> Option<QuasiStatic> {
         let leg = self.legs.get(self.turn())?;
         Some(leg.at(leg.to))
     }
@@ -140,12 +140,12 @@ impl<'p> Passage<'p> {
     }
 
     /// Kinetic energy [J] on a leg at the depth `d`.
-    fn kinetic(&self, leg: &Leg<'p>, d: f64) -> f64 {
+    fn kinetic(&self, leg: &Leg, d: f64) -> f64 {
         self.impact.energy() - leg.stored(d).stored() - leg.spent
     }
 
     /// Follows the contact inwards to where the kinetic energy is used up; the contact there.
-    fn inwards(&mut self, mut contact: QuasiStatic<'p>) -> Result<Leg<'p>, ImpactError> {
+    fn inwards(&mut self, mut contact: QuasiStatic) -> Result<Leg, ImpactError> {
         let mut from = contact.first_touch();
         // What holds the bodies from the first touch on.
         self.lost += contact.indent(from)?.iter().map(|jump| jump.dissipated).sum::<f64>();
@@ -173,10 +173,10 @@ impl<'p> Passage<'p> {
     /// Adds the legs between the jumps of a motion; the last one, if the mass comes to rest on it.
     fn walk(
         &mut self,
-        mut contact: QuasiStatic<'p>,
+        mut contact: QuasiStatic,
         (start, end): (f64, f64),
         jumps: &[Jump],
-    ) -> Result<Option<Leg<'p>>, ImpactError> {
+    ) -> Result<Option<Leg>, ImpactError> {
         let mut from = start;
         for (k, jump) in jumps.iter().enumerate() {
             let at = jump.before.indentation;
@@ -192,7 +192,7 @@ impl<'p> Passage<'p> {
     }
 
     /// Adds a leg as far as the mass gets on it; the leg if it rests at its end.
-    fn leg(&mut self, contact: &QuasiStatic<'p>, (from, to): (f64, f64)) -> Result<Option<Leg<'p>>, ImpactError> {
+    fn leg(&mut self, contact: &QuasiStatic, (from, to): (f64, f64)) -> Result<Option<Leg>, ImpactError> {
         let mut contact = contact.clone();
         contact.indent(0.5 * (from + to))?;
         let mut leg = Leg { contact, from, to, spent: self.lost, clock: vec![0.0], error: 0.0 };
@@ -212,7 +212,7 @@ impl<'p> Passage<'p> {
     }
 
     /// Follows the contact back to where the bodies part or the mass rests.
-    fn outwards(&mut self, deepest: Leg<'p>) -> Result<(), ImpactError> {
+    fn outwards(&mut self, deepest: Leg) -> Result<(), ImpactError> {
         let contact = deepest.contact.clone();
         let mut back = contact.clone();
         let mut jumps = back.indent(-f64::MAX)?;
@@ -230,7 +230,7 @@ impl<'p> Passage<'p> {
 /// Relative error of closed forms, roots within roots included.
 const ROUNDING: f64 = 1e-11;
 
-impl<'p> Leg<'p> {
+impl Leg {
     fn depth(&self, phi: f64) -> f64 {
         let (sine, cosine) = (0.5 * phi).sin_cos();
         // From the nearer end, free of cancellation.
@@ -248,7 +248,7 @@ impl<'p> Leg<'p> {
     }
 
     /// The contact at the depth `d` of this leg.
-    fn at(&self, d: f64) -> QuasiStatic<'p> {
+    fn at(&self, d: f64) -> QuasiStatic {
         let mut contact = self.contact.clone();
         // On a stable branch between its ends nothing can fail.
         let _ = contact.indent(d);
@@ -324,25 +324,26 @@ mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
     use crate::contact::adhesion::range::RangeDisc;
-    use crate::contact::direct::Attraction;
+    use crate::contact::foundation::HalfSpace;
     use crate::input::quantity::{Amplitude, Length, Positive};
     use crate::shape::{Cone, FlatPunch, Paraboloid, Profile, TruncatedCone, WavyParaboloid};
     use proptest::prelude::*;
+    use std::sync::Arc;
 
     fn paraboloid(radius: f64) -> Paraboloid {
         Paraboloid { radius: Length::new(radius).unwrap() }
     }
 
-    fn jkr(profile: &dyn Profile, modulus: f64, work: f64) -> QuasiStatic<'_> {
-        QuasiStatic::new(profile, modulus, Attraction::Line(EdgeLine::new(profile, modulus, work)))
+    fn jkr<P: Profile + Clone + 'static>(profile: &P, modulus: f64, work: f64) -> QuasiStatic {
+        QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), work))
     }
 
-    fn passage<'p>(contact: &QuasiStatic<'p>, mass: f64, speed: f64) -> Passage<'p> {
+    fn passage(contact: &QuasiStatic, mass: f64, speed: f64) -> Passage {
         Passage::new(contact, Projectile { mass, speed }, 1e-9).unwrap()
     }
 
     /// Kinetic, stored and lost energy at every moment are the kinetic energy at first touch.
-    fn ledger(passage: &Passage<'_>) -> f64 {
+    fn ledger(passage: &Passage) -> f64 {
         let mass = passage.impact.mass;
         let total = |m: &ImpactState| 0.5 * mass * m.speed * m.speed + m.stored.stored() + m.dissipated;
         passage.moments(50).iter().map(|m| (total(m) / passage.impact.energy() - 1.0).abs()).fold(0.0, f64::max)
@@ -369,8 +370,8 @@ mod tests {
         #[test]
         fn adhesive(ratio in 2i32..60, cone in prop::bool::ANY, scale in -60i32..60) {
             let length = 10f64.powf(0.1 * f64::from(scale));
-            let shape: Box<dyn Profile> = if cone { Box::new(Cone { slope: Positive::new(0.3).unwrap() }) } else { Box::new(paraboloid(length)) };
-            let contact = jkr(shape.as_ref(), 2.0, 0.7 * length);
+            let tip = Cone { slope: Positive::new(0.3).unwrap() };
+            let contact = if cone { jkr(&tip, 2.0, 0.7 * length) } else { jkr(&paraboloid(length), 2.0, 0.7 * length) };
             let mut slow = contact.clone();
             let mut lost: f64 = slow.indent(0.0).unwrap().iter().map(|jump| jump.dissipated).sum();
             lost += slow.indent(-f64::MAX).unwrap().iter().map(|jump| jump.dissipated).sum::<f64>();
@@ -434,8 +435,8 @@ mod tests {
         let profile = paraboloid(1.0);
         let mut last = 1.0 + 1e-12;
         for stress in [0.05, 0.5, 2.0] {
-            let disc = RangeDisc::new(&profile, 0.75, 1.0 / PI, stress).unwrap();
-            let contact = QuasiStatic::new(&profile, 0.75, Attraction::Range(disc));
+            let disc = RangeDisc::new(HalfSpace::new(Arc::new(profile.clone()), 0.75), 1.0 / PI, stress).unwrap();
+            let contact = QuasiStatic::new(disc);
             let seen = passage(&contact, 1.0, 3.0);
             assert!(ledger(&seen) < 1e-9, "{stress}: {:e}", ledger(&seen));
             let restitution = seen.rebound().restitution;

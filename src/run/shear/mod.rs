@@ -61,7 +61,7 @@ pub trait TangentialContact {
     }
 
     /// The normal contact under shear, where that changes its pressure.
-    fn pressed(&self) -> Option<Pressed<'_>> {
+    fn pressed(&self) -> Option<Pressed> {
         None
     }
 
@@ -99,16 +99,16 @@ pub fn of<'p>(
         (Some(friction), Some(contact)) => return Ok(Some(Box::new(Peeling::new(contact, setup, friction)))),
         (Some(friction), None) => return Ok(Some(Box::new(Sliding::new(Interface::new(setup, friction))))),
     };
-    let (profile, grip) = (setup.profile.as_ref(), grip(setup, law));
+    let grip = grip(setup, law);
     if let Some(relaxation) = &setup.relaxation {
         let bed = relaxing::Relaxing::new(setup, relaxation, grip);
         return Ok(Some(Box::new(bed.map_err(|source| SimulationError::Refused(source.to_string()))?)));
     }
     let accuracy = accuracy(setup);
     Ok(Some(match springs {
-        None => Box::new(sticking::Sticking::new((profile, grip), accuracy, kept)),
+        None => Box::new(sticking::Sticking::new((setup.profile.clone(), grip), accuracy, kept)),
         Some(size) => {
-            let bed = springs::Springs::new((profile, grip), size, accuracy);
+            let bed = springs::Springs::new((setup.profile.as_ref(), grip), size, accuracy);
             Box::new(bed.map_err(|source| SimulationError::Refused(source.to_string()))?)
         }
     }))

@@ -16,12 +16,10 @@ use crate::scene::setup::Setup;
 /// The sheared adhesive contact of a scene under a uniform shear stress; `None` without adhesion of
 /// vanishing range.
 #[must_use]
-pub fn sheared(setup: &Setup) -> Option<ShearedAdhesion<'_>> {
+pub fn sheared(setup: &Setup) -> Option<ShearedAdhesion> {
     let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
     Some(ShearedAdhesion {
-        profile: setup.profile.as_ref(),
-        modulus: setup.pair.normal,
-        work: jkr.work.si(),
+        line: EdgeLine::new(setup.ground(), jkr.work.si()),
         ratio: UNIFORM * setup.pair.tangential / setup.pair.normal,
     })
 }
@@ -32,7 +30,7 @@ pub fn sheared(setup: &Setup) -> Option<ShearedAdhesion<'_>> {
 /// While the bodies slide or stand sheared, the contact is smaller than without shear. As soon as the
 /// normal contact moves again it is let go: the tangential force is gone and the edge closes.
 pub struct Peeling<'p> {
-    contact: ShearedAdhesion<'p>,
+    contact: ShearedAdhesion,
     friction: &'p Friction,
     curve: Option<&'p StrengthCurve>,
     present: Option<Present>,
@@ -56,7 +54,7 @@ struct Present {
 impl<'p> Peeling<'p> {
     /// Bodies that just touch.
     #[must_use]
-    pub fn new(contact: ShearedAdhesion<'p>, setup: &'p Setup, friction: &'p Friction) -> Self {
+    pub fn new(contact: ShearedAdhesion, setup: &'p Setup, friction: &'p Friction) -> Self {
         let curve = setup.strength.as_ref();
         Self { contact, friction, curve, present: None, slide: 0.0, stick_radius: 0.0, dissipated: 0.0 }
     }
@@ -85,9 +83,10 @@ impl<'p> Peeling<'p> {
     }
 
     fn edge_load(&self, state: &Sheared) -> f64 {
-        let edge = state.indentation - self.contact.profile.reduced(state.contact_radius);
+        let ground = self.contact.line.ground();
+        let edge = state.indentation - ground.profile().reduced(state.contact_radius);
         // Where no adhesion is left the edge is that of the plain contact, to rounding.
-        if edge < 0.0 { self.contact.modulus * edge } else { 0.0 }
+        if edge < 0.0 { ground.modulus() * edge } else { 0.0 }
     }
 }
 
@@ -127,24 +126,23 @@ impl TangentialContact for Peeling<'_> {
 
     fn normal(&self, normal: Normal) -> Normal {
         let Some(Present { state, .. }) = self.present else { return normal };
-        let (a, modulus) = (state.contact_radius, self.contact.modulus);
-        let line = EdgeLine::new(self.contact.profile, modulus, self.contact.work);
+        let (a, line) = (state.contact_radius, &self.contact.line);
         let balance = line.under_wall(a, state.indentation);
-        let stored = line.energy(a, state.indentation - self.contact.profile.reduced(a));
+        let stored = line.energy(a, state.indentation - line.ground().profile().reduced(a));
         Normal {
             indentation: Some(state.indentation),
             force: balance.force,
             contact_radius: Some(a),
-            stiffness: 2.0 * modulus * a,
+            stiffness: 2.0 * line.ground().modulus() * a,
             stored,
             ..normal
         }
     }
 
-    fn pressed(&self) -> Option<Pressed<'_>> {
+    fn pressed(&self) -> Option<Pressed> {
         let Present { state, .. } = self.present?;
-        let (profile, modulus) = (self.contact.profile, self.contact.modulus);
-        Some(Pressed { profile, modulus, contact_radius: state.contact_radius, edge_load: self.edge_load(&state) })
+        let ground = self.contact.line.ground().clone();
+        Some(Pressed { ground, contact_radius: state.contact_radius, edge_load: self.edge_load(&state) })
     }
 
     fn stress(&self, _contact: &dyn NormalContact, radii: &[f64]) -> Vec<Option<f64>> {

@@ -1,6 +1,7 @@
 //! Gross sliding in a run, under laws that act on the pressure.
 
 use super::{Step, TangentialContact};
+use crate::contact::foundation::HalfSpace;
 use crate::contact::state::Normal;
 use crate::friction::sliding::{Pressed, SlidingLaw};
 use crate::friction::state::Tangential;
@@ -8,7 +9,7 @@ use crate::friction::strength::StrengthCurve;
 use crate::friction::{Friction, FrictionError};
 use crate::run::contact::{ContactError, NormalContact};
 use crate::scene::setup::Setup;
-use crate::shape::{Profile, Rim};
+use crate::shape::Rim;
 
 /// A contact that slips everywhere at once, or stands.
 ///
@@ -25,8 +26,7 @@ pub struct Sliding<'p> {
 
 /// What slides on what.
 pub struct Interface<'p> {
-    profile: &'p dyn Profile,
-    modulus: f64,
+    ground: HalfSpace,
     friction: &'p Friction,
     curve: Option<&'p StrengthCurve>,
 }
@@ -35,7 +35,7 @@ impl<'p> Interface<'p> {
     /// The interface of a scene with this friction.
     #[must_use]
     pub fn new(setup: &'p Setup, friction: &'p Friction) -> Self {
-        Self { profile: setup.profile.as_ref(), modulus: setup.pair.normal, friction, curve: setup.strength.as_ref() }
+        Self { ground: setup.ground(), friction, curve: setup.strength.as_ref() }
     }
 
     fn law(&self, speed: f64) -> Result<Box<dyn SlidingLaw>, FrictionError> {
@@ -45,12 +45,12 @@ impl<'p> Interface<'p> {
     /// Friction force [N] of the whole contact; only a wall carries a load at the edge.
     fn limit(&self, law: &dyn SlidingLaw, normal: &Normal) -> f64 {
         let Some(a) = normal.contact_radius.filter(|&a| a > 0.0) else { return 0.0 };
-        let (profile, modulus) = (self.profile, self.modulus);
+        let profile = self.ground.profile();
         let edge_load = match (profile.rim(), normal.indentation) {
-            (Rim::Wall(end), Some(depth)) if a >= end => modulus * (depth - profile.reduced(a)),
+            (Rim::Wall(end), Some(depth)) if a >= end => self.ground.modulus() * (depth - profile.reduced(a)),
             _ => 0.0,
         };
-        Pressed { profile, modulus, contact_radius: a, edge_load }.sliding_force(law)
+        Pressed { ground: self.ground.clone(), contact_radius: a, edge_load }.sliding_force(law)
     }
 }
 

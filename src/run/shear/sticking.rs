@@ -5,24 +5,25 @@ use crate::friction::state::Tangential;
 use crate::friction::{Grip, Pose, TangentialMemory};
 use crate::run::contact::{ContactError, NormalContact};
 use crate::shape::Profile;
+use std::sync::Arc;
 
 /// Stick and slip under Coulomb friction, exact for any history of depth and slide.
 #[derive(Debug)]
-pub struct Sticking<'p> {
-    memory: TangentialMemory<'p>,
+pub struct Sticking {
+    memory: TangentialMemory,
     accuracy: f64,
     kept: Option<Vec<Pose>>,
 }
 
-impl<'p> Sticking<'p> {
+impl Sticking {
     /// Bodies that just touch; curved steps are followed to `accuracy`, and kept if there is room.
     #[must_use]
-    pub fn new((profile, grip): (&'p dyn Profile, Grip), accuracy: f64, kept: Option<Vec<Pose>>) -> Self {
+    pub fn new((profile, grip): (Arc<dyn Profile>, Grip), accuracy: f64, kept: Option<Vec<Pose>>) -> Self {
         Self { memory: TangentialMemory::new(profile, grip), accuracy, kept }
     }
 }
 
-impl TangentialContact for Sticking<'_> {
+impl TangentialContact for Sticking {
     fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError> {
         for to in step.positions(self.memory.position(), self.accuracy) {
             self.memory.advance(to)?;

@@ -2,7 +2,7 @@
 
 use super::{Followed, RECORDS, failed};
 use crate::drive::impact::{Passage, Projectile};
-use crate::run::contact::{Direct, NormalContact};
+use crate::run::contact::NormalContact;
 use crate::run::record::ImpactRow;
 use crate::run::{SimulationError, Wanted, direct, fields};
 use crate::scene::setup::Setup;
@@ -17,9 +17,9 @@ const LOOKS: u32 = 32;
 /// The contact would leave its profile, or cannot be followed.
 pub fn follow(setup: &Setup, impact: Projectile, wanted: Option<Wanted>) -> Result<Followed, SimulationError> {
     let contact = direct(setup)?;
-    let passage = Passage::new(contact.contact(), impact, setup.accuracy()).map_err(failed)?;
-    let deepest = passage.deepest().map(|contact| Direct::new(contact, setup.pair.normal));
-    let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(peak));
+    let passage = Passage::new(&contact, impact, setup.accuracy()).map_err(failed)?;
+    let deepest = passage.deepest();
+    let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(|contact| peak(contact)));
     let row = ImpactRow { speed: impact.speed, rebound, oblique: None, peak_pressure };
     let records = setup.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { passage.moments(records) } else { Vec::new() };
@@ -32,7 +32,7 @@ pub fn follow(setup: &Setup, impact: Projectile, wanted: Option<Wanted>) -> Resu
 }
 
 /// Largest pressure [Pa], unless a sharp edge or tip has an infinite one.
-fn peak(contact: &Direct<'_>) -> Option<f64> {
+fn peak(contact: &dyn NormalContact) -> Option<f64> {
     if contact.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
         return None;
     }

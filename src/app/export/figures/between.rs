@@ -31,17 +31,17 @@ pub fn filled(setup: &Setup, records: &[Record]) -> Vec<Record> {
 }
 
 /// The equilibrium curve of the scene, if its states are those of the direct path.
-fn line(setup: &Setup) -> Option<EdgeLine<'_>> {
+fn line(setup: &Setup) -> Option<EdgeLine> {
     let work = match &setup.scene.adhesion {
         None => 0.0,
         Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
         Some(Adhesion::Maugis(_)) => return None,
     };
     let direct = setup.relaxation.is_none() && setup.scene.springs.is_none() && !setup.scene.shape.is_plane();
-    direct.then(|| EdgeLine::new(setup.profile.as_ref(), setup.pair.normal, work))
+    direct.then(|| EdgeLine::new(setup.ground(), work))
 }
 
-fn at(line: &EdgeLine<'_>, radius: f64, like: &Record) -> Record {
+fn at(line: &EdgeLine, radius: f64, like: &Record) -> Record {
     let state = line.at(radius);
     let normal = Normal {
         indentation: Some(state.indentation),

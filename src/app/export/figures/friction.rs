@@ -2,6 +2,7 @@
 
 use super::fields::shown;
 use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Series};
+use crate::contact::adhesion::line::EdgeLine;
 use crate::friction::Friction;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::sliding::{SlidingLaw, SlidingPoint, amontons_range, friction_curve};
@@ -124,12 +125,8 @@ pub fn fretting(outcome: &Outcome) -> Option<Panel> {
 
 /// Coefficient of friction over the load, and where Amontons' law holds.
 pub fn coefficient(setup: &Setup, outcome: &Outcome) -> Option<Panel> {
-    let contact = ShearedAdhesion {
-        profile: setup.profile.as_ref(),
-        modulus: setup.pair.normal,
-        work: 0.0,
-        ratio: setup.pair.tangential / setup.pair.normal,
-    };
+    let line = EdgeLine::new(setup.ground(), 0.0);
+    let contact = ShearedAdhesion { line, ratio: setup.pair.tangential / setup.pair.normal };
     let law = law_of_last_slide(setup)?;
     let slid: Vec<(f64, f64)> = outcome.records.iter().filter_map(slid).collect();
     let load = slid.iter().map(|point| point.0).fold(0.0, f64::max);
@@ -147,7 +144,7 @@ fn slid(record: &Record) -> Option<(f64, f64)> {
 }
 
 /// Six decades below the load to two above it, as far as the profile goes.
-fn curve(contact: &ShearedAdhesion<'_>, law: &dyn SlidingLaw, load: f64) -> Vec<SlidingPoint> {
+fn curve(contact: &ShearedAdhesion, law: &dyn SlidingLaw, load: f64) -> Vec<SlidingPoint> {
     let loads = (0..=96).map(|k| load * 10f64.powf(f64::from(k) / 12.0 - 6.0));
     loads.map_while(|load| friction_curve(contact, law, &[load]).ok()).flatten().collect()
 }
