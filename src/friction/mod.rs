@@ -8,7 +8,6 @@ pub mod relaxing;
 pub mod sliding;
 pub mod oblique;
 mod load;
-mod rules;
 mod slipped;
 pub mod strength;
 pub mod state;
@@ -45,6 +44,24 @@ impl Friction {
             Self::Pressure(_) => "Pressure",
         }
     }
+
+    /// How a contact slips under it.
+    #[must_use]
+    pub fn slip(&self) -> Slip<'_> {
+        match self {
+            Self::Coulomb(law) => Slip::Local(law),
+            Self::CoulombOrowan(_) | Self::Pressure(_) => Slip::Gross,
+        }
+    }
+}
+
+/// How a contact slips.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Slip<'f> {
+    /// Spring by spring, from the edge inwards.
+    Local(&'f Coulomb),
+    /// Everywhere at once.
+    Gross,
 }
 
 /// Coulomb friction.

@@ -220,54 +220,56 @@ fn terms_of_table(path: &Path, tables: &dyn Tables) -> Result<Vec<(f64, f64)>, T
     Ok(moduli.iter().copied().zip(times.iter().copied()).collect())
 }
 
-/// The pair of `bodies` and, if one of them is viscoelastic, its relaxation against a rigid body.
+/// Two bodies that are pressed together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joined {
+    /// Effective moduli; instantaneous ones of a viscoelastic pair.
+    pub pair: Pair,
+    /// E*(t) if one of the bodies is viscoelastic.
+    pub relaxation: Option<Relaxation>,
+}
+
+/// What `bodies` are together; `None` for two rigid or two viscoelastic ones, which make no pair.
 ///
 /// # Errors
-/// The bodies cannot be paired, or a table of terms is wrong; all problems at once.
-pub fn pair(bodies: &(Body, Body), tables: &dyn Tables) -> Result<(Pair, Option<Relaxation>), Vec<Problem>> {
+/// A table of terms is wrong, or a body has no modulus; all problems at once.
+pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joined>, Vec<Problem>> {
+    let elastic = |pair| Ok(Some(Joined { pair, relaxation: None }));
     match bodies {
-        (Body::Rigid, Body::Rigid) => Err(vec![Problem::new(
-            "bodies",
-            "two rigid bodies cannot be pressed together: expected at least one Elastic(…) or Viscoelastic(…)",
-        )]),
-        (Body::Viscoelastic(body), Body::Rigid) => relaxing(body, "bodies.0", tables),
-        (Body::Rigid, Body::Viscoelastic(body)) => relaxing(body, "bodies.1", tables),
-        (Body::Viscoelastic(body), Body::Elastic(partner)) => relaxing_on(body, partner, ("bodies.0", tables)),
-        (Body::Elastic(partner), Body::Viscoelastic(body)) => relaxing_on(body, partner, ("bodies.1", tables)),
-        (Body::Viscoelastic(_), Body::Viscoelastic(_)) => Err(vec![two_relaxing()]),
-        (first, second) => Ok((Pair::of(&stiffness(first), &stiffness(second)), None)),
+        (Body::Rigid, Body::Rigid) | (Body::Viscoelastic(_), Body::Viscoelastic(_)) => Ok(None),
+        (Body::Viscoelastic(body), Body::Rigid) => relaxing(body, "bodies.0", tables).map(Some),
+        (Body::Rigid, Body::Viscoelastic(body)) => relaxing(body, "bodies.1", tables).map(Some),
+        (Body::Viscoelastic(body), Body::Elastic(partner)) => {
+            Ok(Some(beside(partner, body, relaxing(body, "bodies.0", tables)?)))
+        }
+        (Body::Elastic(partner), Body::Viscoelastic(body)) => {
+            Ok(Some(beside(partner, body, relaxing(body, "bodies.1", tables)?)))
+        }
+        (Body::Elastic(one), Body::Elastic(two)) => elastic(Pair::of(&one.stiffness(), &two.stiffness())),
+        (Body::Elastic(body), Body::Rigid) => elastic(Pair::of(&body.stiffness(), &Stiffness::RIGID)),
+        (Body::Rigid, Body::Elastic(body)) => elastic(Pair::of(&Stiffness::RIGID, &body.stiffness())),
     }
 }
 
-fn two_relaxing() -> Problem {
-    Problem::new(
-        "bodies",
-        "a Viscoelastic body against another Viscoelastic body cannot be computed: expected Rigid or Elastic beside Viscoelastic",
-    )
+/// A viscoelastic and an elastic body: two compliances in series, again a Prony series.
+///
+/// Each half-space is pressed in by its own 1/E*ᵢ(p) times the same pressure, whatever its ν: the sum is
+/// exact for constant ν, in the normal direction and without friction.
+fn beside(partner: &Elastic, body: &Viscoelastic, alone: Joined) -> Joined {
+    let stiffness = Stiffness::new(alone.pair.normal, body.poisson.si());
+    let pair = Pair::of(&stiffness, &partner.stiffness());
+    let Some(relaxation) = alone.relaxation else { return Joined { pair, relaxation: None } };
+    let both = Spectrum::new(&relaxation).in_series_with(partner.plane_modulus()).relaxation_function();
+    Joined { pair: Pair { normal: both.instantaneous(), ..pair }, relaxation: Some(both) }
 }
 
-/// The pair of a viscoelastic and an elastic body, with the relaxation of the former alone.
-fn relaxing_on(
-    body: &Viscoelastic,
-    partner: &Elastic,
-    (path, tables): (&str, &dyn Tables),
-) -> Result<(Pair, Option<Relaxation>), Vec<Problem>> {
-    let (alone, relaxation) = relaxing(body, path, tables)?;
-    let stiffness = Stiffness::new(alone.normal, body.poisson.si());
-    Ok((Pair::of(&stiffness, &partner.stiffness()), relaxation))
-}
-
-fn stiffness(body: &Body) -> Stiffness {
-    if let Body::Elastic(elastic) = body { elastic.stiffness() } else { Stiffness::RIGID }
-}
-
-fn relaxing(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<(Pair, Option<Relaxation>), Vec<Problem>> {
+fn relaxing(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Joined, Vec<Problem>> {
     let relaxation = body
         .relaxation(tables)
         .map_err(|error| vec![Problem::new(format!("{path}.shear.terms"), error.to_string())])?;
     if relaxation.instantaneous() > 0.0 {
         let stiffness = Stiffness::new(relaxation.instantaneous(), body.poisson.si());
-        return Ok((Pair::of(&stiffness, &Stiffness::RIGID), Some(relaxation)));
+        return Ok(Joined { pair: Pair::of(&stiffness, &Stiffness::RIGID), relaxation: Some(relaxation) });
     }
     let message = "has no modulus above zero: expected an equilibrium modulus or at least one term";
     Err(vec![Problem::new(format!("{path}.shear"), message)])
@@ -304,7 +306,7 @@ mod tests {
     }
 
     fn of(one: Body, two: Body) -> Pair {
-        pair(&(one, two), &InMemory::default()).unwrap().0
+        joined(&(one, two), &InMemory::default()).unwrap().unwrap().pair
     }
 
     fn rubber(terms: Terms) -> Body {
@@ -328,7 +330,7 @@ mod tests {
     fn a_viscoelastic_body_relaxes_from_its_instantaneous_modulus() {
         let term = Term { modulus: Stress::new(0.9).unwrap(), time: Duration::new(0.2).unwrap() };
         let bodies = (Body::Rigid, rubber(Terms::List(vec![term])));
-        let (pair, relaxation) = pair(&bodies, &InMemory::default()).unwrap();
+        let Joined { pair, relaxation } = joined(&bodies, &InMemory::default()).unwrap().unwrap();
         let relaxation = relaxation.unwrap();
         assert!(near(pair.normal, 4.0) && near(relaxation.equilibrium, 0.4));
         assert_eq!(relaxation.terms, [(3.6, 0.2)]);
@@ -339,17 +341,16 @@ mod tests {
     fn a_wrong_table_of_terms_names_its_row() {
         let tables = InMemory::default().with("p.csv", &[("time_s", &[1.0, 0.0]), ("modulus_pa", &[1.0, 1.0])]);
         let bodies = (rubber(Terms::Table("p.csv".into())), Body::Rigid);
-        let problems = pair(&bodies, &tables).unwrap_err();
+        let problems = joined(&bodies, &tables).unwrap_err();
         assert_eq!(problems[0].path, "bodies.0.shear.terms");
         assert!(problems[0].message.starts_with("p.csv, row 3: time_s: 0.0 s is out of range"), "{}", problems[0]);
     }
 
     #[test]
-    fn pairs_that_cannot_be_computed_name_both_partners() {
-        let message = |one, two| pair(&(one, two), &InMemory::default()).unwrap_err()[0].message.clone();
-        assert!(message(Body::Rigid, Body::Rigid).contains("two rigid bodies"));
-        let rubber = || rubber(Terms::default());
-        assert!(message(rubber(), rubber()).contains("Viscoelastic body against another Viscoelastic"));
+    fn bodies_that_make_no_pair() {
+        let pair = |one, two| joined(&(one, two), &InMemory::default()).unwrap();
+        assert_eq!(pair(Body::Rigid, Body::Rigid), None);
+        assert_eq!(pair(rubber(Terms::default()), rubber(Terms::default())), None);
     }
 
     proptest! {

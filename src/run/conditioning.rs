@@ -4,7 +4,6 @@ use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::equilibrium::{Control, Equilibrium};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::run::record::Record;
-use crate::scene::history::{Driven, Entry, Motion};
 use crate::scene::setup::Setup;
 
 /// Error of a radius at a turning point: the root of the rounding.
@@ -22,24 +21,16 @@ pub fn moved_edge(setup: &Setup, records: &[Record]) -> f64 {
         Some(Adhesion::Maugis(_)) => return 0.0,
     };
     let line = EdgeLine::new(setup.ground(), work);
-    let controls: Vec<Option<Control>> = setup.entries().map(|(entry, motion)| control(entry, motion)).collect();
+    let first = |entry: usize| setup.stages.partition_point(|stage| stage.entry < entry);
+    let control = |entry: usize| setup.stages.get(first(entry))?.control;
     let largest = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let jumps = |at: usize| records.get(at + 1).is_some_and(|next| (next.time - records[at].time).abs() <= 0.0);
     let states = records.iter().enumerate().filter(|(at, _)| !jumps(*at)).map(|(_, record)| record);
     let error = |record: &Record| {
-        let control = (*controls.get(record.entry)?)?;
+        let control = control(record.entry)?;
         Some((moved(&line, (control, record.normal.contact_radius?), setup.pair.normal)? / largest).min(TURNING))
     };
     states.filter_map(error).fold(0.0, f64::max)
-}
-
-/// What an entry prescribes; `None` where it keeps to what was.
-fn control(entry: &Entry, motion: Option<&Motion>) -> Option<Control> {
-    match (entry, motion.map(|motion| &motion.control)) {
-        (Entry::Press(_) | Entry::HoldForce(_), _) | (_, Some(Driven::Force(_))) => Some(Control::Force),
-        (Entry::Slide(_) | Entry::Shake(_), _) => None,
-        _ => Some(Control::Indentation),
-    }
 }
 
 /// How far rounding moves an edge at the radius `a` [m].

@@ -8,8 +8,7 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::state::Normal;
 use crate::contact::stress::StressRow;
 use crate::scene::setup::Setup;
-use crate::scene::stage::{Path, Stage, stages};
-use std::num::NonZeroUsize;
+use crate::scene::stage::{Path, Stage};
 
 /// Where a step leads: the prescribed quantity, the tangential displacement [m], and the time as the
 /// beginning of the stage and what has passed since [s].
@@ -50,7 +49,7 @@ pub(super) struct Run<'p> {
 }
 
 pub(super) fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
-    let stages = stages(setup.entries(), setup.scene.steps.map(NonZeroUsize::get));
+    let stages = &setup.stages;
     let mut run = Run {
         contact: contact.normal,
         tangential: contact.tangential,

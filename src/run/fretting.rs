@@ -3,8 +3,8 @@
 use super::shear;
 use crate::friction::{Friction, Pose, WearMap};
 use crate::run::record::FrettingRow;
-use crate::scene::history::Entry;
 use crate::scene::setup::Setup;
+use crate::scene::stage::{Extent, Path, Stage};
 use std::f64::consts::FRAC_PI_2;
 
 /// Positions of the map, denser towards the edge.
@@ -13,9 +13,12 @@ const POSITIONS: usize = 192;
 /// Whether the scene is one of fretting: Coulomb friction, and a tangential motion to and fro.
 #[must_use]
 pub fn is_fretting(setup: &Setup) -> bool {
-    let shaken = setup.scene.history.iter().any(|entry| matches!(entry, Entry::Shake(_)));
-    let table = setup.motions.iter().flatten().any(|motion| motion.slide.is_some());
-    matches!(setup.scene.friction, Some(Friction::Coulomb(_))) && (shaken || table)
+    let to_and_fro = |stage: &Stage| match stage.tangential {
+        Path::Stay | Path::UntilParted { .. } => false,
+        Path::To(_) => stage.extent == Extent::Row,
+        Path::Wave { .. } => true,
+    };
+    matches!(setup.scene.friction, Some(Friction::Coulomb(_))) && setup.stages.iter().any(to_and_fro)
 }
 
 /// The fretting map of a path of straight steps.

@@ -5,8 +5,8 @@ use crate::friction::Friction;
 use crate::friction::peeling::TangentialLoad;
 use crate::friction::state::Tangential;
 use crate::run::record::{Ensemble, EnsembleRow, Field, Record, Value};
-use crate::scene::history::Entry;
 use crate::scene::setup::Setup;
+use crate::scene::stage::Path;
 use crate::scene::surface::Surface;
 
 /// The results the scene has, in a fixed order.
@@ -127,7 +127,7 @@ fn peeled(setup: &Setup, records: &[Record]) -> Vec<(&'static str, Value)> {
 
 /// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.
 fn per_cycle(setup: &Setup, records: &[Record]) -> Option<f64> {
-    let entry = setup.scene.history.iter().rposition(|entry| matches!(entry, Entry::Shake(_)))?;
+    let entry = setup.stages.iter().rev().find(|stage| matches!(stage.tangential, Path::Wave { .. }))?.entry;
     let shaken = records.iter().filter(|record| record.entry == entry).filter_map(|record| record.tangential);
     let shaken: Vec<Tangential> = shaken.collect();
     let turns = |three: &&[Tangential]| (three[1].slide - three[0].slide) * (three[2].slide - three[1].slide) < 0.0;

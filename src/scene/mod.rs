@@ -1,15 +1,16 @@
 //! The scene: what is pressed on what, and how.
 
 pub mod history;
+mod limits;
 pub mod plan;
 pub mod reach;
+pub mod rules;
 pub mod setup;
 pub mod stage;
 pub mod surface;
 
 use crate::contact::adhesion::Adhesion;
 use crate::friction::Friction;
-use crate::input::problem::Problem;
 use crate::input::quantity::Accuracy;
 use crate::material::Body;
 use crate::scene::history::Entry;
@@ -83,70 +84,11 @@ pub enum Plot {
     Restitution,
 }
 
-/// Most springs: their state alone has a gigabyte.
-const MOST_SPRINGS: usize = 1 << 26;
-
 impl Scene {
-    /// What is wrong with the figures and the springs asked for.
+    /// Whether one of the bodies is viscoelastic.
     #[must_use]
-    pub fn problems(&self) -> Vec<Problem> {
-        let wanted = self.plots.iter().flatten().enumerate();
-        let plots = wanted.filter_map(|(index, &plot)| {
-            self.lacks(plot)
-                .map(|what| Problem::new(format!("plots[{index}]"), format!("{plot:?} cannot be drawn: {what}")))
-        });
-        plots.chain(self.wrong_springs()).collect()
-    }
-
-    /// What the scene lacks for a figure.
-    fn lacks(&self, plot: Plot) -> Option<&'static str> {
+    pub fn relaxes(&self) -> bool {
         let relaxes = |body: &Body| matches!(body, Body::Viscoelastic(_));
-        let impact =
-            self.history.iter().find_map(|entry| if let Entry::Impact(impact) = entry { Some(impact) } else { None });
-        match plot {
-            Plot::Radius | Plot::Pressure | Plot::Stress if self.shape.is_rough() => {
-                Some("a rough bed does not know its contact area: expected Force, Energy or Shape")
-            }
-            Plot::Moduli if !(relaxes(&self.bodies.0) || relaxes(&self.bodies.1)) => {
-                Some("expected a Viscoelastic body")
-            }
-            Plot::Friction | Plot::Stick | Plot::Shear if self.friction.is_none() => Some("expected a friction"),
-            Plot::Fretting if !matches!(self.friction, Some(Friction::Coulomb(_))) => {
-                Some("expected Coulomb friction and Shake or a Table with slide_m")
-            }
-            Plot::Coefficient if self.adhesion.is_some() || !self.slides_as_a_whole() => {
-                Some("expected CoulombOrowan or Pressure friction, and no adhesion")
-            }
-            Plot::Area if self.adhesion.is_none() || !self.slides_as_a_whole() => {
-                Some("expected Jkr adhesion and Pressure friction")
-            }
-            Plot::Restitution if impact.is_none_or(|impact| impact.speed.len() < 2) => {
-                Some("expected an Impact with a list of at least two speeds")
-            }
-            _ => None,
-        }
-    }
-
-    /// Whether the friction is one of gross sliding.
-    fn slides_as_a_whole(&self) -> bool {
-        matches!(self.friction, Some(Friction::CoulombOrowan(_) | Friction::Pressure(_)))
-    }
-
-    fn wrong_springs(&self) -> Option<Problem> {
-        let springs = self.springs?.get();
-        let what = if springs > MOST_SPRINGS {
-            format!("{springs} do not fit into memory: expected at most {MOST_SPRINGS}")
-        } else if matches!(self.adhesion, Some(Adhesion::Maugis(_))) {
-            "with Maugis adhesion cannot be computed: expected Jkr(…), or no springs".to_owned()
-        } else if matches!(&self.adhesion, Some(Adhesion::Jkr(jkr)) if jkr.edge.is_some()) {
-            "with an adhesive Viscoelastic body cannot be computed: expected no springs, for the continuous bed holds the edge"
-                .to_owned()
-        } else if self.adhesion.is_some() && self.friction.is_some() {
-            "with Jkr adhesion under shear cannot be computed: expected no springs, no adhesion or no friction"
-                .to_owned()
-        } else {
-            return None;
-        };
-        Some(Problem::new("springs", what))
+        relaxes(&self.bodies.0) || relaxes(&self.bodies.1)
     }
 }

@@ -6,8 +6,9 @@ use crate::contact::plane::PlaneContact;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::state::Tangential;
 use crate::friction::{CoulombBed, Friction, TangentialMemory};
-use crate::scene::history::{Driven, Entry, Motion};
+use crate::scene::history::Entry;
 use crate::scene::setup::Setup;
+use crate::scene::stage::Stage;
 use crate::scene::surface::Surface;
 use crate::shape::Shape;
 use serde::Serialize;
@@ -156,11 +157,7 @@ pub fn relaxing_springs(setup: &Setup) -> Option<usize> {
 /// Whether the depth of a history is a curve in time: under a prescribed force, and in an oscillation.
 #[must_use]
 pub fn is_curved(setup: &Setup) -> bool {
-    let curved = |(entry, motion): (&Entry, Option<&Motion>)| match entry {
-        Entry::Press(_) | Entry::HoldForce(_) | Entry::Oscillate(_) => true,
-        _ => motion.is_some_and(|motion| matches!(motion.control, Driven::Force(_))),
-    };
-    setup.entries().any(curved)
+    setup.stages.iter().any(Stage::is_curved)
 }
 
 /// The plan of a scene with a rough shape.

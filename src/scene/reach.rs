@@ -1,8 +1,6 @@
 //! How deep a profile can be pressed: to its end, and while its contact stays in one piece.
 
-use crate::input::problem::Problem;
 use crate::numerics::root;
-use crate::scene::history::{Driven, Entry, Motion};
 use crate::shape::{Profile, Rim};
 
 /// A bound to the indentation and the reason for it.
@@ -39,6 +37,13 @@ impl Bound {
             ),
         }
     }
+}
+
+/// How deep a profile can be pressed. With adhesion the contact is held together.
+#[must_use]
+pub fn bounds(profile: &dyn Profile, adhesion: bool) -> Vec<Bound> {
+    let second = if adhesion { None } else { second_contact(profile) };
+    second.into_iter().chain(end(profile)).collect()
 }
 
 /// The indentation at which the profile ends; `None` if it goes on for ever.
@@ -106,83 +111,6 @@ fn inside(profile: &dyn Profile, r: f64) -> bool {
 /// Gap at the radius `r` outside a contact of radius `a`.
 fn gap(profile: &dyn Profile, r: f64, a: f64) -> f64 {
     profile.height(r) - profile.reduced(a) + profile.displacement_integral(r.max(a), a)
-}
-
-/// What is wrong with the depths and forces a history prescribes; `modulus` is E* [Pa] if the force
-/// follows from the depth without adhesion and without relaxation.
-#[must_use]
-pub fn problems(
-    bounds: &[Bound],
-    modulus: Option<f64>,
-    (history, motions): (&[Entry], &[Option<Motion>]),
-) -> Vec<Problem> {
-    let mut found = Vec::new();
-    let mut depth = Some(0.0);
-    for (index, (entry, motion)) in history.iter().zip(motions).enumerate() {
-        if let Some(target) = target(entry, motion.as_ref(), depth) {
-            found.extend(bounds.iter().find_map(|bound| beyond(&target, bound, modulus, index)));
-        }
-        depth = depth_after(entry, motion.as_ref(), depth);
-    }
-    found
-}
-
-/// A value that an entry prescribes.
-struct Target {
-    value: Value,
-    /// Field of the entry, with a point.
-    field: &'static str,
-    /// Where in a table.
-    row: String,
-}
-
-enum Value {
-    Depth(f64),
-    Force(f64),
-}
-
-fn target(entry: &Entry, motion: Option<&Motion>, depth: Option<f64>) -> Option<Target> {
-    let plain = |value, field| Some(Target { value, field, row: String::new() });
-    match (entry, motion) {
-        (Entry::Indent(indent), _) => plain(Value::Depth(indent.to.si()), ".to"),
-        (Entry::Press(press), _) => plain(Value::Force(press.to.si()), ".to"),
-        (Entry::Oscillate(wave), _) => plain(Value::Depth(depth? + wave.amplitude.si()), ".amplitude"),
-        (Entry::Table(path), Some(motion)) => {
-            let (Driven::Indentation(values) | Driven::Force(values)) = &motion.control;
-            let most = (0..values.len()).max_by(|&i, &j| values[i].total_cmp(&values[j]))?;
-            let value = match &motion.control {
-                Driven::Indentation(_) => Value::Depth(values[most]),
-                Driven::Force(_) => Value::Force(values[most]),
-            };
-            Some(Target { value, field: "", row: format!("{}, row {}: ", path.display(), motion.rows[most]) })
-        }
-        _ => None,
-    }
-}
-
-fn beyond(target: &Target, bound: &Bound, modulus: Option<f64>, index: usize) -> Option<Problem> {
-    let what = match target.value {
-        Value::Depth(depth) if depth > bound.depth => format!("{depth:e} m is deeper than"),
-        Value::Force(force) if modulus.is_some_and(|modulus| force > 2.0 * modulus * bound.load_integral) => {
-            format!("{force:e} N presses deeper than")
-        }
-        _ => return None,
-    };
-    let path = format!("history[{index}]{}", target.field);
-    Some(Problem::new(path, format!("{}{what} {}", target.row, bound.in_words())))
-}
-
-/// The indentation after an entry, where it is known before the contact is computed.
-fn depth_after(entry: &Entry, motion: Option<&Motion>, before: Option<f64>) -> Option<f64> {
-    match (entry, motion.map(|motion| &motion.control)) {
-        (Entry::Indent(indent), _) => Some(indent.to.si()),
-        (Entry::Hold(_) | Entry::Slide(_) | Entry::Shake(_), _) => before,
-        (Entry::Oscillate(wave), _) => {
-            before.map(|depth| depth + wave.amplitude.si() * (std::f64::consts::TAU * wave.cycles.si().fract()).sin())
-        }
-        (Entry::Table(_), Some(Driven::Indentation(depths))) => depths.last().copied(),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

@@ -1,13 +1,7 @@
 //! A history as a row of stages: what is prescribed, from when to when, and where records stand.
 
 use crate::contact::adhesion::equilibrium::Control;
-use crate::scene::history::{Driven, Entry, Motion};
 use std::f64::consts::PI;
-
-/// Records per ramp unless the scene says otherwise: a smooth curve on paper.
-const RECORDS_PER_RAMP: usize = 100;
-/// Records per cycle of an oscillation.
-const RECORDS_PER_CYCLE: usize = 64;
 
 /// How a prescribed quantity moves during a stage.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,6 +78,28 @@ pub struct Stage {
 const SAME: f64 = 1e-12;
 
 impl Stage {
+    /// A stage of the entry `entry` in which the depth stays and no time passes.
+    #[must_use]
+    pub fn rest(entry: usize, records: usize) -> Self {
+        let (normal, tangential) = (Path::Stay, Path::Stay);
+        Self {
+            entry,
+            control: Some(Control::Indentation),
+            normal,
+            tangential,
+            over: 0.0,
+            records,
+            extent: Extent::Entry,
+        }
+    }
+
+    /// Whether depth or slide is a curve in time: under a prescribed force, and in a wave.
+    #[must_use]
+    pub fn is_curved(&self) -> bool {
+        let wave = |path| matches!(path, Path::Wave { .. });
+        self.control == Some(Control::Force) || wave(self.normal) || wave(self.tangential)
+    }
+
     /// The parts of the stage, up to 1, at which records stand: at equal times, and where a path turns.
     #[must_use]
     pub fn parts(&self) -> Vec<f64> {
@@ -96,87 +112,4 @@ impl Stage {
         parts.dedup_by(|next, kept| *next < 1.0 && *next - *kept < SAME);
         parts
     }
-}
-
-/// The stages of the history entries; `steps` overrides the number of records per entry.
-#[must_use]
-pub fn stages<'e>(entries: impl Iterator<Item = (&'e Entry, Option<&'e Motion>)>, steps: Option<usize>) -> Vec<Stage> {
-    let mut all = Vec::new();
-    for (number, (entry, motion)) in entries.enumerate() {
-        match (entry, motion) {
-            (Entry::Table(_), Some(motion)) => all.extend(of_motion(number, motion)),
-            _ => all.extend(of_entry(number, entry, steps)),
-        }
-    }
-    all
-}
-
-fn of_entry(number: usize, entry: &Entry, steps: Option<usize>) -> Option<Stage> {
-    let ramp = Stage {
-        entry: number,
-        control: Some(Control::Indentation),
-        normal: Path::Stay,
-        tangential: Path::Stay,
-        over: 0.0,
-        records: steps.unwrap_or(RECORDS_PER_RAMP),
-        extent: Extent::Entry,
-    };
-    let stage = match entry {
-        Entry::Indent(indent) => Stage { normal: Path::To(indent.to.si()), over: indent.over.si(), ..ramp },
-        Entry::Press(press) => {
-            Stage { control: Some(Control::Force), normal: Path::To(press.to.si()), over: press.over.si(), ..ramp }
-        }
-        Entry::Hold(hold) => Stage { over: hold.over.si(), ..ramp },
-        Entry::HoldForce(hold) => Stage { control: Some(Control::Force), over: hold.over.si(), ..ramp },
-        Entry::Slide(slide) => {
-            Stage { control: None, tangential: Path::To(slide.to.si()), over: slide.over.si(), ..ramp }
-        }
-        Entry::Oscillate(wave) => {
-            Stage { normal: wave.path(), over: wave.over(), records: wave.records(steps), ..ramp }
-        }
-        Entry::Shake(wave) => {
-            Stage { control: None, tangential: wave.path(), over: wave.over(), records: wave.records(steps), ..ramp }
-        }
-        Entry::Retract(retract) => Stage { normal: Path::UntilParted { speed: retract.speed.si() }, ..ramp },
-        Entry::Impact(_) | Entry::Table(_) => return None,
-    };
-    Some(stage)
-}
-
-impl crate::scene::history::Oscillate {
-    fn path(&self) -> Path {
-        Path::Wave { amplitude: self.amplitude.si(), frequency: self.frequency.si() }
-    }
-
-    fn over(&self) -> f64 {
-        self.cycles.si() / self.frequency.si()
-    }
-
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "clamped before"
-    )]
-    fn records(&self, steps: Option<usize>) -> usize {
-        steps.unwrap_or((self.cycles.si() * RECORDS_PER_CYCLE as f64).ceil().clamp(1.0, 1e6) as usize)
-    }
-}
-
-/// One stage per row: the first row is reached at once, the others linearly.
-fn of_motion(number: usize, motion: &Motion) -> Vec<Stage> {
-    let (control, values) = match &motion.control {
-        Driven::Indentation(values) => (Control::Indentation, values),
-        Driven::Force(values) => (Control::Force, values),
-    };
-    let stage = |row: usize| Stage {
-        entry: number,
-        control: Some(control),
-        normal: Path::To(values[row]),
-        tangential: motion.slide.as_ref().map_or(Path::Stay, |slide| Path::To(slide[row])),
-        over: if row == 0 { motion.time[0].max(0.0) } else { motion.time[row] - motion.time[row - 1] },
-        records: 1,
-        extent: Extent::Row,
-    };
-    (0..values.len()).map(stage).collect()
 }

@@ -1,13 +1,9 @@
 //! What lies on the smooth profile of a scene: roughness, made ready.
 
-use crate::friction::Friction;
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
-use crate::material::Body;
-use crate::scene::Scene;
-use crate::scene::history::Entry;
 use crate::shape::rough::{Border, HeightMap, Rings, Roughness, RoughnessSpectrum, SourceError};
-use crate::shape::{Rim, RoughShape, Shape};
+use crate::shape::{Family, Rim, RoughShape, Shape};
 use std::sync::Arc;
 
 /// Most springs of a rough line: their state alone has a gigabyte.
@@ -62,32 +58,22 @@ impl Surface {
     }
 }
 
-/// The roughness of a scene, if its shape has one, or what is wrong with it.
+/// The roughness of a shape, if it has one, or what is wrong with it.
 ///
 /// # Errors
-/// Spectra that do not fit the line, tables that cannot be read, parts that cannot be computed on a rough shape.
-pub fn of(scene: &Scene, tables: &dyn Tables) -> Result<Option<Surface>, Vec<Problem>> {
-    let (name, made) = match &scene.shape {
-        Shape::RoughLine(line) => ("RoughLine", of_line(line, tables)),
-        Shape::HeightMap(path, pixel) => {
+/// Spectra that do not fit the line, tables that cannot be read.
+pub fn of(shape: &Shape, tables: &dyn Tables) -> Result<Option<Surface>, Vec<Problem>> {
+    match shape.family() {
+        Family::Line(line) => of_line(line, tables).map(Some),
+        Family::Map(path, pixel) => {
             let map = tables.heights(path).map_err(|error| error.to_string());
             let map = map.and_then(|heights| {
                 HeightMap::new(heights, (pixel.si(), pixel.si())).map_err(|e| format!("{}: {e}", path.display()))
             });
-            ("HeightMap", map.map(of_map).map_err(|what| vec![Problem::new("shape", what)]))
+            map.map(of_map).map(Some).map_err(|what| vec![Problem::new("shape", what)])
         }
-        Shape::PlaneWave(_) | Shape::PlaneWavy(_) => {
-            let problems = plane_misfits(scene);
-            return if problems.is_empty() { Ok(None) } else { Err(problems) };
-        }
-        _ => return Ok(None),
-    };
-    let mut problems = misfits(scene, &format!("the rough shape {name}"));
-    if let Some(friction) = &scene.friction {
-        problems.push(refused("friction", friction.name(), &format!("the rough shape {name}")));
+        Family::Round | Family::Wave(_) | Family::Wavy(_) => Ok(None),
     }
-    let surface = made.map_err(|found| problems.extend(found)).ok();
-    if problems.is_empty() { Ok(surface) } else { Err(problems) }
 }
 
 fn of_line(line: &RoughShape, tables: &dyn Tables) -> Result<Surface, Vec<Problem>> {
@@ -145,52 +131,4 @@ fn of_map(map: HeightMap) -> Surface {
     let rings = map.rings(Border::Cut);
     let points = (PER_RING * rings.variances().len()).max(LEAST_POINTS);
     Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] }
-}
-
-fn refused(path: &str, part: &str, shape: &str) -> Problem {
-    Problem::new(path, format!("{part} cannot be computed on {shape}: expected none"))
-}
-
-/// Parts of a scene that can be computed on neither rough nor plane shapes.
-fn misfits(scene: &Scene, shape: &str) -> Vec<Problem> {
-    let mut problems = Vec::new();
-    if let Some(adhesion) = &scene.adhesion {
-        problems.push(refused("adhesion", adhesion.name(), shape));
-    }
-    if scene.springs.is_some() {
-        problems.push(refused("springs", "a number of springs", shape));
-    }
-    for (path, body) in [("bodies.0", &scene.bodies.0), ("bodies.1", &scene.bodies.1)] {
-        if matches!(body, Body::Viscoelastic(_)) {
-            problems.push(refused(path, "a viscoelastic body", shape));
-        }
-    }
-    let impacts = scene.history.iter().position(|entry| matches!(entry, Entry::Impact(_)));
-    problems.extend(impacts.map(|index| refused(&format!("history[{index}]"), "Impact", shape)));
-    problems
-}
-
-/// Parts of a scene that cannot be computed on a plane shape.
-fn plane_misfits(scene: &Scene) -> Vec<Problem> {
-    let (shape, by_force) = match &scene.shape {
-        Shape::PlaneWavy(_) => ("PlaneWavy", true),
-        _ => ("PlaneWave", false),
-    };
-    let mut problems = misfits(scene, shape);
-    match &scene.friction {
-        Some(friction @ Friction::Pressure(_)) => problems.push(refused("friction", friction.name(), shape)),
-        Some(friction) if by_force => problems.push(refused("friction", friction.name(), shape)),
-        _ => {}
-    }
-    for (index, entry) in scene.history.iter().enumerate() {
-        let right = match entry {
-            Entry::Slide(_) | Entry::Shake(_) => "none: the force of gross sliding is a result of the friction alone",
-            Entry::Press(_) | Entry::HoldForce(_) => continue,
-            _ if by_force => "Press(…) or HoldForce(…)",
-            _ => continue,
-        };
-        let what = format!("cannot be computed on {shape}: expected {right}");
-        problems.push(Problem::new(format!("history[{index}]"), what));
-    }
-    problems
 }

@@ -35,7 +35,7 @@ use crate::numerics::quadrature;
 use crate::numerics::root;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The end of a profile.
@@ -210,6 +210,21 @@ pub enum Shape {
     PlaneWavy(PlaneWavy),
 }
 
+/// What a shape is pressed as.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Family<'s> {
+    /// A profile over a radius.
+    Round,
+    /// A rough line.
+    Line(&'s RoughShape),
+    /// Heights of a surface and the size of a pixel.
+    Map(&'s Path, Length),
+    /// One period of a wave, long across.
+    Wave(&'s PlaneWave),
+    /// A wavy section, long across.
+    Wavy(&'s PlaneWavy),
+}
+
 /// Why a shape cannot be used.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ShapeError {
@@ -219,9 +234,9 @@ pub enum ShapeError {
     /// A quantity derived from the shape's own is out of range.
     #[error("effective radius of the ellipsoid: {0}")]
     Quantity(#[from] QuantityError),
-    /// A height map is no profile over a radius.
-    #[error("a HeightMap has no profile over a radius")]
-    NoProfile,
+    /// The shape is no profile over a radius.
+    #[error("a {0} has no profile over a radius")]
+    NoProfile(&'static str),
 }
 
 impl Shape {
@@ -261,16 +276,39 @@ impl Shape {
         }
     }
 
+    /// What a shape is pressed as.
+    #[must_use]
+    pub fn family(&self) -> Family<'_> {
+        match self {
+            Self::Paraboloid(_)
+            | Self::Sphere(_)
+            | Self::Cone(_)
+            | Self::Power(_)
+            | Self::FlatPunch(_)
+            | Self::TruncatedCone(_)
+            | Self::TruncatedParaboloid(_)
+            | Self::RoundedCone(_)
+            | Self::RoundedPunch(_)
+            | Self::WavyParaboloid(_)
+            | Self::Ellipsoid(_)
+            | Self::Table(_) => Family::Round,
+            Self::RoughLine(line) => Family::Line(line),
+            Self::HeightMap(path, pixel) => Family::Map(path, *pixel),
+            Self::PlaneWave(wave) => Family::Wave(wave),
+            Self::PlaneWavy(wavy) => Family::Wavy(wavy),
+        }
+    }
+
     /// Whether the shape is rough: only approximately axisymmetric, if at all.
     #[must_use]
     pub fn is_rough(&self) -> bool {
-        matches!(self, Self::RoughLine(_) | Self::HeightMap(..))
+        matches!(self.family(), Family::Line(_) | Family::Map(..))
     }
 
     /// Whether the shape is long across its section.
     #[must_use]
     pub fn is_plane(&self) -> bool {
-        matches!(self, Self::PlaneWave(_) | Self::PlaneWavy(_))
+        matches!(self.family(), Family::Wave(_) | Family::Wavy(_))
     }
 
     /// The profile, ready for evaluation, that of the smooth shape under a roughness; tables are read now.
@@ -295,10 +333,9 @@ impl Shape {
                 Some(base) => base.profile(tables)?,
                 None => Arc::new(FlatPunch::of_width(line.length)?),
             },
-            // The round shapes that stand where a radius is asked for; plane contacts do not use them.
-            Self::PlaneWave(wave) => Arc::new(FlatPunch::of_width(wave.wavelength)?),
-            Self::PlaneWavy(wavy) => Arc::new(Paraboloid { radius: wavy.radius }),
-            Self::HeightMap(..) => return Err(ShapeError::NoProfile),
+            Self::PlaneWave(_) | Self::PlaneWavy(_) | Self::HeightMap(..) => {
+                return Err(ShapeError::NoProfile(self.name()));
+            }
         })
     }
 }

@@ -6,7 +6,7 @@ use crate::app::export::with_prefix;
 use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
 use crate::check::one_piece;
-use crate::contact::adhesion::Adhesion;
+use crate::contact::adhesion::{Edge, Range};
 use crate::run::record::Outcome;
 use crate::scene::setup::Setup;
 use std::fmt::Write;
@@ -32,7 +32,7 @@ fn text(setup: &Setup, outcome: &Outcome) -> String {
     for (name, value) in moduli(setup) {
         line(name, &with_prefix(value, "Pa"));
     }
-    if let Some(rule) = setup.scene.adhesion.as_ref().and_then(Adhesion::edge_in_words) {
+    if let Some(rule) = edge(setup) {
         line("edge", &rule);
     }
     let plan = &outcome.plan;
@@ -54,6 +54,14 @@ fn text(setup: &Setup, outcome: &Outcome) -> String {
         line("warning", warning);
     }
     text
+}
+
+/// What holds the edge of a viscoelastic contact.
+fn edge(setup: &Setup) -> Option<String> {
+    match setup.scene.adhesion.as_ref()?.traits().range {
+        Range::Vanishing(edge) => edge.map(Edge::in_words),
+        Range::Finite => None,
+    }
 }
 
 /// Effective moduli by name [Pa].

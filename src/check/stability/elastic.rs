@@ -122,7 +122,7 @@ fn poisson() -> Option<Found> {
     let away = || powers(-16.0, -1.0, 1.0).chain([0.0]);
     for ratio in away().chain(away().map(|part| 0.5 - part)) {
         let body = Elastic { young: Modulus::new(young).ok()?, poisson: Poisson::new(ratio).ok()?, yield_stress: None };
-        let (pair, _) = material::pair(&(Body::Elastic(body), Body::Rigid), &InMemory::default()).ok()?;
+        let pair = material::joined(&(Body::Elastic(body), Body::Rigid), &InMemory::default()).ok()??.pair;
         found.pair(pair.normal, young / (1.0 - ratio * ratio));
         found.pair(pair.tangential, 2.0 * young / ((2.0 - ratio) * (1.0 + ratio)));
     }

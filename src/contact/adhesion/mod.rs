@@ -1,6 +1,5 @@
 //! Adhesion: the models as a scene names them, their equilibria and the branches of these.
 
-mod rules;
 pub mod equilibrium;
 pub mod line;
 pub mod range;
@@ -15,6 +14,39 @@ pub enum Adhesion {
     Jkr(Jkr),
     /// Maugis–Dugdale: constant attractive stress up to a finite range.
     Maugis(Maugis),
+}
+
+/// What a model of adhesion is, for all that must know.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AdhesionTraits<'a> {
+    /// The name a scene gives it.
+    pub name: &'static str,
+    /// Work of adhesion w [J/m²].
+    pub work: f64,
+    /// How far the attraction reaches.
+    pub range: Range<'a>,
+}
+
+/// How far an attraction reaches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Range<'a> {
+    /// It acts at the edge alone; what holds an opening edge of a viscoelastic body.
+    Vanishing(Option<&'a Edge>),
+    /// It acts across the gap.
+    Finite,
+}
+
+impl Adhesion {
+    /// What the model is: the one place that knows every kind.
+    #[must_use]
+    pub fn traits(&self) -> AdhesionTraits<'_> {
+        match self {
+            Self::Jkr(jkr) => {
+                AdhesionTraits { name: "Jkr", work: jkr.work.si(), range: Range::Vanishing(jkr.edge.as_ref()) }
+            }
+            Self::Maugis(maugis) => AdhesionTraits { name: "Maugis", work: maugis.work.si(), range: Range::Finite },
+        }
+    }
 }
 
 /// Adhesion of vanishing range.
@@ -37,6 +69,25 @@ pub enum Edge {
     Instantaneous,
     /// Gent & Schultz: the relaxed modulus and w·[1 + (v/v₀)ⁿ].
     Rate(Rate),
+}
+
+impl Edge {
+    /// The rule by which the edge of a viscoelastic contact holds, in words.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        let held = match self {
+            Self::Relaxed => "E_c = E*(∞), w_eff = w: the process zone is long against the relaxation".to_owned(),
+            Self::Instantaneous => "E_c = E*(0), w_eff = w: the process zone has no length".to_owned(),
+            Self::Rate(rate) => format!(
+                "E_c = E*(∞), w_eff = w [1 + (v/v₀)ⁿ] with v₀ = {:e} m/s, n = {} (Gent & Schultz): a fast edge holds stronger",
+                rate.speed.si(),
+                rate.exponent.si()
+            ),
+        };
+        format!(
+            "an opening edge holds while q(a)² < 2πa E_c w_eff, with {held}; a closing edge attaches where the bodies touch; the work of separation counts as dissipated"
+        )
+    }
 }
 
 /// Gent–Schultz law w_eff = w·[1 + (v/v₀)ⁿ] of an edge opening at the speed v.

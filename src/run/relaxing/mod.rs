@@ -26,10 +26,9 @@ use crate::contact::viscoelastic::opening::Attraction;
 use crate::contact::viscoelastic::pressing::{Pressing, Ramp};
 use crate::material::Relaxation;
 use crate::run::record::{ErrorEstimate, Record, Value};
-use crate::scene::history::Entry;
 use crate::scene::plan;
 use crate::scene::setup::Setup;
-use crate::scene::stage::{Extent, Path, stages};
+use crate::scene::stage::{Extent, Path};
 use crate::shape::Profile;
 use bed::ReadBed;
 use chords::Chords;
@@ -431,7 +430,7 @@ fn refined(setup: &Setup, relaxation: &Relaxation) -> Box<dyn NormalContact> {
 fn reach(setup: &Setup, spectrum: &Arc<Spectrum>) -> f64 {
     let (mut depth, mut force, mut time) = (0f64, 0f64, 0.0);
     let mut before = 0.0;
-    for stage in stages(setup.entries(), Some(1)) {
+    for stage in &setup.stages {
         time += stage.over;
         match (stage.control, stage.normal) {
             (Some(Control::Force), Path::To(to)) => force = force.max(to),
@@ -478,7 +477,7 @@ pub fn error_estimate(setup: &Setup, run: &Run<'_>) -> ErrorEstimate {
 /// What the largest force feels of a depth off by a part of itself, 2E(0)a·d/F, where the depth is followed in
 /// chords; one where the force itself is met.
 fn felt(setup: &Setup, run: &Run<'_>) -> f64 {
-    let chords = setup.scene.history.iter().any(|entry| matches!(entry, Entry::Oscillate(_)));
+    let chords = setup.stages.iter().any(|stage| matches!(stage.normal, Path::Wave { .. }));
     let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
     let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)

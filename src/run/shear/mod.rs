@@ -16,8 +16,8 @@ use crate::friction::sliding::Pressed;
 use crate::friction::state::Tangential;
 use crate::friction::{Coulomb, Friction, Grip, Pose, chords};
 use crate::run::record::ErrorEstimate;
-use crate::scene::history::{Driven, Motion};
 use crate::scene::setup::Setup;
+use crate::scene::stage::{Path, Stage};
 use peeling::Peeling;
 use sliding::{Interface, Sliding};
 use std::num::NonZeroUsize;
@@ -130,8 +130,8 @@ pub fn error_estimate(setup: &Setup) -> Option<ErrorEstimate> {
             basis: format!("bed of {springs} springs: the tangential force within half a cell of its variation"),
         });
     }
-    let curved = |motion: &Motion| motion.slide.is_some() && matches!(motion.control, Driven::Force(_));
-    setup.motions.iter().flatten().any(curved).then(|| ErrorEstimate {
+    let curved = |stage: &Stage| stage.control == Some(Control::Force) && stage.tangential != Path::Stay;
+    setup.stages.iter().any(curved).then(|| ErrorEstimate {
         relative: accuracy(setup),
         basis: "memory of friction: the depth under a force is a curve, followed by chords to this part".to_owned(),
     })

@@ -8,7 +8,7 @@ use crate::friction::{FrictionError, Grip, RelaxingBed};
 use crate::material::Relaxation;
 use crate::run::contact::{ContactError, NormalContact};
 use crate::scene::setup::Setup;
-use crate::scene::stage::{Path, stages};
+use crate::scene::stage::Path;
 use crate::shape::Rim;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -56,8 +56,7 @@ impl Relaxing {
 fn reach(setup: &Setup) -> f64 {
     let depth = |path: Path| if let Path::To(to) = path { to } else { 0.0 };
     let by_depth = |control: Option<Control>| control == Some(Control::Indentation);
-    let stages = stages(setup.entries(), None);
-    let ramps = stages.iter().filter(|stage| by_depth(stage.control));
+    let ramps = setup.stages.iter().filter(|stage| by_depth(stage.control));
     let deepest = ramps.map(|stage| depth(stage.normal)).fold(0.0, f64::max);
     let profile = setup.profile.as_ref();
     let edge = if deepest > 0.0 { profile.edge(deepest) } else { None };

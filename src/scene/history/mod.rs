@@ -1,15 +1,18 @@
 //! Load histories, as a scene names them.
 
-pub mod impacts;
+mod impact;
 mod motion;
-pub mod rules;
+mod ramp;
+mod wave;
 
+pub use impact::Impact;
 pub use motion::{Driven, Motion};
+pub use ramp::{Hold, Indent, Press, Retract, Slide};
+pub use wave::Oscillate;
 
-use crate::input::quantity::{
-    Amplitude, Displacement, Duration, Force, Frequency, IncidenceAngle, Mass, Positive, Speed, Spin,
-};
-use serde::{Deserialize, Deserializer, Serialize, de};
+use crate::contact::adhesion::equilibrium::Control;
+use crate::scene::stage::{Path, Stage};
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
 /// One entry of a history.
@@ -37,117 +40,119 @@ pub enum Entry {
     Table(PathBuf),
 }
 
-/// Ramp of the indentation.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Indent {
-    /// Indentation at the end [m].
-    pub to: Displacement,
-    /// Duration [s].
-    pub over: Duration,
+/// What an entry is, for all that must know: the rules read it, the stages are followed.
+#[derive(Debug, Clone)]
+pub struct EntryTraits<'e> {
+    /// Its place in the history.
+    pub number: usize,
+    /// The name a scene gives it.
+    pub name: &'static str,
+    /// How it moves the bodies, in order; empty for an impact, which moves by itself.
+    pub stages: Vec<Stage>,
+    /// The field, with a point, that holds what it prescribes.
+    pub field: &'static str,
+    /// The table and the rows of its file, one per stage.
+    pub table: Option<(&'e std::path::Path, &'e [usize])>,
+    /// The impact, if it is one.
+    pub impact: Option<&'e Impact>,
+    /// Fewest records it can have.
+    pub least_records: usize,
 }
 
-/// Ramp of the normal force.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Press {
-    /// Normal force at the end [N].
-    pub to: Force,
-    /// Duration [s].
-    pub over: Duration,
-}
+/// Records per ramp unless the scene says otherwise: a smooth curve on paper.
+const RECORDS_PER_RAMP: usize = 100;
 
-/// A time in which what was controlled stays.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Hold {
-    /// Duration [s].
-    pub over: Duration,
-}
-
-/// Ramp of the tangential displacement.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Slide {
-    /// Tangential displacement at the end [m].
-    pub to: Displacement,
-    /// Duration [s].
-    pub over: Duration,
-}
-
-/// Sinusoidal motion about the present position.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Oscillate {
-    /// Amplitude [m].
-    pub amplitude: Amplitude,
-    /// Frequency [Hz].
-    pub frequency: Frequency,
-    /// Number of cycles.
-    pub cycles: Positive,
-}
-
-/// Retraction until the bodies part.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Retract {
-    /// Speed [m/s].
-    pub speed: Speed,
-}
-
-/// Free impact of the indenter on the other body.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Impact {
-    /// Mass of the indenter [kg].
-    pub mass: Mass,
-    /// Speed at first touch [m/s], or a list of speeds.
-    #[serde(deserialize_with = "one_or_more")]
-    pub speed: Vec<Speed>,
-    /// Angle of incidence from the surface normal [rad].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub angle: Option<IncidenceAngle>,
-    /// Spin before the impact [rad/s].
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub spin: Option<Spin>,
-}
-
-struct SpeedsVisitor;
-
-impl<'de> de::Visitor<'de> for SpeedsVisitor {
-    type Value = Vec<Speed>;
-
-    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str("a speed such as \"1 m/s\", or a list of speeds")
-    }
-
-    fn visit_f64<E: de::Error>(self, value: f64) -> Result<Vec<Speed>, E> {
-        Ok(vec![Speed::new(value).map_err(E::custom)?])
-    }
-
-    #[expect(clippy::cast_precision_loss, reason = "a whole number above 2^53 in a scene is a rounded number anyway")]
-    fn visit_i64<E: de::Error>(self, value: i64) -> Result<Vec<Speed>, E> {
-        self.visit_f64(value as f64)
-    }
-
-    #[expect(clippy::cast_precision_loss, reason = "a whole number above 2^53 in a scene is a rounded number anyway")]
-    fn visit_u64<E: de::Error>(self, value: u64) -> Result<Vec<Speed>, E> {
-        self.visit_f64(value as f64)
-    }
-
-    fn visit_str<E: de::Error>(self, text: &str) -> Result<Vec<Speed>, E> {
-        Ok(vec![text.parse().map_err(E::custom)?])
-    }
-
-    fn visit_seq<A: de::SeqAccess<'de>>(self, mut seq: A) -> Result<Vec<Speed>, A::Error> {
-        let mut speeds = Vec::new();
-        while let Some(speed) = seq.next_element()? {
-            speeds.push(speed);
+impl Entry {
+    /// What the entry is: the one place that knows every kind.
+    ///
+    /// `number` is its place in the history, `motion` what its table holds, `steps` how many records the scene
+    /// asks for per entry.
+    #[must_use]
+    pub fn traits<'e>(&'e self, number: usize, motion: Option<&'e Motion>, steps: Option<usize>) -> EntryTraits<'e> {
+        let rest = Stage::rest(number, steps.unwrap_or(RECORDS_PER_RAMP));
+        let moves = |name, field, stage| EntryTraits {
+            number,
+            name,
+            stages: vec![stage],
+            field,
+            table: None,
+            impact: None,
+            least_records: steps.unwrap_or(1),
+        };
+        let waves = |name, field, wave: &Oscillate, stage| EntryTraits {
+            least_records: wave.least_records(steps),
+            ..moves(name, field, Stage { records: steps.unwrap_or_else(|| wave.records()), ..stage })
+        };
+        match self {
+            Self::Indent(indent) => moves("Indent", ".to", indent.stage(rest)),
+            Self::Press(press) => moves("Press", ".to", press.stage(rest)),
+            Self::Hold(hold) => moves("Hold", "", hold.stage(Control::Indentation, rest)),
+            Self::HoldForce(hold) => moves("HoldForce", "", hold.stage(Control::Force, rest)),
+            Self::Slide(slide) => moves("Slide", ".to", slide.stage(rest)),
+            Self::Oscillate(wave) => waves("Oscillate", ".amplitude", wave, wave.deep(rest)),
+            Self::Shake(wave) => waves("Shake", ".amplitude", wave, wave.along(rest)),
+            Self::Retract(retract) => moves("Retract", "", retract.stage(rest)),
+            Self::Impact(impact) => {
+                EntryTraits { stages: Vec::new(), impact: Some(impact), ..moves("Impact", "", rest) }
+            }
+            Self::Table(path) => EntryTraits {
+                stages: motion.map_or_else(Vec::new, |motion| motion.stages(number)),
+                table: motion.map(|motion| (path.as_path(), &motion.rows[..])),
+                least_records: motion.map_or(1, |motion| motion.time.len()),
+                ..moves("Table", "", rest)
+            },
         }
-        Ok(speeds)
     }
 }
 
-fn one_or_more<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Speed>, D::Error> {
-    deserializer.deserialize_any(SpeedsVisitor)
+impl EntryTraits<'_> {
+    /// Its place in the scene.
+    #[must_use]
+    pub fn place(&self) -> String {
+        format!("history[{}]", self.number)
+    }
+
+    /// Whether it moves the bodies along the surface.
+    #[must_use]
+    pub fn slides(&self) -> bool {
+        let along = self.stages.iter().any(|stage| stage.tangential != Path::Stay);
+        along || self.impact.is_some_and(Impact::is_oblique)
+    }
+
+    /// Whether it slides one way, and nothing else moves.
+    #[must_use]
+    pub fn is_slide(&self) -> bool {
+        let slide = |stage: &Stage| stage.control.is_none() && matches!(stage.tangential, Path::To(_));
+        self.stages.iter().any(slide)
+    }
+
+    /// The row of its table that holds the stage `at`, as a message begins with it.
+    #[must_use]
+    pub fn row(&self, at: usize) -> String {
+        self.table.map_or_else(String::new, |(path, rows)| format!("{}, row {}: ", path.display(), rows[at]))
+    }
+
+    /// Whether the normal force is prescribed.
+    #[must_use]
+    pub fn by_force(&self) -> bool {
+        self.stages.iter().any(|stage| stage.control == Some(Control::Force))
+    }
+
+    /// Whether the depth is prescribed.
+    #[must_use]
+    pub fn by_depth(&self) -> bool {
+        self.stages.iter().any(|stage| stage.control == Some(Control::Indentation))
+    }
+
+    /// Whether depth or slide is a curve in time: under a prescribed force, and in a wave.
+    #[must_use]
+    pub fn is_curved(&self) -> bool {
+        self.stages.iter().any(Stage::is_curved)
+    }
+
+    /// Whether it parts the bodies.
+    #[must_use]
+    pub fn parts(&self) -> bool {
+        self.stages.iter().any(|stage| matches!(stage.normal, Path::UntilParted { .. }))
+    }
 }

@@ -1,6 +1,8 @@
 //! A history read from a table.
 
+use crate::contact::adhesion::equilibrium::Control;
 use crate::input::table::{Columns, TableError, Tables};
+use crate::scene::stage::{self, Extent, Stage};
 use std::path::Path;
 
 /// Motion given by a table: time, what is controlled, and the tangential displacement if any.
@@ -47,6 +49,24 @@ impl Motion {
         increasing(path, &time, &rows)?;
         let control = if wanted[1] == "force_n" { Driven::Force(control) } else { Driven::Indentation(control) };
         Ok(Self { time, control, slide, rows })
+    }
+
+    /// One stage per row: the first row is reached at once, the others linearly.
+    pub(super) fn stages(&self, entry: usize) -> Vec<Stage> {
+        let (control, values) = match &self.control {
+            Driven::Indentation(values) => (Control::Indentation, values),
+            Driven::Force(values) => (Control::Force, values),
+        };
+        let stage = |row: usize| Stage {
+            entry,
+            control: Some(control),
+            normal: stage::Path::To(values[row]),
+            tangential: self.slide.as_ref().map_or(stage::Path::Stay, |slide| stage::Path::To(slide[row])),
+            over: if row == 0 { self.time[0].max(0.0) } else { self.time[row] - self.time[row - 1] },
+            records: 1,
+            extent: Extent::Row,
+        };
+        (0..values.len()).map(stage).collect()
     }
 }
 

@@ -1,0 +1,61 @@
+//! What is too much, too long or too little of one part by itself.
+
+use crate::input::problem::Problem;
+use crate::scene::Scene;
+use crate::scene::history::EntryTraits;
+
+/// Most springs: their state alone has a gigabyte.
+const MOST_SPRINGS: usize = 1 << 26;
+/// Most records of a scene: beyond it the outputs alone would fill the memory.
+const MOST_RECORDS: usize = 10_000_000;
+
+/// What is beyond the limits of a scene; `entries` is its history.
+#[must_use]
+pub fn problems(scene: &Scene, entries: &[EntryTraits<'_>]) -> Vec<Problem> {
+    let once = [too_many_springs(scene), no_history(scene), too_many_records(scene, entries), endless(entries)];
+    once.into_iter().flatten().chain(entries.iter().filter_map(no_speed)).collect()
+}
+
+fn too_many_springs(scene: &Scene) -> Option<Problem> {
+    let springs = scene.springs?.get();
+    (springs > MOST_SPRINGS)
+        .then(|| Problem::new("springs", format!("{springs} do not fit into memory: expected at most {MOST_SPRINGS}")))
+}
+
+fn no_history(scene: &Scene) -> Option<Problem> {
+    scene.history.is_empty().then(|| {
+        Problem::new("history", "is empty: expected at least one entry such as Indent(to: \"1 um\", over: \"1 s\")")
+    })
+}
+
+fn no_speed(entry: &EntryTraits<'_>) -> Option<Problem> {
+    let impact = entry.impact?;
+    impact.speed.is_empty().then(|| {
+        Problem::new(
+            format!("{}.speed", entry.place()),
+            "is an empty list: expected at least one speed such as \"1 m/s\"",
+        )
+    })
+}
+
+fn too_many_records(scene: &Scene, entries: &[EntryTraits<'_>]) -> Option<Problem> {
+    let mut sum = 0usize;
+    let entry = entries.iter().find(|entry| {
+        sum = sum.saturating_add(entry.least_records);
+        sum > MOST_RECORDS
+    })?;
+    let path = if scene.steps.is_some() { "steps".to_owned() } else { entry.place() };
+    let what =
+        format!("the history would have more than {MOST_RECORDS} records: expected fewer steps, cycles or entries");
+    Some(Problem::new(path, what))
+}
+
+/// The duration of a history must be a number.
+fn endless(entries: &[EntryTraits<'_>]) -> Option<Problem> {
+    let mut time = 0.0;
+    let entry = entries.iter().find(|entry| {
+        time += entry.stages.iter().map(|stage| stage.over).sum::<f64>();
+        f64::is_infinite(time)
+    })?;
+    Some(Problem::new(entry.place(), "ends at a time too large to compute with: expected shorter entries"))
+}

@@ -1,0 +1,184 @@
+//! Entries of the history against the other parts, and against each other.
+
+use super::Draft;
+use super::parts::cannot_be_on;
+use crate::contact::adhesion::{Edge, Range};
+use crate::friction::Slip;
+use crate::input::problem::Problem;
+use crate::scene::history::{EntryTraits, Impact};
+use crate::scene::stage::Path;
+use crate::shape::{Family, Shape};
+
+fn refused(entry: &EntryTraits<'_>, what: impl Into<String>) -> Option<Problem> {
+    Some(Problem::new(entry.place(), what))
+}
+
+fn oblique<'e>(entry: &EntryTraits<'e>) -> Option<&'e Impact> {
+    entry.impact.filter(|impact| impact.is_oblique())
+}
+
+pub(super) fn impact_on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.impact?;
+    cannot_be_on(draft, &entry.place(), entry.name)
+}
+
+pub(super) fn slide_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    if !draft.scene.shape.is_plane() || entry.impact.is_some() || !entry.slides() {
+        return None;
+    }
+    refused(
+        entry,
+        format!(
+            "cannot be computed on {}: expected none: the force of gross sliding is a result of the friction alone",
+            draft.scene.shape.name()
+        ),
+    )
+}
+
+/// A wavy section is known by its load.
+pub(super) fn depth_of_wavy(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    match draft.scene.shape.family() {
+        Family::Wavy(_) if entry.by_depth() => refused(
+            entry,
+            format!("cannot be computed on {}: expected Press(…) or HoldForce(…)", draft.scene.shape.name()),
+        ),
+        Family::Round | Family::Line(_) | Family::Map(..) | Family::Wave(_) | Family::Wavy(_) => None,
+    }
+}
+
+pub(super) fn oblique_on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    oblique(entry)?;
+    if let Shape::Paraboloid(_) = draft.scene.shape {
+        return None;
+    }
+    refused(
+        entry,
+        format!(
+            "an oblique Impact of a {} cannot be computed, for only a ball is known to turn as it slips: expected Paraboloid(radius: …), or no angle and spin",
+            draft.scene.shape.name()
+        ),
+    )
+}
+
+/// Friction of bodies that relax is exact where depth and slide are straight in time.
+pub(super) fn curve_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let friction = draft.scene.friction.as_ref()?;
+    let (true, Slip::Local(_), true) = (draft.scene.relaxes(), friction.slip(), entry.is_curved()) else { return None };
+    let name = if entry.table.is_some() { format!("{} with force_n", entry.name) } else { entry.name.to_owned() };
+    refused(
+        entry,
+        format!(
+            "{name} with {} friction of a Viscoelastic body cannot be computed, for depth or slide is a curve in time: expected Indent, Hold, Slide, Retract or a Table with indentation_m",
+            friction.name()
+        ),
+    )
+}
+
+pub(super) fn oblique_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    oblique(entry)?;
+    draft.relaxation()?;
+    refused(
+        entry,
+        "an oblique Impact of a Viscoelastic body cannot be computed: expected Elastic bodies, or no angle and spin",
+    )
+}
+
+pub(super) fn pull_without_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let pulled = |path| matches!(path, Path::To(force) if force < 0.0);
+    if draft.scene.adhesion.is_some() || !entry.by_force() {
+        return None;
+    }
+    let at = entry.stages.iter().position(|stage| pulled(stage.normal))?;
+    let Path::To(force) = entry.stages[at].normal else { return None };
+    let what = match entry.table {
+        Some(_) => format!("{}force_n: {force:?} is a pull", entry.row(at)),
+        None => format!("{force:?} N is a pull"),
+    };
+    Some(Problem::new(
+        format!("{}{}", entry.place(), entry.field),
+        format!("{what}, and without adhesion bodies cannot be pulled: expected a force of zero or above"),
+    ))
+}
+
+pub(super) fn oblique_under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    oblique(entry)?;
+    let adhesion = draft.scene.adhesion.as_ref()?.traits();
+    refused(
+        entry,
+        format!(
+            "an oblique Impact with {} adhesion cannot be computed: expected no adhesion, or no angle and spin",
+            adhesion.name
+        ),
+    )
+}
+
+pub(super) fn impact_with_rate(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.impact?;
+    draft.relaxation()?;
+    match draft.scene.adhesion.as_ref()?.traits().range {
+        Range::Vanishing(Some(Edge::Rate(_))) => {
+            refused(entry, "Impact with an edge: Rate(…) cannot be computed: expected edge: Relaxed or Instantaneous")
+        }
+        Range::Vanishing(Some(Edge::Relaxed | Edge::Instantaneous) | None) | Range::Finite => None,
+    }
+}
+
+/// Sliding as it stands in a message.
+fn sliding(entry: &EntryTraits<'_>) -> Option<String> {
+    let how = match (entry.impact, entry.table) {
+        (Some(_), _) => " with an angle or spin",
+        (None, Some(_)) => " with slide_m",
+        (None, None) => "",
+    };
+    entry.slides().then(|| format!("{}{how}", entry.name))
+}
+
+pub(super) fn slide_without_friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let name = sliding(entry).filter(|_| draft.scene.friction.is_none())?;
+    refused(entry, format!("{name} needs friction: expected a friction such as Coulomb(coefficient: 0.3)"))
+}
+
+/// Under gross sliding a contact can go one way.
+pub(super) fn shake_in_gross_sliding(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let friction = draft.scene.friction.as_ref()?;
+    let (Slip::Gross, false) = (friction.slip(), entry.is_slide()) else { return None };
+    let (name, law) = (sliding(entry)?, friction.name());
+    refused(
+        entry,
+        format!(
+            "{name} with friction {law} cannot be computed, for {law} is a law of gross sliding: expected Coulomb(coefficient: …) or Slide(…)"
+        ),
+    )
+}
+
+pub(super) fn impact_on_springs(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.impact?;
+    draft.scene.springs?;
+    refused(
+        entry,
+        "Impact with springs cannot be computed, for an impact is followed without springs: leave springs out",
+    )
+}
+
+pub(super) fn impact_beside_others(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.impact?;
+    let others = draft.entries.len() - 1;
+    if others == 0 {
+        return None;
+    }
+    refused(entry, format!("Impact stands beside {others} other entries: expected it alone in the history"))
+}
+
+/// A retraction needs bodies in contact.
+pub(super) fn nothing_to_part(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    if !entry.parts() {
+        return None;
+    }
+    let before = entry.number.checked_sub(1).map(|number| &draft.entries[number]);
+    let why = match before {
+        None if draft.scene.adhesion.is_none() => "the bodies only touch at the start",
+        Some(before) if before.parts() => "the entry before has parted the bodies",
+        None | Some(_) => return None,
+    };
+    refused(entry, format!("{why}: expected an Indent or Press before Retract"))
+}

@@ -1,0 +1,142 @@
+//! Which parts of a scene cannot be computed together: one table, every problem at once.
+
+mod depth;
+mod history;
+mod parts;
+mod plots;
+
+use crate::friction::{Friction, StrengthCurve};
+use crate::input::problem::Problem;
+use crate::material::{Joined, Relaxation};
+use crate::scene::Scene;
+use crate::scene::history::EntryTraits;
+use crate::scene::reach::Bound;
+use crate::shape::Profile;
+use Part::{Adhesion, Bodies, Friction as Rubbing, History, Plots, Shape, Springs};
+
+/// A scene whose parts are read but not yet held against each other.
+#[derive(Debug)]
+pub struct Draft<'s> {
+    /// The scene as written.
+    pub scene: &'s Scene,
+    /// Its history.
+    pub entries: Vec<EntryTraits<'s>>,
+    /// Its profile over a radius; `None` where the shape has none or its table cannot be read.
+    pub profile: Option<&'s dyn Profile>,
+    /// How deep the profile can be pressed.
+    pub bounds: Vec<Bound>,
+    /// Its bodies; `None` where they make no pair.
+    pub bodies: Option<&'s Joined>,
+    /// The table of its friction.
+    pub strength: Option<&'s StrengthCurve>,
+}
+
+impl Draft<'_> {
+    /// What is wrong with it, in the order of the table.
+    #[must_use]
+    pub fn problems(&self) -> Vec<Problem> {
+        RULES.iter().flat_map(|rule| rule.problems(self)).collect()
+    }
+
+    fn relaxation(&self) -> Option<&Relaxation> {
+        self.bodies?.relaxation.as_ref()
+    }
+
+    /// The friction, unless the history is an impact, which has its own rules.
+    fn rubbing(&self) -> Option<&Friction> {
+        self.scene.friction.as_ref().filter(|_| self.entries.iter().all(|entry| entry.impact.is_none()))
+    }
+}
+
+/// What a scene is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The shape of the indenter.
+    Shape,
+    /// The two bodies.
+    Bodies,
+    /// The adhesion.
+    Adhesion,
+    /// The friction.
+    Friction,
+    /// The history.
+    History,
+    /// A number of springs.
+    Springs,
+    /// The figures.
+    Plots,
+}
+
+/// Two parts that cannot always be computed together.
+#[derive(Debug, Clone, Copy)]
+pub struct Rule {
+    /// The parts.
+    pub between: (Part, Part),
+    refuses: Refuses,
+}
+
+/// How a rule finds what is wrong.
+#[derive(Debug, Clone, Copy)]
+enum Refuses {
+    /// In the scene as a whole.
+    Once(fn(&Draft<'_>) -> Option<Problem>),
+    /// In each entry of the history, by itself.
+    Entry(fn(&Draft<'_>, &EntryTraits<'_>) -> Option<Problem>),
+    /// In any number of places.
+    Many(fn(&Draft<'_>) -> Vec<Problem>),
+}
+
+impl Rule {
+    const fn once(one: Part, other: Part, refuses: fn(&Draft<'_>) -> Option<Problem>) -> Self {
+        Self { between: (one, other), refuses: Refuses::Once(refuses) }
+    }
+
+    const fn entry(other: Part, refuses: fn(&Draft<'_>, &EntryTraits<'_>) -> Option<Problem>) -> Self {
+        Self { between: (History, other), refuses: Refuses::Entry(refuses) }
+    }
+
+    const fn many(one: Part, other: Part, refuses: fn(&Draft<'_>) -> Vec<Problem>) -> Self {
+        Self { between: (one, other), refuses: Refuses::Many(refuses) }
+    }
+
+    fn problems(&self, draft: &Draft<'_>) -> Vec<Problem> {
+        match self.refuses {
+            Refuses::Once(refuses) => refuses(draft).into_iter().collect(),
+            Refuses::Entry(refuses) => draft.entries.iter().filter_map(|entry| refuses(draft, entry)).collect(),
+            Refuses::Many(refuses) => refuses(draft),
+        }
+    }
+}
+
+/// Every refusal of a pair.
+pub const RULES: [Rule; 29] = [
+    Rule::once(Bodies, Bodies, parts::two_rigid),
+    Rule::once(Bodies, Bodies, parts::two_viscoelastic),
+    Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
+    Rule::once(Adhesion, Shape, parts::range_on_shape),
+    Rule::once(Rubbing, Bodies, parts::friction_of_bodies_in_series),
+    Rule::once(Rubbing, Bodies, parts::gross_sliding_of_viscoelastic),
+    Rule::once(Rubbing, Adhesion, parts::friction_under_adhesion),
+    Rule::once(Springs, Adhesion, parts::springs_under_adhesion),
+    Rule::once(Shape, Adhesion, parts::adhesion_on_shape),
+    Rule::once(Shape, Rubbing, parts::friction_on_shape),
+    Rule::once(Shape, Springs, parts::springs_on_shape),
+    Rule::many(Shape, Bodies, parts::viscoelastic_on_shape),
+    Rule::entry(Shape, history::impact_on_shape),
+    Rule::entry(Shape, history::slide_on_plane),
+    Rule::entry(Shape, history::depth_of_wavy),
+    Rule::entry(Shape, history::oblique_on_shape),
+    Rule::entry(Bodies, history::curve_of_viscoelastic),
+    Rule::entry(Bodies, history::oblique_of_viscoelastic),
+    Rule::entry(Adhesion, history::pull_without_adhesion),
+    Rule::entry(Adhesion, history::oblique_under_adhesion),
+    Rule::entry(Adhesion, history::impact_with_rate),
+    Rule::entry(Rubbing, history::slide_without_friction),
+    Rule::entry(Rubbing, history::shake_in_gross_sliding),
+    Rule::entry(Springs, history::impact_on_springs),
+    Rule::entry(History, history::impact_beside_others),
+    Rule::entry(History, history::nothing_to_part),
+    Rule::many(History, Shape, depth::too_deep),
+    Rule::many(History, Rubbing, depth::too_fast),
+    Rule::many(Plots, History, plots::not_drawn),
+];

@@ -1,0 +1,214 @@
+//! Bodies, shape, adhesion, friction and springs against each other.
+
+use super::Draft;
+use crate::contact::adhesion::{Adhesion, Edge, Range};
+use crate::friction::{Friction, Slip};
+use crate::input::problem::Problem;
+use crate::material::{Body, Relaxation};
+use crate::shape::{Family, Rim, Shape};
+
+fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
+    Some(Problem::new(path, what))
+}
+
+pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
+    let (Body::Rigid, Body::Rigid) = &draft.scene.bodies else { return None };
+    refused(
+        "bodies",
+        "two rigid bodies cannot be pressed together: expected at least one Elastic(…) or Viscoelastic(…)",
+    )
+}
+
+pub(super) fn two_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
+    let (Body::Viscoelastic(_), Body::Viscoelastic(_)) = &draft.scene.bodies else { return None };
+    refused(
+        "bodies",
+        "a Viscoelastic body against another Viscoelastic body cannot be computed: expected Rigid or Elastic beside Viscoelastic",
+    )
+}
+
+/// An attraction, and what holds its edge, between elastic or viscoelastic bodies.
+pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
+    let (adhesion, bodies) = (draft.scene.adhesion.as_ref()?.traits(), draft.bodies?);
+    match (adhesion.range, &bodies.relaxation) {
+        (Range::Vanishing(None), None) => None,
+        (Range::Vanishing(Some(_)), None) => {
+            refused("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
+        }
+        (Range::Vanishing(None), Some(_)) => refused(
+            "adhesion",
+            format!(
+                "{} with a Viscoelastic body lacks what holds its edge: expected edge: Relaxed, Instantaneous or Rate(speed: …, exponent: …)",
+                adhesion.name
+            ),
+        ),
+        (Range::Vanishing(Some(edge)), Some(relaxation)) => edge_that_holds_nothing(edge, relaxation),
+        (Range::Finite, None) if adhesion.work <= 0.0 => refused(
+            "adhesion.work",
+            "a work of zero gives the attraction no range: expected one above zero, or no adhesion",
+        ),
+        (Range::Finite, None) => None,
+        (Range::Finite, Some(_)) => refused(
+            "adhesion",
+            format!("{} with a Viscoelastic body cannot be computed: expected Jkr(work: …, edge: …)", adhesion.name),
+        ),
+    }
+}
+
+fn edge_that_holds_nothing(edge: &Edge, relaxation: &Relaxation) -> Option<Problem> {
+    match edge {
+        Edge::Relaxed | Edge::Rate(_) if relaxation.equilibrium <= 0.0 => refused(
+            "adhesion.edge",
+            "an edge held by the relaxed modulus, which is zero here, holds nothing: expected edge: Instantaneous, or an equilibrium modulus above zero",
+        ),
+        Edge::Instantaneous if relaxation.viscosity > 0.0 => refused(
+            "adhesion.edge",
+            "Instantaneous with a viscosity has no finite instantaneous modulus: expected edge: Relaxed or Rate(…)",
+        ),
+        Edge::Relaxed | Edge::Rate(_) | Edge::Instantaneous => None,
+    }
+}
+
+pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
+    let (adhesion, profile) = (draft.scene.adhesion.as_ref()?.traits(), draft.profile?);
+    let Range::Finite = adhesion.range else { return None };
+    let why = if let Rim::Wall(_) = profile.rim() {
+        "the side of the punch leaves the attraction no gap of growing width"
+    } else if profile.feature().is_some() {
+        "the slope of this profile rises and falls, so it could be attracted in several rings"
+    } else {
+        return None;
+    };
+    let (name, shape) = (adhesion.name, draft.scene.shape.name());
+    refused("adhesion", format!("{name} on a {shape} cannot be computed: {why}; expected Jkr(work: …)"))
+}
+
+/// Friction needs one ratio of tangential and normal stiffness at all times.
+pub(super) fn friction_of_bodies_in_series(draft: &Draft<'_>) -> Option<Problem> {
+    draft.scene.friction.as_ref()?;
+    let ((Body::Viscoelastic(_), Body::Elastic(_)) | (Body::Elastic(_), Body::Viscoelastic(_))) = &draft.scene.bodies
+    else {
+        return None;
+    };
+    refused(
+        "friction",
+        "with a Viscoelastic body against an Elastic body cannot be computed, for the pair is not elastically similar at all times: expected Rigid beside Viscoelastic, or no friction",
+    )
+}
+
+pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
+    draft.relaxation()?;
+    let friction = draft.rubbing()?;
+    match friction.slip() {
+        Slip::Local(_) => None,
+        Slip::Gross => refused(
+            "friction",
+            format!(
+                "{} with a Viscoelastic body cannot be computed: expected Coulomb(coefficient: …), Elastic or Rigid bodies, or no friction",
+                friction.name()
+            ),
+        ),
+    }
+}
+
+/// A sheared adhesive contact is known under uniform stress.
+pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
+    draft.bodies?;
+    let (friction, adhesion) = (draft.rubbing()?, draft.scene.adhesion.as_ref()?.traits());
+    let (one, other) = (friction.name(), adhesion.name);
+    match (adhesion.range, friction) {
+        (Range::Vanishing(_), Friction::Coulomb(_)) => refused(
+            "friction",
+            format!(
+                "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Pressure(shear: …, slope: 0), or no adhesion"
+            ),
+        ),
+        (Range::Vanishing(_), Friction::CoulombOrowan(_)) => refused(
+            "friction",
+            format!(
+                "{one} with {other} adhesion cannot be computed, for how a stress that is not uniform peels an edge has no closed answer: expected Pressure(shear: …, slope: 0), or no adhesion"
+            ),
+        ),
+        (Range::Vanishing(_), Friction::Pressure(law)) if law.slope.si() > 0.0 => refused(
+            "friction.slope",
+            format!(
+                "{one} with a slope of {} and {other} adhesion cannot be computed, for peeling is known under a uniform stress only: expected slope: 0",
+                law.slope.si()
+            ),
+        ),
+        (Range::Vanishing(_), Friction::Pressure(_)) => None,
+        (Range::Finite, Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_)) => refused(
+            "friction",
+            format!(
+                "{one} with {other} adhesion cannot be computed: expected Jkr(…) with Pressure(shear: …, slope: 0), or no adhesion"
+            ),
+        ),
+    }
+}
+
+pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
+    draft.scene.springs?;
+    let adhesion = draft.scene.adhesion.as_ref()?.traits();
+    let name = adhesion.name;
+    match adhesion.range {
+        Range::Finite => {
+            refused("springs", format!("with {name} adhesion cannot be computed: expected Jkr(…), or no springs"))
+        }
+        Range::Vanishing(Some(_)) => refused(
+            "springs",
+            "with an adhesive Viscoelastic body cannot be computed: expected no springs, for the continuous bed holds the edge",
+        ),
+        Range::Vanishing(None) => {
+            draft.scene.friction.as_ref()?;
+            refused(
+                "springs",
+                format!(
+                    "with {name} adhesion under shear cannot be computed: expected no springs, no adhesion or no friction"
+                ),
+            )
+        }
+    }
+}
+
+/// A shape that is rough or plane, in words.
+pub(super) fn not_round(shape: &Shape) -> Option<String> {
+    match shape.family() {
+        Family::Round => None,
+        Family::Line(_) | Family::Map(..) => Some(format!("the rough shape {}", shape.name())),
+        Family::Wave(_) | Family::Wavy(_) => Some(shape.name().to_owned()),
+    }
+}
+
+/// A part that cannot be computed on the shape of the scene.
+pub(super) fn cannot_be_on(draft: &Draft<'_>, path: &str, part: &str) -> Option<Problem> {
+    let shape = not_round(&draft.scene.shape)?;
+    refused(path, format!("{part} cannot be computed on {shape}: expected none"))
+}
+
+pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
+    let adhesion = draft.scene.adhesion.as_ref().map(Adhesion::traits)?;
+    cannot_be_on(draft, "adhesion", adhesion.name)
+}
+
+/// Of friction a wave knows gross sliding, as a result.
+pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
+    let friction = draft.scene.friction.as_ref()?;
+    match (draft.scene.shape.family(), friction) {
+        (Family::Wave(_), Friction::Coulomb(_) | Friction::CoulombOrowan(_)) => None,
+        (Family::Wave(_), Friction::Pressure(_))
+        | (Family::Round | Family::Line(_) | Family::Map(..) | Family::Wavy(_), _) => {
+            cannot_be_on(draft, "friction", friction.name())
+        }
+    }
+}
+
+pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
+    draft.scene.springs?;
+    cannot_be_on(draft, "springs", "a number of springs")
+}
+
+pub(super) fn viscoelastic_on_shape(draft: &Draft<'_>) -> Vec<Problem> {
+    let bodies = [("bodies.0", &draft.scene.bodies.0), ("bodies.1", &draft.scene.bodies.1)];
+    let viscoelastic = bodies.into_iter().filter(|(_, body)| matches!(body, Body::Viscoelastic(_)));
+    viscoelastic.filter_map(|(path, _)| cannot_be_on(draft, path, "a viscoelastic body")).collect()
+}

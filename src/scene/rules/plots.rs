@@ -1,0 +1,53 @@
+//! Figures against the parts they show.
+
+use super::Draft;
+use crate::friction::{Friction, Slip};
+use crate::input::problem::Problem;
+use crate::scene::{Plot, Scene};
+
+/// Figures of what the scene lacks.
+pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
+    let wanted = draft.scene.plots.iter().flatten().enumerate();
+    let problem = |(index, &plot): (usize, &Plot)| {
+        let what = format!("{plot:?} cannot be drawn: {}", lacks(draft, plot)?);
+        Some(Problem::new(format!("plots[{index}]"), what))
+    };
+    wanted.filter_map(problem).collect()
+}
+
+/// What the scene lacks for a figure.
+fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
+    let scene = draft.scene;
+    let (there, what) = match plot {
+        Plot::Force | Plot::Energy | Plot::Shape => return None,
+        Plot::Radius | Plot::Pressure | Plot::Stress => {
+            (!scene.shape.is_rough(), "a rough bed does not know its contact area: expected Force, Energy or Shape")
+        }
+        Plot::Moduli => (scene.relaxes(), "expected a Viscoelastic body"),
+        Plot::Friction | Plot::Stick | Plot::Shear => (scene.friction.is_some(), "expected a friction"),
+        Plot::Fretting => {
+            let sticks = matches!(scene.friction.as_ref().map(Friction::slip), Some(Slip::Local(_)));
+            (sticks, "expected Coulomb friction and Shake or a Table with slide_m")
+        }
+        Plot::Coefficient => (
+            scene.adhesion.is_none() && slides_as_a_whole(scene),
+            "expected CoulombOrowan or Pressure friction, and no adhesion",
+        ),
+        Plot::Area => {
+            (scene.adhesion.is_some() && slides_as_a_whole(scene), "expected Jkr adhesion and Pressure friction")
+        }
+        Plot::Restitution => {
+            let impact = draft.entries.iter().find_map(|entry| entry.impact);
+            (
+                impact.is_some_and(|impact| impact.speed.len() > 1),
+                "expected an Impact with a list of at least two speeds",
+            )
+        }
+    };
+    (!there).then_some(what)
+}
+
+/// Whether the friction is one of gross sliding.
+fn slides_as_a_whole(scene: &Scene) -> bool {
+    matches!(scene.friction.as_ref().map(Friction::slip), Some(Slip::Gross))
+}
