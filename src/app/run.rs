@@ -22,7 +22,7 @@ pub enum Format {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Product {
     /// Ending such as `.csv` or `.pressure.csv`.
-    pub ending: &'static str,
+    pub ending: String,
     /// Content.
     pub content: String,
 }
@@ -80,29 +80,17 @@ pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + 
 pub fn products(setup: &Setup, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
     let mut products = Vec::new();
     if formats.contains(&Format::Csv) {
-        products.push(Product { ending: ".csv", content: export::record_table(outcome)? });
-        if !outcome.fields.is_empty() {
-            products.push(Product { ending: ".pressure.csv", content: export::pressure_table(outcome)? });
+        products.push(Product { ending: ".csv".to_owned(), content: export::csv(&outcome.record_table())? });
+        for table in &outcome.tables {
+            products.push(Product { ending: format!(".{}.csv", table.name), content: export::csv(table)? });
         }
-        if let Some(impacts) = &outcome.impacts {
-            products.push(Product { ending: ".impacts.csv", content: export::impact_table(impacts)? });
-            if !impacts.incidence.is_empty() {
-                products.push(Product { ending: ".incidence.csv", content: export::incidence_table(impacts)? });
-            }
-        }
-    }
-    if formats.contains(&Format::Csv) && !outcome.fretting.is_empty() {
-        products.push(Product { ending: ".fretting.csv", content: export::fretting_table(outcome)? });
-    }
-    if let Some(ensemble) = outcome.ensemble.as_ref().filter(|_| formats.contains(&Format::Csv)) {
-        products.push(Product { ending: ".ensemble.csv", content: export::ensemble_table(ensemble)? });
     }
     if formats.contains(&Format::Json) {
-        products.push(Product { ending: ".json", content: export::json(&setup.scene, file, outcome)? });
+        products.push(Product { ending: ".json".to_owned(), content: export::json(&setup.scene, file, outcome)? });
     }
     #[cfg(feature = "plot")]
     if formats.contains(&Format::Svg) {
-        products.push(Product { ending: ".svg", content: export::figures(setup, outcome).svg() });
+        products.push(Product { ending: ".svg".to_owned(), content: export::figures(setup, outcome).svg() });
     }
     Ok(products)
 }

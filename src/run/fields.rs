@@ -2,11 +2,13 @@
 
 use super::contact::NormalContact;
 use super::shear::TangentialContact;
+use super::table::{Column, Table};
+use super::unit::Unit;
 use crate::contact::state::Normal;
 use crate::contact::stress::Loading;
 use crate::contact::stress::StressRow;
 use crate::material::Body;
-use crate::run::record::{Field, FieldRow};
+use crate::run::record::{Field, FieldRow, Record};
 use crate::scene::setup::Setup;
 use std::f64::consts::FRAC_PI_2;
 
@@ -83,15 +85,45 @@ fn radii(a: f64, reach: f64) -> Vec<f64> {
     all
 }
 
-/// Stresses on the axis in the first body that can deform, at the given state.
+/// A row of the table of pressures.
+const COLUMNS: [Column<(f64, FieldRow)>; 4] = [
+    Column::new("time", Unit::SECOND, "time t", |(time, _)| Some(*time)),
+    Column::new("radius", Unit::METRE, "radius r", |(_, row)| Some(row.radius)),
+    Column::new("pressure", Unit::PASCAL, "pressure p", |(_, row)| row.pressure),
+    Column::new("surface_displacement", Unit::METRE, "surface displacement u", |(_, row)| row.displacement),
+];
+const SHEAR: Column<(f64, FieldRow)> = Column::new("shear", Unit::PASCAL, "shear stress τ", |(_, row)| row.shear);
+
+/// Pressure and surface over the radius, one block of rows per field, named in the first column; with the
+/// shear stress if the scene has friction.
 #[must_use]
-pub fn stresses(setup: &Setup, normal: &Normal) -> Vec<StressRow> {
-    let Some(a) = normal.contact_radius.filter(|&a| a > 0.0) else { return Vec::new() };
+pub fn pressure_table(fields: &[Field], records: &[Record]) -> Option<Table> {
+    let sheared = records.iter().any(|record| record.tangential.is_some());
+    let rows: Vec<(f64, FieldRow)> =
+        fields.iter().flat_map(|field| field.rows.iter().map(|row| (field.time, *row))).collect();
+    let labels = fields.iter().flat_map(|field| field.rows.iter().map(|_| field.label.clone())).collect();
+    let table = Table::new("pressure").with_words("profile", labels).with(&COLUMNS, rows.iter());
+    let table = if sheared { table.with(&[SHEAR], rows.iter()) } else { table };
+    (!fields.is_empty()).then_some(table)
+}
+
+const STRESS: [Column<StressRow>; 4] = [
+    Column::new("depth", Unit::METRE, "depth z on the axis", |row| Some(row.depth)),
+    Column::new("axial", Unit::PASCAL, "axial σ_zz", |row| Some(row.axial)),
+    Column::new("radial", Unit::PASCAL, "radial σ_xx", |row| Some(row.radial)),
+    Column::new("largest_shear", Unit::PASCAL, "largest shear", |row| Some(row.shear)),
+];
+
+/// Stresses on the axis in the first body that can deform, at the given state; `None` where the bodies are apart.
+#[must_use]
+pub fn stresses(setup: &Setup, normal: &Normal) -> Option<Table> {
+    let a = normal.contact_radius.filter(|&a| a > 0.0)?;
     let profile = setup.profile.as_ref();
     let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
     let edge_load = setup.pair.normal * edge;
     let poisson = poisson(&setup.scene.bodies);
-    Loading { ground: setup.ground(), poisson, contact_radius: a, edge_load }.profile_down(DEPTHS)
+    let loading = Loading { ground: setup.ground(), poisson, contact_radius: a, edge_load };
+    Some(Table::new("stress").with(&STRESS, loading.profile_down(DEPTHS).iter()))
 }
 
 fn poisson(bodies: &(Body, Body)) -> f64 {

@@ -3,10 +3,10 @@
 use super::contact::{ContactError, Drive, Moment, NormalContact};
 use super::record::{Field, Record};
 use super::shear::{Step, TangentialContact};
+use super::table::Table;
 use super::{Contact, SimulationError, Wanted, fields};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::state::Normal;
-use crate::contact::stress::StressRow;
 use crate::scene::setup::Setup;
 use crate::scene::stage::{Path, Stage};
 
@@ -216,7 +216,7 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn stresses(&self, setup: &Setup) -> Vec<StressRow> {
-        self.loaded.map_or_else(Vec::new, |normal| fields::stresses(setup, &normal))
+    pub(super) fn stresses(&self, setup: &Setup) -> Option<Table> {
+        fields::stresses(setup, &self.loaded?)
     }
 }

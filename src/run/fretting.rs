@@ -1,8 +1,9 @@
 //! Where in the contact friction takes its energy.
 
 use super::shear;
+use super::table::{Column, Table};
+use super::unit::Unit;
 use crate::friction::{Friction, Pose, WearMap};
-use crate::run::record::FrettingRow;
 use crate::scene::setup::Setup;
 use crate::scene::stage::{Extent, Path, Stage};
 use std::f64::consts::FRAC_PI_2;
@@ -21,16 +22,32 @@ pub fn is_fretting(setup: &Setup) -> bool {
     matches!(setup.scene.friction, Some(Friction::Coulomb(_))) && setup.stages.iter().any(to_and_fro)
 }
 
-/// The fretting map of a path of straight steps.
+/// Energy lost to friction at one position, gathered over the whole history.
+struct Lost {
+    /// Distance from the axis [m]: of a spring x, and of the surface r.
+    position: f64,
+    /// Energy per length over x lost by the springs of both halves of the bed [J/m].
+    per_length: f64,
+    /// Energy per area lost at the surface [J/m²]; wear is proportional to it.
+    per_area: f64,
+}
+
+const COLUMNS: [Column<Lost>; 3] = [
+    Column::new("radius", Unit::METRE, "radius r", |lost| Some(lost.position)),
+    Column::new("energy", Unit::JOULE_PER_SQUARE_METRE, "energy lost per area", |lost| Some(lost.per_area)),
+    Column::new("spring_energy", Unit::JOULE_PER_METRE, "energy lost per length", |lost| Some(lost.per_length)),
+];
+
+/// The fretting map of a path of straight steps: energy lost to friction over the distance from the axis.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "few positions")]
-pub fn map(setup: &Setup, path: &[Pose]) -> Vec<FrettingRow> {
+pub fn map(setup: &Setup, path: &[Pose]) -> Option<Table> {
     let Some(Friction::Coulomb(law)) = setup.scene.friction.as_ref().filter(|_| !path.is_empty()) else {
-        return Vec::new();
+        return None;
     };
     let profile = setup.profile.as_ref();
     let deepest = path.iter().map(|at| at.indentation).fold(0.0, f64::max);
-    let Some(a) = profile.edge(deepest).filter(|&a| a > 0.0) else { return Vec::new() };
+    let a = profile.edge(deepest).filter(|&a| a > 0.0)?;
     let at = |k: usize| a * (FRAC_PI_2 * k as f64 / POSITIONS as f64).sin();
     let positions: Vec<f64> = (0..=POSITIONS).map(at).collect();
     let mut map = WearMap::new(setup.profile.clone(), shear::grip(setup, law), &positions);
@@ -39,5 +56,6 @@ pub fn map(setup: &Setup, path: &[Pose]) -> Vec<FrettingRow> {
     }
     let springs = map.springs().energy();
     let rows = positions.iter().zip(springs).zip(map.energy());
-    rows.map(|((&position, per_length), &per_area)| FrettingRow { position, per_length, per_area }).collect()
+    let lost = |((&position, per_length), &per_area)| Lost { position, per_length, per_area };
+    Some(Table::new("fretting").with(&COLUMNS, rows.map(lost).collect::<Vec<_>>().iter()))
 }

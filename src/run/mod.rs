@@ -2,17 +2,22 @@
 
 mod conditioning;
 mod contact;
+pub mod curves;
+mod ensemble;
 mod error;
 mod fields;
 mod follow;
 mod fretting;
 mod relaxing;
 mod plane;
+pub mod named;
 pub mod record;
 mod results;
 mod rough;
 mod shear;
 mod strike;
+pub mod table;
+pub mod unit;
 
 pub use contact::{ContactError, Drive, Event, Loop, Moment, NormalContact, Springs};
 pub use plane::PlaneError;
@@ -84,6 +89,14 @@ pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
 /// # Errors
 /// As for [`run`].
 pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
+    let mut outcome = solved(setup, wanted, done)?;
+    let pressure = fields::pressure_table(&outcome.fields, &outcome.records);
+    outcome.tables.splice(0..0, pressure);
+    Ok(outcome)
+}
+
+/// What the solver of a scene finds.
+fn solved(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
     if let Some(surface) = &setup.surface {
         return rough::run(setup, surface, done);
     }
@@ -101,7 +114,7 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
         (plan.state_bytes, plan.springs) = (run.bytes + own.0, run.contact.springs() + own.1);
         error_estimate = error::with_friction(setup, relaxing::error_estimate(setup, &run));
     }
-    let stresses = if wanted.stresses { run.stresses(setup) } else { Vec::new() };
+    let stresses = if wanted.stresses { run.stresses(setup) } else { None };
     let path = run.tangential.as_ref().map_or(&[][..], |tangential| tangential.path());
     let fretting = fretting::map(setup, path);
     let mut results = results::named(setup, &run.records, &run.fields);
@@ -110,14 +123,11 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
     Ok(Outcome {
         records: std::mem::take(&mut run.records),
         fields: std::mem::take(&mut run.fields),
-        stresses,
-        fretting,
+        tables: [stresses, fretting].into_iter().flatten().collect(),
         results,
         error_estimate,
         warnings: std::mem::take(&mut run.notes),
         plan,
-        ensemble: None,
-        impacts: None,
     })
 }
 

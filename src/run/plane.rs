@@ -9,7 +9,9 @@ use crate::contact::plane::{ConnectivityError, PlaneContact, WavyParabola, Weste
 use crate::contact::state::Normal;
 use crate::friction::Friction;
 use crate::numerics::root;
-use crate::run::record::{ErrorEstimate, Outcome, Record, Value};
+use crate::run::named::Named;
+use crate::run::record::{ErrorEstimate, Outcome, Record};
+use crate::run::unit::Unit;
 use crate::scene::plan;
 use crate::scene::setup::Setup;
 use crate::shape::{PlaneWave, PlaneWavy, Shape};
@@ -55,10 +57,10 @@ fn run_wave(setup: &Setup, shape: &PlaneWave, wanted: Wanted) -> Result<Outcome,
     let area = contact.area();
     let (mut outcome, _) = outcome(setup, Box::new(contact), wanted)?;
     let largest = outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::max) / area;
-    let mut add = |name, value| outcome.results.push((name, Value::Number(value)));
-    add("largest_mean_pressure_pa", largest);
-    add("full_contact_pressure_pa", wave.full_contact_pressure());
-    add("rms_slope", wave.rms_slope());
+    let mut add = |quantity, unit, value| outcome.results.push(Named::number(quantity, unit, value));
+    add("largest_mean_pressure", Unit::PASCAL, largest);
+    add("full_contact_pressure", Unit::PASCAL, wave.full_contact_pressure());
+    add("rms_slope", Unit::ONE, wave.rms_slope());
     let law = match &setup.scene.friction {
         Some(Friction::Coulomb(law)) => Some((law.coefficient.si(), f64::MAX)),
         Some(Friction::CoulombOrowan(law)) => Some((law.coefficient.si(), law.shear_limit.si())),
@@ -66,8 +68,8 @@ fn run_wave(setup: &Setup, shape: &PlaneWave, wanted: Wanted) -> Result<Outcome,
     };
     if let Some(law) = law {
         let sliding = wave.sliding(largest, law);
-        add("gross_sliding_force_n", sliding.mean_shear * area);
-        add("capped_half_width_m", sliding.capped_half_width);
+        add("gross_sliding_force", Unit::NEWTON, sliding.mean_shear * area);
+        add("capped_half_width", Unit::METRE, sliding.capped_half_width);
     }
     Ok(outcome)
 }
@@ -75,8 +77,8 @@ fn run_wave(setup: &Setup, shape: &PlaneWave, wanted: Wanted) -> Result<Outcome,
 fn run_wavy(setup: &Setup, shape: &PlaneWavy, wanted: Wanted) -> Result<Outcome, SimulationError> {
     let contact = WavyContact { shape, modulus: setup.pair.normal, load: 0.0, piece: None };
     let (mut outcome, broken) = outcome(setup, Box::new(contact), wanted)?;
-    outcome.results.push(("in_one_piece", Value::Answer(broken.is_none())));
-    outcome.results.push(("rms_slope", Value::Number(shape.rms_slope())));
+    outcome.results.push(Named::answer("in_one_piece", broken.is_none()));
+    outcome.results.push(Named::number("rms_slope", Unit::ONE, shape.rms_slope()));
     if let Some(force) = broken {
         outcome.warnings.push(format!(
             "under {force:.4e} N the contact is not in one piece, as under other forces that are missing here: it leaks; `explain` tells the least load that seals"
@@ -102,16 +104,13 @@ fn outcome<'s>(
         results: results::named(setup, &records, &run.fields),
         records,
         fields: run.fields,
-        stresses: Vec::new(),
+        tables: Vec::new(),
         error_estimate: ErrorEstimate {
             relative: 1e-11,
             basis: "closed form or Chebyshev series of the half-plane: rounding".to_owned(),
         },
         warnings: run.notes,
         plan: plan::of_plane(setup),
-        ensemble: None,
-        impacts: None,
-        fretting: Vec::new(),
     };
     Ok((outcome, broken.iter().map(|record| record.normal.force).reduce(f64::max)))
 }

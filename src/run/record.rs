@@ -1,12 +1,11 @@
-//! What a simulation gives back: records, fields, named results. No clock, no path, no thread count.
+//! What a simulation gives back: records, fields, tables, named results. No clock, no path, no thread count.
 
+use super::named::{Finding, Named};
+use super::table::{Column, Table};
+use super::unit::Unit;
 use crate::contact::state::Normal;
-use crate::contact::stress::StressRow;
-use crate::drive::impact::Rebound;
-use crate::friction::oblique;
 use crate::friction::state::Tangential;
 use crate::scene::plan::Plan;
-use crate::shape::rough::Scatter;
 use serde::Serialize;
 
 /// State of the contact at one time.
@@ -20,6 +19,59 @@ pub struct Record {
     pub normal: Normal,
     /// State of the tangential contact, if the scene has friction.
     pub tangential: Option<Tangential>,
+}
+
+/// Time.
+pub const TIME: Column<Record> = Column::new("time", Unit::SECOND, "time t", |record| Some(record.time));
+/// Indentation.
+pub const INDENTATION: Column<Record> =
+    Column::new("indentation", Unit::METRE, "indentation d", |record| record.normal.indentation);
+/// Normal force.
+pub const FORCE: Column<Record> = Column::new("force", Unit::NEWTON, "force F", |record| Some(record.normal.force));
+/// Contact radius.
+pub const CONTACT_RADIUS: Column<Record> =
+    Column::new("contact_radius", Unit::METRE, "contact radius a", |record| record.normal.contact_radius);
+/// Stiffness.
+pub const STIFFNESS: Column<Record> =
+    Column::new("stiffness", Unit::NEWTON_PER_METRE, "stiffness k", |record| Some(record.normal.stiffness));
+/// Tangential displacement.
+pub const SLIDE: Column<Record> =
+    Column::new("slide", Unit::METRE, "tangential displacement uₓ", |record| Some(record.tangential?.slide));
+/// Tangential force.
+pub const TANGENTIAL_FORCE: Column<Record> =
+    Column::new("tangential_force", Unit::NEWTON, "tangential force Fₓ", |record| Some(record.tangential?.force));
+/// Radius of the sticking part.
+pub const STICK_RADIUS: Column<Record> =
+    Column::new("stick_radius", Unit::METRE, "stick radius c", |record| Some(record.tangential?.stick_radius));
+
+/// Columns every scene has.
+const NORMAL: [Column<Record>; 7] = [
+    TIME,
+    INDENTATION,
+    FORCE,
+    CONTACT_RADIUS,
+    STIFFNESS,
+    Column::new("stored", Unit::JOULE, "stored energy", |record| Some(record.normal.stored.stored())),
+    Column::new("dissipated", Unit::JOULE, "dissipated energy", |record| Some(record.normal.dissipated)),
+];
+/// Columns of a scene with friction.
+const TANGENTIAL: [Column<Record>; 4] = [
+    SLIDE,
+    TANGENTIAL_FORCE,
+    STICK_RADIUS,
+    Column::new("friction_dissipated", Unit::JOULE, "energy lost to friction", |record| record.tangential?.dissipated),
+];
+/// Columns of a sheared adhesive contact.
+const SHEARED: [Column<Record>; 1] =
+    [Column::new("area_ratio", Unit::ONE, "A/A₀", |record| record.tangential?.area_ratio)];
+
+/// The columns of records: those of a part appear if the scene has it.
+#[must_use]
+pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
+    let rubs = records.iter().any(|record| record.tangential.is_some());
+    let peels = records.iter().any(|record| record.tangential.is_some_and(|state| state.area_ratio.is_some()));
+    let tangential = TANGENTIAL.into_iter().filter(|_| rubs);
+    NORMAL.into_iter().chain(tangential).chain(SHEARED.into_iter().filter(|_| peels)).collect()
 }
 
 /// Pressure and surface displacement over the radius, at one time.
@@ -50,29 +102,6 @@ pub struct FieldRow {
     pub shear: Option<f64>,
 }
 
-/// Energy lost to friction at one position, gathered over the whole history.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrettingRow {
-    /// Distance from the axis [m]: of a spring x, and of the surface r.
-    pub position: f64,
-    /// Energy per length over x lost by the springs of both halves of the bed [J/m].
-    pub per_length: f64,
-    /// Energy per area lost at the surface [J/m²]; wear is proportional to it.
-    pub per_area: f64,
-}
-
-/// A named number or answer.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Value {
-    /// A number in the SI unit its name ends with.
-    Number(f64),
-    /// A yes or no.
-    Answer(bool),
-    /// A count.
-    Count(usize),
-}
-
 /// Estimate of the relative error of forces and radii, and how it was made.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ErrorEstimate {
@@ -82,48 +111,6 @@ pub struct ErrorEstimate {
     pub basis: String,
 }
 
-/// One impact of a scene.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImpactRow {
-    /// Speed before [m/s], along the path.
-    pub speed: f64,
-    /// What comes of the normal motion.
-    pub rebound: Rebound,
-    /// Largest pressure [Pa], if there is a finite one.
-    pub peak_pressure: Option<f64>,
-    /// What comes of the tangential motion, if it is oblique.
-    pub oblique: Option<oblique::BallRebound>,
-}
-
-impl ImpactRow {
-    /// Speed of the centre after the impact [m/s]; zero if the bodies stay together.
-    #[must_use]
-    pub fn rebound_speed(&self) -> f64 {
-        match &self.oblique {
-            None => self.rebound.restitution * self.speed,
-            Some(oblique) => oblique.flight.normal_speed.hypot(oblique.flight.tangential_speed),
-        }
-    }
-}
-
-/// An oblique impact at one angle of incidence.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Incidence {
-    /// Angle of incidence from the normal [rad].
-    pub angle: f64,
-    /// What comes of it.
-    pub rebound: oblique::BallRebound,
-}
-
-/// The impacts of a scene.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Impacts {
-    /// One per speed, in the order given.
-    pub rows: Vec<ImpactRow>,
-    /// The greatest speed at other angles of incidence; empty unless the scene's own is oblique.
-    pub incidence: Vec<Incidence>,
-}
-
 /// What came out of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
@@ -131,54 +118,43 @@ pub struct Outcome {
     pub records: Vec<Record>,
     /// Pressure and surface, at the end of each entry and at the largest depth; empty if not asked for.
     pub fields: Vec<Field>,
-    /// Stresses on the axis at the largest force; empty if not asked for.
-    pub stresses: Vec<StressRow>,
-    /// Where friction took its energy, from the axis outwards; empty if not asked for or not a matter
-    /// of the scene.
-    pub fretting: Vec<FrettingRow>,
+    /// Tables beside that of the records, such as those of pressure, of stresses, of impacts.
+    pub tables: Vec<Table>,
     /// Named results in a fixed order.
-    pub results: Vec<(&'static str, Value)>,
+    pub results: Vec<Named>,
     /// Estimate of the error.
     pub error_estimate: ErrorEstimate,
     /// Physics a user must know.
     pub warnings: Vec<String>,
     /// What was used.
     pub plan: Plan,
-    /// Impacts one by one, if the scene is one.
-    pub impacts: Option<Impacts>,
-    /// Scatter over the members of an ensemble; the records are their means.
-    pub ensemble: Option<Ensemble>,
-}
-
-/// Mean and scatter over many random surfaces.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ensemble {
-    /// Number of members.
-    pub members: usize,
-    /// One row per record.
-    pub rows: Vec<EnsembleRow>,
-}
-
-/// One record of an [`Ensemble`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EnsembleRow {
-    /// Mean time [s].
-    pub time: f64,
-    /// Indentation d [m].
-    pub indentation: Scatter,
-    /// Normal force F [N].
-    pub force: Scatter,
-    /// Stiffness dF/dd [N/m].
-    pub stiffness: Scatter,
 }
 
 impl Outcome {
+    /// The result with this name, if the scene has it.
+    #[must_use]
+    pub fn named(&self, name: &str) -> Option<Finding> {
+        self.results.iter().find(|named| named.is_called(name)).map(|named| named.finding)
+    }
+
     /// The number with this name, if the scene has it.
     #[must_use]
     pub fn number(&self, name: &str) -> Option<f64> {
-        self.results.iter().find(|entry| entry.0 == name).and_then(|entry| match entry.1 {
-            Value::Number(number) => Some(number),
-            _ => None,
-        })
+        match self.named(name)? {
+            Finding::Number(number) => Some(number),
+            Finding::Answer(_) | Finding::Count(_) => None,
+        }
+    }
+
+    /// The table with this name, if the scene has it.
+    #[must_use]
+    pub fn table(&self, name: &str) -> Option<&Table> {
+        self.tables.iter().find(|table| table.name == name)
+    }
+
+    /// The records as a table; it has no name.
+    #[must_use]
+    pub fn record_table(&self) -> Table {
+        Table::new("").with(&columns(&self.records), self.records.iter())
     }
 }

@@ -1,16 +1,19 @@
 //! Rough shapes: the bed of a rough line, one member of an ensemble after the other.
 
 use super::contact::{ContactError, Event, NormalContact};
+use super::ensemble::{self, Ensemble};
 use super::follow::follow;
-use super::{Contact, SimulationError, Wanted, results};
+use super::named::Named;
+use super::record::{ErrorEstimate, Outcome, Record};
+use super::unit::Unit;
+use super::{Contact, SimulationError, Wanted};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::state::Normal;
-use crate::run::record::{Ensemble, EnsembleRow, ErrorEstimate, Outcome, Record};
 use crate::scene::plan;
 use crate::scene::setup::Setup;
 use crate::scene::surface::Surface;
-use crate::shape::rough::{BedState, RoughBed, RoughError, RoughLine, Scatter, VALIDITY};
+use crate::shape::rough::{BedState, RoughBed, RoughError, RoughLine, VALIDITY};
 use crate::shape::{Profile, Rim};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -130,19 +133,16 @@ pub(super) fn run(setup: &Setup, surface: &Surface, done: &(dyn Fn(f64) + Sync))
     };
     let members: Vec<Result<_, SimulationError>> = surface.seeds.par_iter().map(member).collect();
     let members = members.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let ensemble = (members.len() > 1).then(|| ensemble(&members));
-    let records = mean(&members);
+    let ensemble = Ensemble::of(&members);
+    let records = ensemble::mean(&members);
     Ok(Outcome {
-        results: results::rough(surface, &records, ensemble.as_ref()),
+        results: named(surface, &records, ensemble.as_ref()),
         records,
         fields: Vec::new(),
-        stresses: Vec::new(),
-        fretting: Vec::new(),
+        tables: ensemble.iter().map(Ensemble::table).collect(),
         error_estimate: estimate(),
         warnings: vec![format!("{VALIDITY}; indentation counts from first touch")],
         plan: plan::of_rough(setup, surface),
-        ensemble,
-        impacts: None,
     })
 }
 
@@ -153,43 +153,25 @@ fn member(setup: &Setup, surface: &Surface, seed: u64) -> Result<Vec<Record>, Si
     Ok(run.records)
 }
 
-/// Mean and scatter of every record over the members.
-fn ensemble(members: &[Vec<Record>]) -> Ensemble {
-    let row = |k: usize| {
-        let of = |value: fn(&Record) -> f64| {
-            Scatter::of(&members.iter().filter_map(|records| records.get(k).map(value)).collect::<Vec<_>>())
-        };
-        Some(EnsembleRow {
-            time: of(|record| record.time)?.mean,
-            indentation: of(|record| record.normal.indentation.unwrap_or(0.0))?,
-            force: of(|record| record.normal.force)?,
-            stiffness: of(|record| record.normal.stiffness)?,
-        })
-    };
-    let length = members.iter().map(Vec::len).min().unwrap_or(0);
-    Ensemble { members: members.len(), rows: (0..length).filter_map(row).collect() }
-}
-
-/// The mean of the members, record by record.
-fn mean(members: &[Vec<Record>]) -> Vec<Record> {
-    let Some(first) = members.first() else { return Vec::new() };
-    let length = members.iter().map(Vec::len).min().unwrap_or(0);
-    let mean = |k: usize, of: &dyn Fn(&Record) -> f64| {
-        let values: Vec<f64> = members.iter().map(|records| of(&records[k])).collect();
-        Scatter::of(&values).map_or(f64::NAN, |scatter| scatter.mean)
-    };
-    let record = |(k, record): (usize, &Record)| Record {
-        time: mean(k, &|record| record.time),
-        normal: Normal {
-            indentation: record.normal.indentation.map(|_| mean(k, &|record| record.normal.indentation.unwrap_or(0.0))),
-            force: mean(k, &|record| record.normal.force),
-            stiffness: mean(k, &|record| record.normal.stiffness),
-            stored: Energy { elastic: mean(k, &|record| record.normal.stored.elastic), surface: 0.0 },
-            ..record.normal
-        },
-        ..*record
-    };
-    first.iter().enumerate().take(length).map(record).collect()
+/// The named results, those of an ensemble with their deviation.
+fn named(surface: &Surface, records: &[Record], ensemble: Option<&Ensemble>) -> Vec<Named> {
+    let largest = |of: fn(&Record) -> f64| records.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
+    let depth = |record: &Record| record.normal.indentation.unwrap_or(f64::NEG_INFINITY);
+    let roughness = surface.roughness();
+    let mut results = vec![
+        Named::number("largest_force", Unit::NEWTON, largest(|record| record.normal.force)),
+        Named::number("largest_indentation", Unit::METRE, largest(depth)),
+        Named::number("largest_stiffness", Unit::NEWTON_PER_METRE, largest(|record| record.normal.stiffness)),
+        Named::number("largest_stored_elastic", Unit::JOULE, largest(|record| record.normal.stored.elastic)),
+        Named::number("rms_height", Unit::METRE, roughness.rms_height),
+        Named::number("rms_slope", Unit::ONE, roughness.rms_slope),
+        Named::number("rms_curvature", Unit::PER_METRE, roughness.rms_curvature),
+    ];
+    if roughness.peak_to_valley.is_finite() {
+        results.push(Named::number("peak_to_valley", Unit::METRE, roughness.peak_to_valley));
+    }
+    results.extend(ensemble.iter().flat_map(|ensemble| ensemble.results()));
+    results
 }
 
 fn estimate() -> ErrorEstimate {

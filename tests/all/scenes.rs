@@ -5,7 +5,8 @@
 
 use springbed::app::run::{Format, compute, products};
 use springbed::app::scene_file::SceneFile;
-use springbed::run::record::{Outcome, Value};
+use springbed::run::named::Finding;
+use springbed::run::record::Outcome;
 use std::path::{Path, PathBuf};
 
 fn scenes() -> Vec<PathBuf> {
@@ -32,9 +33,9 @@ fn answer(line: &str) -> Option<(String, f64, f64)> {
 }
 
 fn result(outcome: &Outcome, name: &str) -> Option<f64> {
-    outcome.results.iter().find(|(known, _)| *known == name).map(|(_, value)| match value {
-        Value::Number(number) => *number,
-        other => panic!("{name} is {other:?}"),
+    outcome.named(name).map(|finding| match finding {
+        Finding::Number(number) => number,
+        other @ (Finding::Answer(_) | Finding::Count(_)) => panic!("{name} is {other:?}"),
     })
 }
 

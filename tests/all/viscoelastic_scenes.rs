@@ -8,6 +8,7 @@ use springbed::input::quantity::{
 };
 use springbed::input::table::InMemory;
 use springbed::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
+use springbed::run::named::Named;
 use springbed::run::record::Outcome;
 use springbed::run::{self, Wanted};
 use springbed::scene::Scene;
@@ -82,8 +83,8 @@ fn jkr(edge: Edge) -> Option<Adhesion> {
 /// Every named result of both.
 fn same(one: &Outcome, other: &Outcome, bound: f64) {
     assert_eq!(one.results.len(), other.results.len());
-    for (name, _) in &one.results {
-        let (a, b) = (one.number(name).unwrap(), other.number(name).unwrap());
+    for name in one.results.iter().map(Named::name) {
+        let (a, b) = (one.number(&name).unwrap(), other.number(&name).unwrap());
         assert!((a - b).abs() <= bound * a.abs().max(b.abs()), "{name}: {a:e} {b:e}");
     }
 }

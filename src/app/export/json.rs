@@ -1,6 +1,7 @@
 //! The JSON summary of a run.
 
-use crate::run::record::{ErrorEstimate, Outcome, Value};
+use crate::run::named::Named;
+use crate::run::record::{ErrorEstimate, Outcome};
 use crate::scene::Scene;
 use crate::scene::plan::Plan;
 use serde::{Serialize, Serializer, ser::SerializeMap};
@@ -10,7 +11,7 @@ struct Summary<'a> {
     scene: Described<'a>,
     version: &'static str,
     plan: &'a Plan,
-    results: Named<'a>,
+    results: Results<'a>,
     error_estimate: &'a ErrorEstimate,
     warnings: &'a [String],
 }
@@ -23,13 +24,13 @@ struct Described<'a> {
 }
 
 /// Named results, in their order.
-struct Named<'a>(&'a [(&'static str, Value)]);
+struct Results<'a>(&'a [Named]);
 
-impl Serialize for Named<'_> {
+impl Serialize for Results<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (name, value) in self.0 {
-            map.serialize_entry(name, value)?;
+        for named in self.0 {
+            map.serialize_entry(&named.name(), &named.finding)?;
         }
         map.end()
     }
@@ -44,7 +45,7 @@ pub fn json(scene: &Scene, file: &str, outcome: &Outcome) -> Result<String, serd
         scene: Described { title: &scene.title, file, resolved: scene },
         version: env!("CARGO_PKG_VERSION"),
         plan: &outcome.plan,
-        results: Named(&outcome.results),
+        results: Results(&outcome.results),
         error_estimate: &outcome.error_estimate,
         warnings: &outcome.warnings,
     };

@@ -18,5 +18,5 @@ pub use comparison::{comparison_json, comparison_table, comparison_text};
 pub use figures::{comparison_figure, figures};
 pub use json::json;
 pub use summary::{summary, with_prefix};
-pub use tables::{ensemble_table, fretting_table, impact_table, incidence_table, pressure_table, record_table};
+pub use tables::csv;
 pub use verdicts::{validation, verdict_table};

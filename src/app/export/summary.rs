@@ -1,22 +1,8 @@
 //! The short table printed after a run.
 
-use crate::run::record::{Outcome, Value};
+use crate::run::named::{Finding, Named};
+use crate::run::record::Outcome;
 use std::fmt::Write;
-
-/// Unit endings of result names, the symbol, and whether an SI prefix is used with it.
-const UNITS: [(&str, &str, bool); 11] = [
-    ("_pa_sqrt_m", "Pa √m", true),
-    ("_n_per_m", "N/m", true),
-    ("_per_m", "1/m", false),
-    ("_m_per_s", "m/s", true),
-    ("_rad_per_s", "rad/s", false),
-    ("_rad", "rad", false),
-    ("_pa", "Pa", true),
-    ("_n", "N", true),
-    ("_m", "m", true),
-    ("_s", "s", true),
-    ("_j", "J", true),
-];
 
 const PREFIXES: [(f64, &str); 11] = [
     (1e12, "T"),
@@ -36,7 +22,7 @@ const PREFIXES: [(f64, &str); 11] = [
 #[must_use]
 pub fn summary(title: &str, outcome: &Outcome) -> String {
     let mut text = String::new();
-    let rows: Vec<(String, String)> = outcome.results.iter().map(|(name, value)| row(name, *value)).collect();
+    let rows: Vec<(String, String)> = outcome.results.iter().map(row).collect();
     let width = rows.iter().map(|row| row.0.chars().count()).max().unwrap_or(0);
     if !title.is_empty() {
         let _ = writeln!(text, "{title}");
@@ -49,18 +35,14 @@ pub fn summary(title: &str, outcome: &Outcome) -> String {
     text
 }
 
-fn row(name: &str, value: Value) -> (String, String) {
-    let (words, unit, prefixed) = UNITS
-        .iter()
-        .find_map(|unit| name.strip_suffix(unit.0).map(|words| (words, unit.1, unit.2)))
-        .unwrap_or((name, "", false));
-    let shown = match value {
-        Value::Number(number) if prefixed => with_prefix(number, unit),
-        Value::Number(number) => format!("{} {unit}", digits(number)),
-        Value::Answer(yes) => if yes { "yes" } else { "no" }.to_owned(),
-        Value::Count(count) => count.to_string(),
+fn row(named: &Named) -> (String, String) {
+    let symbol = named.unit.symbol;
+    let shown = match named.finding {
+        Finding::Number(number) if named.unit.prefixed => with_prefix(number, symbol),
+        Finding::Number(number) => format!("{} {symbol}", digits(number)),
+        Finding::Answer(_) | Finding::Count(_) => named.finding.to_string(),
     };
-    (words.replace('_', " "), shown.trim_end().to_owned())
+    (named.quantity.replace('_', " "), shown.trim_end().to_owned())
 }
 
 /// A number with six digits and an SI prefix, such as `30.7692 N`.

@@ -8,7 +8,8 @@ use crate::input::quantity::{
 };
 use crate::input::table::InMemory;
 use crate::material::{Body, Elastic, Shear, Terms, Viscoelastic};
-use crate::run::record::{Outcome, Value};
+use crate::run::named::Finding;
+use crate::run::record::Outcome;
 use crate::run::{self, Wanted};
 use crate::scene::Scene;
 use crate::scene::history::{Entry, Impact};
@@ -165,7 +166,7 @@ fn adhesive() -> Option<f64> {
         pairs.push((hit(ratio)?.number("restitution")?, (1.0 - 1.0 / (ratio * ratio)).sqrt()));
     }
     let stuck = hit(0.999)?;
-    let sticks = stuck.results.iter().any(|(name, value)| *name == "sticks" && *value == Value::Answer(true));
+    let sticks = stuck.named("sticks") == Some(Finding::Answer(true));
     pairs.push((stuck.number("restitution")?, if sticks { 0.0 } else { 1.0 }));
     Some(worst(&pairs))
 }

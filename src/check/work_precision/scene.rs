@@ -3,7 +3,8 @@
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::contact::adhesion::Adhesion;
 use crate::input::quantity::Accuracy;
-use crate::run::record::{Outcome, Value};
+use crate::run::named::{Finding, Named};
+use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::setup::Setup;
 use std::num::NonZeroUsize;
@@ -67,16 +68,16 @@ fn refined(setup: &Setup, springs: Option<NonZeroUsize>, accuracy: f64) -> Setup
 }
 
 /// Named results that are numbers above the noise of a sum that should vanish.
-fn numbers(outcome: &Outcome) -> Vec<(&'static str, f64)> {
-    let number = |&(name, value): &(&'static str, Value)| match value {
-        Value::Number(number) if number.is_finite() && number.abs() > 1e-30 => Some((name, number)),
+fn numbers(outcome: &Outcome) -> Vec<(String, f64)> {
+    let number = |named: &Named| match named.finding {
+        Finding::Number(number) if number.is_finite() && number.abs() > 1e-30 => Some((named.name(), number)),
         _ => None,
     };
-    let noise = |name: &str| name == "work_j" || name == "dissipated_j";
-    outcome.results.iter().filter_map(number).filter(|(name, _)| !noise(name)).collect()
+    let noise = |named: &&Named| matches!(named.quantity, "work" | "dissipated");
+    outcome.results.iter().filter(|named| !noise(named)).filter_map(number).collect()
 }
 
-fn answer(outcome: &Outcome, exact: &[(&'static str, f64)]) -> Option<Answer> {
+fn answer(outcome: &Outcome, exact: &[(String, f64)]) -> Option<Answer> {
     let values = exact.iter().map(|(name, right)| Some(outcome.number(name)? / right));
     Some(Answer { values: values.collect::<Option<_>>()?, bytes: outcome.plan.state_bytes, ..Answer::default() })
 }

@@ -25,7 +25,9 @@ use crate::contact::viscoelastic::memory::{BedError, Memory};
 use crate::contact::viscoelastic::opening::Attraction;
 use crate::contact::viscoelastic::pressing::{Pressing, Ramp};
 use crate::material::Relaxation;
-use crate::run::record::{ErrorEstimate, Record, Value};
+use crate::run::named::Named;
+use crate::run::record::{ErrorEstimate, Record};
+use crate::run::unit::Unit;
 use crate::scene::plan;
 use crate::scene::setup::Setup;
 use crate::scene::stage::{Extent, Path};
@@ -485,22 +487,21 @@ fn felt(setup: &Setup, run: &Run<'_>) -> f64 {
 
 /// Named results of a viscoelastic contact alone: the moduli of the last loop, and what is expected of
 /// the same contact if its edge stood still.
-pub fn results(setup: &Setup, run: &Run<'_>) -> Vec<(&'static str, Value)> {
+pub fn results(setup: &Setup, run: &Run<'_>) -> Vec<Named> {
     let (Some(found), Some(relaxation)) = (run.contact.last_loop(), &setup.relaxation) else {
         return Vec::new();
     };
     let (spectrum, omega) = (Spectrum::new(relaxation), TAU * found.frequency);
     let expected = (spectrum.storage(omega), spectrum.loss(omega));
-    let number = |(name, value)| (name, Value::Number(value));
     let all = [
-        ("storage_modulus_pa", found.storage),
-        ("loss_modulus_pa", found.loss),
-        ("loss_tangent", found.loss / found.storage),
-        ("expected_storage_modulus_pa", expected.0),
-        ("expected_loss_modulus_pa", expected.1),
-        ("expected_loss_tangent", expected.1 / expected.0),
+        ("storage_modulus", Unit::PASCAL, found.storage),
+        ("loss_modulus", Unit::PASCAL, found.loss),
+        ("loss_tangent", Unit::ONE, found.loss / found.storage),
+        ("expected_storage_modulus", Unit::PASCAL, expected.0),
+        ("expected_loss_modulus", Unit::PASCAL, expected.1),
+        ("expected_loss_tangent", Unit::ONE, expected.1 / expected.0),
     ];
-    all.into_iter().map(number).collect()
+    all.into_iter().map(|(quantity, unit, value)| Named::number(quantity, unit, value)).collect()
 }
 
 /// What a user must know of the comparison of a loop with the moduli.

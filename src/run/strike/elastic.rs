@@ -1,9 +1,9 @@
 //! Impacts of elastic bodies on the direct path.
 
+use super::table::ImpactRow;
 use super::{Followed, RECORDS, failed};
 use crate::drive::impact::{Passage, Projectile};
 use crate::run::contact::NormalContact;
-use crate::run::record::ImpactRow;
 use crate::run::{SimulationError, Wanted, direct, fields};
 use crate::scene::setup::Setup;
 use std::num::NonZeroUsize;
@@ -27,7 +27,7 @@ pub fn follow(setup: &Setup, impact: Projectile, wanted: Option<Wanted>) -> Resu
     let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
     let field = field.and_then(|contact| fields::field((contact, None), "greatest depth".to_owned(), time));
     let stressed = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses));
-    let stresses = stressed.map_or_else(Vec::new, |contact| fields::stresses(setup, &contact.state()));
+    let stresses = stressed.and_then(|contact| fields::stresses(setup, &contact.state()));
     Ok(Followed { row, moments, field, stresses, bytes: passage.bytes() })
 }
 

@@ -4,19 +4,21 @@ mod elastic;
 mod oblique;
 mod relaxing;
 mod results;
+mod table;
 
 use super::contact::ContactError;
 use super::{SimulationError, Wanted};
 use crate::contact::state::Normal;
-use crate::contact::stress::StressRow;
 use crate::drive::impact::{self, ImpactError, ImpactState};
-use crate::run::record::{ErrorEstimate, Field, ImpactRow, Impacts, Outcome, Record};
+use crate::run::record::{ErrorEstimate, Field, Outcome, Record};
+use crate::run::table::Table;
 use crate::scene::history::{Entry, Impact};
 use crate::scene::plan;
 use crate::scene::plan::Plan;
 use crate::scene::reach;
 use crate::scene::setup::Setup;
 use rayon::prelude::*;
+use table::ImpactRow;
 
 /// Records of an impact unless the scene says otherwise.
 const RECORDS: usize = 200;
@@ -32,7 +34,7 @@ struct Followed {
     row: ImpactRow,
     moments: Vec<ImpactState>,
     field: Option<Field>,
-    stresses: Vec<StressRow>,
+    stresses: Option<Table>,
     bytes: usize,
 }
 
@@ -51,22 +53,21 @@ pub fn run(setup: &Setup, impact: &Impact, wanted: Wanted) -> Result<Outcome, Si
     let followed: Vec<Result<Followed, SimulationError>> = speeds.par_iter().map(one).collect();
     let mut followed = followed.into_iter().collect::<Result<Vec<_>, _>>()?;
     let incidence = oblique::over_angles(setup, impact)?;
-    let rows = followed.iter().map(|one| one.row.clone()).collect();
-    let impacts = Impacts { rows, incidence };
+    let rows: Vec<ImpactRow> = followed.iter().map(|one| one.row.clone()).collect();
     let shown = followed.iter().position(|one| one.row.speed >= fastest).unwrap_or(0);
     let shown = followed.swap_remove(shown);
     let records = records(setup, &shown.moments);
     Ok(Outcome {
-        results: results::named(setup, &impacts, (&records, shown.field.as_ref())),
+        results: results::named(setup, &rows, &records, shown.field.as_ref()),
         records,
         fields: shown.field.into_iter().collect(),
-        stresses: shown.stresses,
-        fretting: Vec::new(),
-        error_estimate: error_estimate(setup, &impacts),
+        tables: [Some(table::impacts(&rows)), table::incidence(&incidence), shown.stresses]
+            .into_iter()
+            .flatten()
+            .collect(),
+        error_estimate: error_estimate(setup, &rows),
         warnings: Vec::new(),
         plan: Plan { state_bytes: shown.bytes, ..plan::of(setup) },
-        ensemble: None,
-        impacts: Some(impacts),
     })
 }
 
@@ -117,9 +118,9 @@ fn records(setup: &Setup, moments: &[ImpactState]) -> Vec<Record> {
     moments.iter().map(record).collect()
 }
 
-fn error_estimate(setup: &Setup, impacts: &Impacts) -> ErrorEstimate {
-    let normal = impacts.rows.iter().map(|row| row.rebound.error).fold(0.0, f64::max);
-    let tangential = impacts.rows.iter().filter_map(|row| Some(row.oblique.as_ref()?.course.as_ref()?.error));
+fn error_estimate(setup: &Setup, rows: &[ImpactRow]) -> ErrorEstimate {
+    let normal = rows.iter().map(|row| row.rebound.error).fold(0.0, f64::max);
+    let tangential = rows.iter().filter_map(|row| Some(row.oblique.as_ref()?.course.as_ref()?.error));
     let basis = match setup.relaxation {
         None => "energy of the direct path; contact time by quadrature, against one of half as many panels",
         Some(_) => "steps of high order in time, against a run of sixteen times the tolerance",

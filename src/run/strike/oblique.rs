@@ -1,8 +1,8 @@
 //! Balls that come in at an angle or with a spin.
 
+use super::table::Incidence;
 use crate::friction::oblique::{Ball, BallMotion, BallRebound, SOLID};
 use crate::friction::{Friction, Grip};
-use crate::run::record::Incidence;
 use crate::run::{ContactError, SimulationError};
 use crate::scene::history::Impact;
 use crate::scene::setup::Setup;

@@ -1,12 +1,13 @@
 //! Impacts on viscoelastic bodies.
 
+use super::table::ImpactRow;
 use super::{Followed, RECORDS, failed};
 use crate::contact::adhesion::{Adhesion, Edge};
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::opening::Attraction;
 use crate::drive::impact::{Flight, Projectile, StruckHalfSpace};
 use crate::material::Relaxation;
-use crate::run::record::{Field, FieldRow, ImpactRow};
+use crate::run::record::{Field, FieldRow};
 use crate::run::{SimulationError, Wanted};
 use crate::scene::setup::Setup;
 use std::f64::consts::FRAC_PI_2;
@@ -34,7 +35,7 @@ pub fn follow(
     let records = setup.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { flight.moments(records) } else { Vec::new() };
     let field = wanted.is_some_and(|wanted| wanted.fields).then(|| field(&flight)).flatten();
-    Ok(Followed { row, moments, field, stresses: Vec::new(), bytes: flight.bytes() })
+    Ok(Followed { row, moments, field, stresses: None, bytes: flight.bytes() })
 }
 
 /// What holds the edge; a scene with another law is refused before it comes here.

@@ -1,5 +1,6 @@
 //! Pressure over the radius and stress under the axis.
 
+use super::curve::{point, points};
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::run::record::{Field, FieldRow, Outcome};
@@ -9,16 +10,16 @@ use crate::scene::setup::Setup;
 pub fn pressure(setup: &Setup, outcome: &Outcome) -> Panel {
     let across = if setup.scene.shape.is_plane() { "place x" } else { "radius r" };
     let shown = shown(&outcome.fields);
-    let range = Range::of(&shown);
-    let panel = Panel::new(Axis::linear(across, "m").from(0.0), range.axis());
+    let pressures = Pressures::of(&shown);
+    let panel = Panel::new(Axis::linear(across, "m").from(0.0), pressures.axis());
     let panel = shown.iter().fold(panel, |panel, field| panel.with(curve(field)));
     let edge = shown.first().map(|field| field.contact_radius).filter(|&a| a > 0.0);
     let panel = edge.into_iter().fold(panel, |panel, a| panel.guide(Guide::vertical(a, "a")));
-    range.notes().into_iter().fold(panel, Panel::note)
+    pressures.notes().into_iter().fold(panel, Panel::note)
 }
 
 /// What the pressures shown reach, and where they have no bound.
-struct Range {
+struct Pressures {
     least: f64,
     most: f64,
     mean: f64,
@@ -30,7 +31,7 @@ struct Range {
     pointed: bool,
 }
 
-impl Range {
+impl Pressures {
     fn of(shown: &[&Field]) -> Self {
         let edge = |sign: f64| shown.iter().any(|field| field.stress_intensity.is_some_and(|k| k * sign > 0.0));
         let pressures = || shown.iter().flat_map(|field| &field.rows).filter_map(|row| row.pressure);
@@ -90,7 +91,7 @@ fn mean_pressure(field: &Field) -> f64 {
 }
 
 fn curve(field: &Field) -> Series {
-    let point = |row: &FieldRow| (row.radius, row.pressure.unwrap_or(f64::NAN));
+    let point = |row: &FieldRow| point(Some(row.radius), row.pressure);
     let acts = |row: &&FieldRow| row.pressure.is_some_and(|p| p.abs() > 0.0);
     let reach = field.rows.iter().filter(acts).map(|row| row.radius).fold(field.contact_radius, f64::max);
     let rows = field.rows.iter().filter(|row| row.radius <= 1.4 * reach);
@@ -100,11 +101,7 @@ fn curve(field: &Field) -> Series {
 
 /// Stresses on the axis at the largest force.
 pub fn stress(outcome: &Outcome) -> Panel {
-    let of = |value: fn(&crate::contact::stress::StressRow) -> f64| {
-        outcome.stresses.iter().map(|row| (row.depth, value(row))).collect::<Vec<_>>()
-    };
-    Panel::new(Axis::linear("depth z on the axis", "m").from(0.0), Axis::linear("stress", "Pa"))
-        .with(Series::new("axial σ_zz", of(|row| row.axial)))
-        .with(Series::new("radial σ_xx", of(|row| row.radial)))
-        .with(Series::new("largest shear", of(|row| row.shear)))
+    let panel = Panel::new(Axis::linear("depth z on the axis", "m").from(0.0), Axis::linear("stress", "Pa"));
+    let Some([depth, stresses @ ..]) = outcome.table("stress").map(|table| &table.columns[..]) else { return panel };
+    stresses.iter().map(|stress| Series::new(stress.label, points(depth, stress))).fold(panel, Panel::with)
 }

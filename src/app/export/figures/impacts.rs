@@ -1,37 +1,34 @@
 //! Figures of impacts.
 
-use super::against_time;
-use crate::app::figure::{Axis, Guide, Line, Marks, Panel, Series};
-use crate::run::record::{ImpactRow, Impacts, Incidence, Record};
+use super::curve::{against_time, axis, log, marked, points};
+use crate::app::figure::{Axis, Guide, Marks, Panel, Series};
+use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Record};
+use crate::run::table::Table;
 
 /// Depth, force and contact radius over time.
 pub fn over_time(records: &[Record]) -> Vec<Panel> {
-    vec![
-        against_time(records, ("indentation d", "m"), |record| record.normal.indentation),
-        against_time(records, ("force F", "N"), |record| Some(record.normal.force)),
-        against_time(records, ("contact radius a", "m"), |record| record.normal.contact_radius),
-    ]
+    [INDENTATION, FORCE, CONTACT_RADIUS].iter().map(|column| against_time(records, column)).collect()
 }
 
 /// Restitution against speed; impacts after which the bodies stay together are marked on the axis.
-pub fn restitution(impacts: &Impacts) -> Panel {
-    let mut rows: Vec<&ImpactRow> = impacts.rows.iter().collect();
-    rows.sort_by(|x, y| x.speed.total_cmp(&y.speed));
-    let free: Vec<(f64, f64)> =
-        rows.iter().filter(|row| !row.rebound.sticks()).map(|row| (row.speed, row.rebound.restitution)).collect();
-    let stuck: Vec<(f64, f64)> = rows.iter().filter(|row| row.rebound.sticks()).map(|row| (row.speed, 0.0)).collect();
-    let mut panel = Panel::new(Axis::log("speed v", "m/s"), Axis::linear("restitution e", "1").from(0.0).to(1.0));
-    let few = free.len() <= MARKED;
+pub fn restitution(impacts: &Table) -> Option<Panel> {
+    let (speed, restitution) = (impacts.column("speed")?, impacts.column("restitution")?);
+    let mut panel = Panel::new(log(axis(speed)), axis(restitution).from(0.0).to(1.0));
+    let sticks = impacts.column("sticks")?.numbers();
+    let rows = points(speed, restitution).into_iter().zip(sticks);
+    let (mut stuck, mut free): (Vec<_>, Vec<_>) = rows.partition(|(_, sticks)| sticks.is_some_and(|yes| yes > 0.0));
+    free.sort_by(|x, y| x.0.0.total_cmp(&y.0.0));
+    stuck.sort_by(|x, y| x.0.0.total_cmp(&y.0.0));
     let names = if stuck.is_empty() { ("", "") } else { ("comes free", "stays") };
     if !free.is_empty() {
-        let series = Series::new(names.0, free);
-        panel = panel.with(if few { series.marks(Marks::Numbered) } else { series });
+        let series = Series::new(names.0, free.iter().map(|(point, _)| *point).collect());
+        panel = panel.with(if free.len() <= MARKED { series.marks(Marks::Numbered) } else { series });
     }
     if stuck.is_empty() {
-        panel
-    } else {
-        panel.with(Series::new(names.1, stuck).line(Line::Absent).marks(Marks::Numbered))
+        return Some(panel);
     }
+    let stuck = stuck.iter().map(|(point, _)| (point.0, 0.0)).collect();
+    Some(panel.with(marked(names.1, stuck, Marks::Numbered)))
 }
 
 /// Most points of a curve that are marked one by one.
@@ -41,30 +38,23 @@ const MARKED: usize = 40;
 ///
 /// ψ = (G*/μE*) w/v with w the speed of the contact point along the surface and v the normal speed
 /// before the impact (Maw, Barber & Fawcett 1976); `angle` is the scene's own [rad].
-pub fn incidence(angle: f64, impacts: &Impacts) -> Vec<Panel> {
-    if impacts.incidence.is_empty() {
-        return Vec::new();
-    }
-    let own = impacts.rows.iter().find_map(|row| row.oblique.as_ref());
-    let local = |one: &Incidence| one.rebound.psi;
-    let degrees = |one: &Incidence| (one.angle.to_degrees(), one.rebound.angle.to_degrees());
-    let curve = |of: &dyn Fn(&Incidence) -> (f64, f64)| impacts.incidence.iter().map(of).collect::<Vec<_>>();
+pub fn incidence(angle: f64, incidence: &Table, impacts: &Table) -> Option<Vec<Panel>> {
+    let (before, after) = (incidence.column("local_incidence")?, incidence.column("local_rebound")?);
+    let mut local = points(before, after);
     // Beyond gross slip all along the curve is a straight line: only its beginning is shown.
-    let shown: Vec<(f64, f64)> = curve(&local).into_iter().filter(|point| point.0.abs() <= LARGEST_LOCAL).collect();
-    let mut first = Panel::new(Axis::linear("local incidence ψ₁", "1"), Axis::linear("local rebound ψ₂", "1"))
-        .with(Series::new("", shown))
-        .guide(Guide::horizontal(0.0, ""));
-    let mut second = Panel::new(Axis::linear("angle of incidence", "°"), Axis::linear("angle of rebound", "°"))
-        .with(Series::new("", curve(&degrees)));
-    if let Some(own) = own {
-        first = first.with(Series::new("this scene", vec![own.psi]).line(Line::Absent).marks(Marks::Numbered));
-        second = second.with(
-            Series::new("this scene", vec![(angle.to_degrees(), own.angle.to_degrees())])
-                .line(Line::Absent)
-                .marks(Marks::Numbered),
-        );
-    }
-    vec![first, second]
+    local.retain(|point| point.0.abs() <= LARGEST_LOCAL);
+    let local = Panel::new(axis(before), axis(after)).with(Series::new("", local)).guide(Guide::horizontal(0.0, ""));
+    let (path, rebound) = (incidence.column("angle")?, incidence.column("rebound_angle")?);
+    let degrees = |point: (f64, f64)| (point.0.to_degrees(), point.1.to_degrees());
+    let angles = points(path, rebound).into_iter().map(degrees).collect();
+    let angles =
+        Panel::new(Axis::linear(path.label, "°"), Axis::linear(rebound.label, "°")).with(Series::new("", angles));
+    let own = |quantity| impacts.column(quantity)?.numbers().iter().flatten().next().copied();
+    let (Some(psi), Some(back)) = (own("local_incidence").zip(own("local_rebound")), own("rebound_angle")) else {
+        return Some(vec![local, angles]);
+    };
+    let here = |point| marked("this scene", vec![point], Marks::Numbered);
+    Some(vec![local.with(here(psi)), angles.with(here(degrees((angle, back))))])
 }
 
 /// Largest local angle of incidence shown.

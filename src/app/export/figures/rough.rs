@@ -1,18 +1,20 @@
 //! Rough shapes: force and stiffness of the bed, and the line itself.
 
+use super::curve::{axis_of, log, of_records, points};
 use crate::app::figure::{Axis, Guide, Line, Panel, Series};
-use crate::run::record::{EnsembleRow, Outcome, Record};
+use crate::run::record::{FORCE, INDENTATION, Outcome, Record, STIFFNESS};
+use crate::run::table::{Column, Table};
 use crate::scene::Plot;
 use crate::scene::setup::Setup;
 use crate::scene::surface::Surface;
 use crate::shape::Shape;
-use crate::shape::rough::{RoughLine, Scatter, SpectrumSource};
+use crate::shape::rough::{RoughLine, SpectrumSource};
 
 /// What suits a rough shape.
 pub const SUITING: [Plot; 2] = [Plot::Force, Plot::Shape];
 
 /// Panels of a rough shape.
-pub fn panels(plot: Plot, (setup, surface): (&Setup, &Surface), outcome: &Outcome) -> Vec<Panel> {
+pub fn panels(plot: Plot, setup: &Setup, surface: &Surface, outcome: &Outcome) -> Vec<Panel> {
     match plot {
         Plot::Force => vec![force(outcome), stiffness(setup, outcome)],
         Plot::Shape => vec![line(setup, surface)],
@@ -22,15 +24,14 @@ pub fn panels(plot: Plot, (setup, surface): (&Setup, &Surface), outcome: &Outcom
 }
 
 fn force(outcome: &Outcome) -> Panel {
-    let panel = Panel::new(Axis::linear("indentation d", "m"), Axis::linear("force F", "N").from(0.0));
-    let panel = banded(panel, outcome, (depth, |record| record.normal.force), |row| (row.indentation, row.force));
+    let panel = banded(outcome, &INDENTATION, &FORCE);
+    let panel = Panel { y: panel.y.from(0.0), ..panel };
     panel.note("Indentation counts from first touch.")
 }
 
 fn stiffness(setup: &Setup, outcome: &Outcome) -> Panel {
-    let panel = Panel::new(Axis::log("force F", "N"), Axis::log("stiffness k", "N/m"));
-    let of: (Of, Of) = (|record| record.normal.force, |record| record.normal.stiffness);
-    let panel = banded(panel, outcome, of, |row| (row.force, row.stiffness));
+    let panel = banded(outcome, &FORCE, &STIFFNESS);
+    let panel = Panel { x: log(panel.x), y: log(panel.y), ..panel };
     let panel = match hurst(setup) {
         Some(hurst) => {
             let exponent = 1.0 / (1.0 + hurst);
@@ -41,30 +42,32 @@ fn stiffness(setup: &Setup, outcome: &Outcome) -> Panel {
     panel.note("Approximate: a line stands for the surface. It does not give the real contact area.")
 }
 
-type Of = fn(&Record) -> f64;
-
-fn depth(record: &Record) -> f64 {
-    record.normal.indentation.unwrap_or(f64::NAN)
+/// The mean curve, and curves one standard deviation above and below it.
+fn banded(outcome: &Outcome, x: &Column<Record>, y: &Column<Record>) -> Panel {
+    let panel = Panel::new(axis_of(x), axis_of(y));
+    let mean = of_records(&outcome.records, x, y);
+    let Some([above, below]) = outcome.table("ensemble").and_then(|table| moved(table, x, y)) else {
+        return panel.with(Series::new("", mean));
+    };
+    let members = outcome.named("members").map_or_else(String::new, |members| members.to_string());
+    let label = format!("mean of {members} surfaces");
+    let deviation = |points| Series::new("one standard deviation", points).line(Line::Dashed);
+    panel.with(Series::new(label, mean)).with(deviation(above)).with(deviation(below))
 }
 
-/// The mean curve, and curves one standard deviation above and below it.
-fn banded(panel: Panel, outcome: &Outcome, (x, y): (Of, Of), of: fn(&EnsembleRow) -> (Scatter, Scatter)) -> Panel {
-    let mean = outcome.records.iter().map(|record| (x(record), y(record))).collect();
-    let Some(ensemble) = &outcome.ensemble else { return panel.with(Series::new("", mean)) };
-    let moved = |sign: f64| {
-        let point = |row: &EnsembleRow| {
-            let (x, y) = of(row);
-            // Across the scatter: that of the force under a prescribed depth, of the depth under a prescribed force.
-            if y.deviation > 0.0 {
-                (x.mean, y.mean + sign * y.deviation)
-            } else {
-                (x.mean + sign * x.deviation, y.mean)
-            }
+/// The curves one standard deviation above and below the mean.
+///
+/// Across the scatter: that of the force under a prescribed depth, of the depth under a prescribed force.
+fn moved(table: &Table, x: &Column<Record>, y: &Column<Record>) -> Option<[Vec<(f64, f64)>; 2]> {
+    let column = |of: &Column<Record>, what: &str| table.column(&format!("{}_{what}", of.quantity));
+    let means = points(column(x, "mean")?, column(y, "mean")?);
+    let deviations = points(column(x, "deviation")?, column(y, "deviation")?);
+    Some([1.0, -1.0].map(|sign: f64| {
+        let moved = |(mean, by): (&(f64, f64), &(f64, f64))| {
+            if by.1 > 0.0 { (mean.0, mean.1 + sign * by.1) } else { (mean.0 + sign * by.0, mean.1) }
         };
-        Series::new("one standard deviation", ensemble.rows.iter().map(point).collect()).line(Line::Dashed)
-    };
-    let label = format!("mean of {} surfaces", ensemble.members);
-    panel.with(Series::new(label, mean)).with(moved(1.0)).with(moved(-1.0))
+        means.iter().zip(&deviations).map(moved).collect()
+    }))
 }
 
 /// Hurst exponent of a nominally flat self-affine surface.

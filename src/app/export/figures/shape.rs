@@ -1,6 +1,7 @@
 //! The indenter and its one-dimensional equivalent; the moduli of a viscoelastic body.
 
 use crate::app::figure::{Axis, Panel, Series};
+use crate::contact::viscoelastic::Spectrum;
 use crate::material::Relaxation;
 use crate::run::record::Outcome;
 use crate::scene::setup::Setup;
@@ -41,29 +42,13 @@ pub fn moduli(relaxation: &Relaxation) -> Panel {
     let rate = |k: usize| 10f64.powf(low + (high - low) * k as f64 / POINTS as f64);
     let of = |modulus: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (rate(k), modulus(rate(k)))).collect::<Vec<_>>();
     // What is left of a liquid after its longest time falls without end.
-    let floor = (0..=POINTS).map(|k| storage(relaxation, rate(k)).max(loss(relaxation, rate(k))));
+    let spectrum = Spectrum::new(relaxation);
+    let floor = (0..=POINTS).map(|k| spectrum.storage(rate(k)).max(spectrum.loss(rate(k))));
     let floor = 1e-3 * floor.fold(f64::INFINITY, f64::min);
     let modulus = if floor > 0.0 { Axis::log("modulus", "Pa").from(floor) } else { Axis::log("modulus", "Pa") };
     Panel::new(Axis::log("angular frequency ω, 1/t", "1/s"), modulus)
-        .with(Series::new("relaxation E*(t = 1/ω)", of(&|rate| relaxed(relaxation, 1.0 / rate))))
-        .with(Series::new("storage E′(ω)", of(&|rate| storage(relaxation, rate))))
-        .with(Series::new("loss E″(ω)", of(&|rate| loss(relaxation, rate))))
+        .with(Series::new("relaxation E*(t = 1/ω)", of(&|rate| spectrum.relaxation(1.0 / rate))))
+        .with(Series::new("storage E′(ω)", of(&|rate| spectrum.storage(rate))))
+        .with(Series::new("loss E″(ω)", of(&|rate| spectrum.loss(rate))))
         .note(format!("Angular frequency ω = {:.4} × frequency.", TAU))
-}
-
-fn relaxed(relaxation: &Relaxation, time: f64) -> f64 {
-    relaxation.equilibrium + relaxation.terms.iter().map(|term| term.0 * (-time / term.1).exp()).sum::<f64>()
-}
-
-fn storage(relaxation: &Relaxation, rate: f64) -> f64 {
-    let part = |term: &(f64, f64)| {
-        let x = (rate * term.1).powi(2);
-        term.0 * x / (1.0 + x)
-    };
-    relaxation.equilibrium + relaxation.terms.iter().map(part).sum::<f64>()
-}
-
-fn loss(relaxation: &Relaxation, rate: f64) -> f64 {
-    let part = |term: &(f64, f64)| term.0 * rate * term.1 / (1.0 + (rate * term.1).powi(2));
-    relaxation.viscosity * rate + relaxation.terms.iter().map(part).sum::<f64>()
 }

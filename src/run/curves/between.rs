@@ -15,6 +15,7 @@ const MOST: f64 = 50.0;
 ///
 /// Near first touch and near pull-off a contact moves far in a short piece of depth, a ∝ √d. Only for
 /// elastic contacts without range of attraction, where a state follows from its radius in closed form.
+#[must_use]
 pub fn filled(setup: &Setup, records: &[Record]) -> Vec<Record> {
     let Some(line) = line(setup) else { return records.to_vec() };
     let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);

@@ -2,20 +2,26 @@
 
 use crate::run::record::Record;
 
-/// Label of a branch along which the indentation grows; the first in the order of letters.
-pub const APPROACH: &str = "approach";
-/// Label of a branch along which it falls.
-pub const RETRACTION: &str = "retraction";
+/// How the indentation moves along a branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Direction {
+    /// It grows.
+    Approach,
+    /// It falls.
+    Retraction,
+}
 
 /// A run of records that move in one direction without a jump.
+#[derive(Debug, Clone, Copy)]
 pub struct Branch<'r> {
-    /// Name in the legend.
-    pub label: &'static str,
+    /// How the indentation moves.
+    pub direction: Direction,
     /// The records.
     pub records: &'r [Record],
 }
 
 /// Splits records where the direction of the indentation changes and where the contact jumps.
+#[must_use]
 pub fn branches(records: &[Record]) -> Vec<Branch<'_>> {
     let mut found = Vec::new();
     let mut start = 0;
@@ -36,14 +42,8 @@ pub fn jumps(records: &[Record]) -> impl Iterator<Item = (&Record, &Record)> {
 
 fn branch(records: &[Record]) -> Option<Branch<'_>> {
     let (first, last) = (depth(records.first()?)?, depth(records.last()?)?);
-    let label = if records.len() < 2 || (last - first).abs() <= 0.0 {
-        return None;
-    } else if last > first {
-        APPROACH
-    } else {
-        RETRACTION
-    };
-    Some(Branch { label, records })
+    let direction = if last > first { Direction::Approach } else { Direction::Retraction };
+    ((last - first).abs() > 0.0).then_some(Branch { direction, records })
 }
 
 fn depth(record: &Record) -> Option<f64> {

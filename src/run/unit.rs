@@ -1,0 +1,43 @@
+//! SI units of what comes out of a run.
+
+/// An SI unit: how it is written, and how names in files end with it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Unit {
+    /// As a person writes it, such as `N/m`; empty for a pure number.
+    pub symbol: &'static str,
+    /// Ending of names in files, such as `_n_per_m`.
+    pub ending: &'static str,
+    /// Whether it goes with a prefix such as kilo.
+    pub prefixed: bool,
+}
+
+impl Unit {
+    /// A pure number.
+    pub const ONE: Self = Self { symbol: "", ending: "", prefixed: false };
+    /// A length.
+    pub const METRE: Self = Self { symbol: "m", ending: "_m", prefixed: true };
+    /// A curvature.
+    pub const PER_METRE: Self = Self { symbol: "1/m", ending: "_per_m", prefixed: false };
+    /// A time.
+    pub const SECOND: Self = Self { symbol: "s", ending: "_s", prefixed: true };
+    /// A speed.
+    pub const METRE_PER_SECOND: Self = Self { symbol: "m/s", ending: "_m_per_s", prefixed: true };
+    /// An angle.
+    pub const RADIAN: Self = Self { symbol: "rad", ending: "_rad", prefixed: false };
+    /// A spin.
+    pub const RADIAN_PER_SECOND: Self = Self { symbol: "rad/s", ending: "_rad_per_s", prefixed: false };
+    /// A force.
+    pub const NEWTON: Self = Self { symbol: "N", ending: "_n", prefixed: true };
+    /// A stiffness, or a force per length.
+    pub const NEWTON_PER_METRE: Self = Self { symbol: "N/m", ending: "_n_per_m", prefixed: true };
+    /// A pressure, a stress, a modulus.
+    pub const PASCAL: Self = Self { symbol: "Pa", ending: "_pa", prefixed: true };
+    /// A stress intensity.
+    pub const PASCAL_ROOT_METRE: Self = Self { symbol: "Pa √m", ending: "_pa_sqrt_m", prefixed: true };
+    /// An energy.
+    pub const JOULE: Self = Self { symbol: "J", ending: "_j", prefixed: true };
+    /// An energy per length.
+    pub const JOULE_PER_METRE: Self = Self { symbol: "J/m", ending: "_j_per_m", prefixed: true };
+    /// An energy per area.
+    pub const JOULE_PER_SQUARE_METRE: Self = Self { symbol: "J/m²", ending: "_j_per_m2", prefixed: true };
+}
