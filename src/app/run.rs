@@ -1,7 +1,6 @@
 //! A scene from its setup to the bytes of its files.
 
 use super::export;
-use crate::check::validity;
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Plot;
@@ -60,17 +59,10 @@ pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + 
         fields: formats.contains(&Format::Csv)
             || formats.contains(&Format::Json)
             || figure && (setup.scene.plots.is_none() || plotted(Plot::Pressure) || plotted(Plot::Shear)),
-        stresses: figure && plotted(Plot::Stress),
+        stresses: (figure || formats.contains(&Format::Csv)) && plotted(Plot::Stress),
         fretting: formats.contains(&Format::Csv) || figure,
     };
-    let mut outcome = run::run_watched(setup, wanted, done)?;
-    outcome.warnings.extend(validity::warnings(setup, &outcome));
-    if let Some(estimate) =
-        validity::error_of_shape(setup).filter(|shape| shape.relative > outcome.error_estimate.relative)
-    {
-        outcome.error_estimate = estimate;
-    }
-    Ok(outcome)
+    Ok(run::run_watched(setup, wanted, done)?)
 }
 
 /// The files of an outcome; `file` is the name of the scene's file.

@@ -1,14 +1,12 @@
 //! What is right, and how well the program hits it.
 
 pub mod closed_forms;
-pub mod elliptic;
 pub mod tangential;
 pub mod theory;
 #[cfg(feature = "half-space")]
 pub mod agreement;
 pub mod case;
 pub mod cases;
-pub mod validity;
 pub mod one_piece;
 pub mod comparison;
 pub mod ting;

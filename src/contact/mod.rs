@@ -2,6 +2,7 @@
 
 pub mod adhesion;
 pub mod direct;
+pub mod elliptic;
 pub mod foundation;
 pub mod plane;
 pub mod springs;

@@ -2,7 +2,7 @@ use ndarray::{Array1, Array2};
 use proptest::prelude::*;
 
 use super::*;
-use crate::check::elliptic::EllipticHertz;
+use crate::contact::elliptic::EllipticHertz;
 
 const PI: f64 = std::f64::consts::PI;
 

@@ -18,6 +18,7 @@ mod shear;
 mod strike;
 pub mod table;
 pub mod unit;
+mod warnings;
 
 pub use contact::{ContactError, Drive, Event, Loop, Moment, NormalContact, Springs};
 pub use plane::PlaneError;
@@ -92,6 +93,9 @@ pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -
     let mut outcome = solved(setup, wanted, done)?;
     let pressure = fields::pressure_table(&outcome.fields, &outcome.records);
     outcome.tables.splice(0..0, pressure);
+    outcome.warnings.extend(warnings::of(setup, &outcome.records));
+    let shape = warnings::error_of_shape(setup).filter(|shape| shape.relative > outcome.error_estimate.relative);
+    outcome.error_estimate = shape.unwrap_or(outcome.error_estimate);
     Ok(outcome)
 }
 

@@ -1,7 +1,6 @@
 //! Friction through whole scenes: laws that hold for every history, and limits.
 
 use proptest::prelude::*;
-use springbed::check::validity;
 use springbed::contact::adhesion::{Adhesion, Jkr};
 use springbed::friction::{Coulomb, CoulombOrowan, Friction, PressureLaw, Strength};
 use springbed::input::quantity::{
@@ -361,7 +360,7 @@ fn a_mismatch_of_the_bodies_is_told() {
         let scene = Scene { bodies, ..scene(ball(), coulomb(0.3), vec![indent(0.01), slide(1e-3)]) };
         let setup = scene.resolve(&InMemory::default()).unwrap();
         let outcome = run::run(&setup, Wanted::NOTHING).unwrap();
-        validity::warnings(&setup, &outcome).into_iter().find(|warning| warning.contains("elastic similarity"))
+        outcome.warnings.into_iter().find(|warning| warning.contains("elastic similarity"))
     };
     // Dundurs' β of ν = 0.1 on a rigid body is (1 − 2ν)/(2(1 − ν)) = 0.444.
     assert!(told((body(1.0, 0.1), Body::Rigid)).is_some_and(|warning| warning.contains("β = 0.444")));

@@ -1,9 +1,9 @@
 //! Elastic contacts with closed answers.
 
 use crate::check::case::{Case, Proof, worst};
-use crate::check::elliptic;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::direct::QuasiStatic;
+use crate::contact::elliptic;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::springs::{EdgeLocation, SpringBed};
 use crate::contact::stress::Loading;

@@ -1,8 +1,8 @@
 //! The full half-space against closed forms, and the plane closed forms against the half-plane solver.
 
 use crate::check::case::{Case, Proof};
-use crate::check::elliptic::EllipticHertz;
 use crate::check::theory::{WavyParabola, Westergaard};
+use crate::contact::elliptic::EllipticHertz;
 use crate::halfspace::{
     Boundary, PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, PressedMap, Settings, Solution, Start, solve,
     solve_plane,

@@ -2,7 +2,7 @@
 
 use super::methods::Scenario;
 use super::{Measured, State, timed};
-use crate::check::elliptic::EllipticHertz;
+use crate::contact::elliptic::EllipticHertz;
 use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, solve};
 use crate::shape::Shape;
 use ndarray::Array2;

@@ -3,8 +3,8 @@
 use super::methods::Scenario;
 use super::{Method, Row, State};
 use crate::check::closed_forms::{self, Contact};
-use crate::check::elliptic::EllipticHertz;
 use crate::contact::adhesion::Adhesion;
+use crate::contact::elliptic::EllipticHertz;
 use crate::numerics::root;
 use crate::shape::Shape;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -17,6 +17,4 @@ pub use adhesive_area::{AdhesiveContact, AdhesiveRoughness, NotSettled, Region};
 pub use exact_range::{ExactRange, exact_ranges, first_fall};
 pub use greenwood_williamson::{GreenwoodWilliamson, SummitStatistics, gaussian_tail};
 pub use pressure_field::{PerssonContact, area_fraction, low_load_area_slope};
-pub use scaling::{
-    SmallSlope, StiffnessLaw, contact_conductance, plasticity_index, power_law_fit, slope_verdict, stiffness_exponent,
-};
+pub use scaling::{StiffnessLaw, contact_conductance, plasticity_index, power_law_fit, stiffness_exponent};

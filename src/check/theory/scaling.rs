@@ -1,4 +1,4 @@
-//! Stiffness, plasticity and conductance of rough contacts; validity of the small-slope theory.
+//! Stiffness, plasticity and conductance of rough contacts.
 
 /// Exponent of the stiffness–load law of self-affine surfaces at small load, k ∝ F^{1/(1+H)}.
 ///
@@ -62,48 +62,6 @@ pub fn contact_conductance(stiffness: f64, modulus: f64, resistivities: f64) -> 
     2.0 * stiffness / (modulus * resistivities)
 }
 
-/// How far the rms slope of a shape is from the linear theory of small slopes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum SmallSlope {
-    /// Inside the regime.
-    Valid,
-    /// Above 0.44, the edge of the regime: linear theory begins to differ from finite elasticity.
-    Edge(f64),
-    /// At 1.33 or above, where finite elasticity changes even the sign of the change of area on sliding.
-    Beyond(f64),
-}
-
-/// Verdict on an rms slope (Ceglie et al., section 4: a wave of amplitude 0.1 λ has 0.44, one of 0.3 λ has 1.33).
-#[must_use]
-pub fn slope_verdict(rms_slope: f64) -> SmallSlope {
-    let of_wave = |aspect: f64| std::f64::consts::SQRT_2 * std::f64::consts::PI * aspect;
-    if rms_slope <= of_wave(0.1) {
-        SmallSlope::Valid
-    } else if rms_slope < of_wave(0.3) {
-        SmallSlope::Edge(rms_slope)
-    } else {
-        SmallSlope::Beyond(rms_slope)
-    }
-}
-
-impl std::fmt::Display for SmallSlope {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Valid => write!(f, "rms slope inside the small-slope theory (at most 0.44)"),
-            Self::Edge(slope) => write!(
-                f,
-                "rms slope {slope:.2} is above 0.44, the edge of the small-slope theory (1.33 is far outside): expect deviations of real bodies"
-            ),
-            Self::Beyond(slope) => {
-                write!(
-                    f,
-                    "rms slope {slope:.2} is far outside the small-slope theory (edge 0.44, far outside 1.33): do not trust forces or areas"
-                )
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -130,11 +88,7 @@ mod tests {
     }
 
     #[test]
-    fn slopes_are_judged_at_the_stated_limits() {
-        assert_eq!(slope_verdict(0.44), SmallSlope::Valid);
-        assert_eq!(slope_verdict(0.45), SmallSlope::Edge(0.45));
-        assert_eq!(slope_verdict(1.34), SmallSlope::Beyond(1.34));
-        assert!(slope_verdict(0.7).to_string().contains("0.70 is above 0.44"));
+    fn the_limits_of_plasticity_and_of_the_exponent() {
         assert!((plasticity_index(2e11, 0.01, 3e9) - 2.0 / 3.0).abs() < 1e-15);
         assert!((stiffness_exponent(1.0) - 0.5).abs() < 1e-15);
     }

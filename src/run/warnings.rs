@@ -1,12 +1,11 @@
 //! Where a computed contact leaves the assumptions of the half-space, with numbers.
 
-use super::elliptic;
-use super::theory::{SmallSlope, slope_verdict};
+use super::record::{ErrorEstimate, Record};
 use crate::contact::adhesion::Adhesion;
+use crate::contact::elliptic;
 use crate::contact::state::Normal;
 use crate::contact::stress::Loading;
 use crate::material::Body;
-use crate::run::record::{ErrorEstimate, Outcome};
 use crate::scene::setup::Setup;
 use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
@@ -19,40 +18,60 @@ const BALL: f64 = 0.01;
 /// Range of the attraction assumed for the Tabor parameter [m], an atomic distance.
 const ATOMIC_RANGE: f64 = 0.3e-9;
 
-/// The physics a user must know about an outcome.
+/// The physics a user must know about the records of a scene.
 #[must_use]
-pub fn warnings(setup: &Setup, outcome: &Outcome) -> Vec<String> {
+pub fn of(setup: &Setup, records: &[Record]) -> Vec<String> {
     if let Some(surface) = &setup.surface {
-        return small(surface.roughness().rms_slope);
+        return steep_waves(surface.roughness().rms_slope).into_iter().collect();
     }
     match &setup.scene.shape {
-        Shape::PlaneWave(wave) => return small(SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si()),
-        Shape::PlaneWavy(wavy) => return small(wavy.rms_slope()),
+        Shape::PlaneWave(wave) => {
+            let slope = SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si();
+            return steep_waves(slope).into_iter().collect();
+        }
+        Shape::PlaneWavy(wavy) => return steep_waves(wavy.rms_slope()).into_iter().collect(),
         _ => {}
     }
-    let states = outcome.records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
+    let states = records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
     let Some((a, largest)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
     let profile = setup.profile.as_ref();
     let found =
         [steep(profile, a), not_a_ball(setup, a), two_radii(setup), connected(setup, a), tabor(setup), coupled(setup)];
-    found.into_iter().flatten().chain(first_yield(setup, (a, &largest))).collect()
+    found.into_iter().flatten().chain(first_yield(setup, a, &largest)).collect()
 }
 
-/// The error of an ellipsoid's effective radius, where it is larger than that of the computation.
+/// The error of an ellipsoid's effective radius.
 #[must_use]
 pub fn error_of_shape(setup: &Setup) -> Option<ErrorEstimate> {
-    let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
-    let error = elliptic::mean_radius_error([ellipsoid.radius_x.si(), ellipsoid.radius_y.si()]).ok()?;
+    let relative = mean_radius_error(setup)?.abs();
     let basis = "effective radius of the ellipsoid, against the elliptic Hertz contact".to_owned();
-    (error.abs() > 1e-6).then(|| ErrorEstimate { relative: error.abs(), basis })
+    Some(ErrorEstimate { relative, basis })
 }
 
-/// Slopes beyond the linear theory, with numbers.
-fn small(rms_slope: f64) -> Vec<String> {
-    match slope_verdict(rms_slope) {
-        SmallSlope::Valid => Vec::new(),
-        steep => vec![steep.to_string()],
+/// Relative error of the force of an ellipsoid that stands as a paraboloid; `None` of other shapes and below rounding.
+fn mean_radius_error(setup: &Setup) -> Option<f64> {
+    let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
+    let error = elliptic::mean_radius_error([ellipsoid.radius_x.si(), ellipsoid.radius_y.si()]);
+    error.ok().filter(|error| error.abs() > 1e-6)
+}
+
+/// An rms slope beyond the linear theory of small slopes (Ceglie et al., section 4: a wave of amplitude 0.1 λ has
+/// 0.44, where linear theory begins to differ from finite elasticity; one of 0.3 λ has 1.33, where finite
+/// elasticity changes even the sign of the change of area on sliding).
+fn steep_waves(rms_slope: f64) -> Option<String> {
+    let of_wave = |aspect: f64| SQRT_2 * PI * aspect;
+    if rms_slope <= of_wave(0.1) {
+        return None;
     }
+    Some(if rms_slope < of_wave(0.3) {
+        format!(
+            "rms slope {rms_slope:.2} is above 0.44, the edge of the small-slope theory (1.33 is far outside): expect deviations of real bodies"
+        )
+    } else {
+        format!(
+            "rms slope {rms_slope:.2} is far outside the small-slope theory (edge 0.44, far outside 1.33): do not trust forces or areas"
+        )
+    })
 }
 
 fn steep(profile: &dyn Profile, a: f64) -> Option<String> {
@@ -86,14 +105,11 @@ fn not_a_ball(setup: &Setup, a: f64) -> Option<String> {
 /// The contact of an ellipsoid is an ellipse: what its effective radius costs.
 fn two_radii(setup: &Setup) -> Option<String> {
     let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
-    let error = elliptic::mean_radius_error([ellipsoid.radius_x.si(), ellipsoid.radius_y.si()]).ok()?;
-    (error.abs() > 1e-6).then(|| {
-        format!(
-            "the ellipsoid stands as a paraboloid of the effective radius {:.4e} m: its force at a given indentation is {:.2} % too small (elliptic Hertz contact)",
-            ellipsoid.effective_radius(),
-            -100.0 * error
-        )
-    })
+    Some(format!(
+        "the ellipsoid stands as a paraboloid of the effective radius {:.4e} m: its force at a given indentation is {:.2} % too small (elliptic Hertz contact)",
+        ellipsoid.effective_radius(),
+        -100.0 * mean_radius_error(setup)?
+    ))
 }
 
 /// With adhesion the contact is taken to be connected even where the waves would part.
@@ -127,17 +143,17 @@ fn coupled(setup: &Setup) -> Option<String> {
 
 /// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress. Two equal bodies
 /// yield together.
-fn first_yield(setup: &Setup, largest: (f64, &Normal)) -> Vec<String> {
+fn first_yield(setup: &Setup, a: f64, largest: &Normal) -> Vec<String> {
     let (one, other) = &setup.scene.bodies;
     let both = [("body 1: ", one), ("body 2: ", other)];
-    let of = |(name, body): (&str, &Body)| yielding(setup, largest, body).map(|what| format!("{name}{what}"));
+    let of = |(name, body): (&str, &Body)| yielding(setup, a, largest, body).map(|what| format!("{name}{what}"));
     if one == other {
-        return yielding(setup, largest, one).into_iter().collect();
+        return yielding(setup, a, largest, one).into_iter().collect();
     }
     both.into_iter().filter_map(of).collect()
 }
 
-fn yielding(setup: &Setup, (a, largest): (f64, &Normal), body: &Body) -> Option<String> {
+fn yielding(setup: &Setup, a: f64, largest: &Normal, body: &Body) -> Option<String> {
     let Body::Elastic(elastic) = body else { return None };
     let limit = elastic.yield_stress?.si();
     let modulus = setup.pair.normal;
@@ -159,4 +175,18 @@ fn yielding(setup: &Setup, (a, largest): (f64, &Normal), body: &Body) -> Option<
             largest.force / (PI * a * a)
         )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_judged_at_the_stated_limits() {
+        assert_eq!(steep_waves(0.44), None);
+        for (slope, words) in [(0.45, "0.45 is above 0.44"), (0.7, "0.70 is above 0.44"), (1.34, "1.34 is far outside")]
+        {
+            assert!(steep_waves(slope).is_some_and(|told| told.contains(words)));
+        }
+    }
 }
