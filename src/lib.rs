@@ -11,6 +11,8 @@ pub mod friction;
 pub mod drive;
 pub mod scene;
 pub mod run;
+#[cfg(feature = "text")]
+pub mod text;
 #[cfg(feature = "half-space")]
 pub mod halfspace;
 pub mod check;

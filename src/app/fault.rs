@@ -1,6 +1,6 @@
 //! What is wrong with a file, shown as `file:line:column: message` with the line itself below.
 
-use super::place::Position;
+use crate::text::{Position, TextError};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -26,11 +26,11 @@ impl Fault {
         Self { file: file.to_owned(), position: None, message: message.into(), line: None }
     }
 
-    /// A fault at the byte `offset` of the `text` of the file.
-    pub fn at(file: &Path, (text, offset): (&str, usize), message: impl Into<String>) -> Self {
-        let position = Position::of(text, offset);
-        let line = text.lines().nth(position.line - 1).map(str::to_owned);
-        Self { file: file.to_owned(), position: Some(position), message: message.into(), line }
+    /// A fault of the text of the file.
+    #[must_use]
+    pub fn at(file: &Path, error: TextError) -> Self {
+        let TextError { position, message, line } = error;
+        Self { file: file.to_owned(), position: Some(position), message, line: Some(line) }
     }
 
     /// `file:line:column: message`, then the line and a caret under the column.
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn the_caret_stands_under_the_column() {
         let text = "(\n  µ: 10 mm,\n)";
-        let fault = Fault::at(Path::new("a.ron"), (text, text.find("mm").unwrap()), "wrong");
+        let fault = Fault::at(Path::new("a.ron"), TextError::at(text, text.find("mm").unwrap(), "wrong"));
         assert_eq!(fault.rendered(Paint::Plain), "a.ron:2:9: wrong\n 2 |   µ: 10 mm,\n   |         ^");
         assert!(fault.rendered(Paint::Coloured).starts_with("\x1b[1ma.ron:2:9\x1b[0m: wrong"));
     }
@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn a_long_line_is_cut_around_the_column() {
         let text = format!("{}x{}", " ".repeat(5000), "y".repeat(5000));
-        let shown = Fault::at(Path::new("a.ron"), (&text, 5000), "wrong").rendered(Paint::Plain);
+        let shown = Fault::at(Path::new("a.ron"), TextError::at(&text, 5000, "wrong")).rendered(Paint::Plain);
         let lines: Vec<&str> = shown.lines().collect();
         assert_eq!(lines[1].find('x'), lines[2].find('^'));
         assert!(lines[1].len() < 120);

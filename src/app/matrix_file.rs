@@ -3,7 +3,7 @@
 use ndarray::Array2;
 use std::path::Path;
 
-use super::scene_file::read_bytes;
+use super::read::read_bytes;
 use crate::input::table::TableError;
 
 /// Largest map: 16 million heights as text.

@@ -1,7 +1,7 @@
 //! The outside world: scenes, tables, figures, the command line.
 
-pub mod place;
 pub mod fault;
+mod read;
 pub mod scene_file;
 mod matrix_file;
 pub mod table_file;

@@ -1,7 +1,7 @@
 //! Tables: CSV files with a header, next to the scene.
 
 use super::matrix_file;
-use super::scene_file::read_text;
+use super::read::read_text;
 use crate::input::table::{Columns, TableError, Tables};
 use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
 use ndarray::Array2;

@@ -21,5 +21,7 @@ mod rough;
 mod scenes;
 #[cfg(all(feature = "cli", feature = "half-space"))]
 mod validation;
+#[cfg(feature = "text")]
+mod text;
 mod viscoelastic_scenes;
 mod wavy_jumps;

@@ -26,7 +26,7 @@ struct Done {
 /// A scene is wrong (then none is run), a computation failed, or a file cannot be written.
 pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), Failure> {
     let scenes = load(paths)?;
-    no_clash(&scenes)?;
+    no_clash(&scenes, common)?;
     let done = all_done(&scenes, common, console);
     let mut failed = Vec::new();
     let mut jsons = Vec::new();
@@ -55,10 +55,17 @@ fn all_done(scenes: &[SceneFile], common: &Common, console: &Console) -> Vec<Res
     done
 }
 
-/// Two scenes of one name would write the same files.
-fn no_clash(scenes: &[SceneFile]) -> Result<(), Failure> {
+/// Two scenes of one name would write the same files, and a summary could replace its scene.
+fn no_clash(scenes: &[SceneFile], common: &Common) -> Result<(), Failure> {
     let mut seen = BTreeMap::new();
     for scene in scenes {
+        let summary = common.out.join(format!("{}.json", scene.stem()));
+        if let (Ok(summary), Ok(path)) = (summary.canonicalize(), scene.path.canonicalize())
+            && summary == path
+        {
+            let path = scene.path.display();
+            return Err(Failure::Usage(format!("{path} would be written over: expected another folder in --out")));
+        }
         if let Some(other) = seen.insert(scene.stem(), &scene.path) {
             let (other, path) = (other.display(), scene.path.display());
             return Err(Failure::Usage(format!(

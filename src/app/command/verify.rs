@@ -3,9 +3,9 @@
 use super::Common;
 use crate::app::console::{Console, Failure};
 use crate::app::export;
-use crate::app::scene_file::nearest;
 use crate::check::case::{Case, Verdict};
 use crate::check::cases;
+use crate::text::nearest;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 

@@ -1,7 +1,7 @@
 //! `springbed new`: commented scenes to start from.
 
 use super::console::{Console, Failure};
-use super::scene_file::advice;
+use crate::text::advice;
 
 /// Name and text of a scene.
 struct Starter {

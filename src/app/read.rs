@@ -1,7 +1,7 @@
-//! From a file to text: size, kind and encoding.
+//! Files, read within bounds: size, kind and encoding.
 
-use crate::app::fault::Fault;
-use crate::app::place::Position;
+use super::fault::Fault;
+use crate::text::Position;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;

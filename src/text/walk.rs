@@ -1,49 +1,20 @@
-//! Places in the text of a scene: from a field path to line and column, and back.
+//! A walk over the text of a scene: where the value of a field path stands, and what stands at a place.
 //!
 //! A parser forgets where a value stood once it has been read. The walker here knows only brackets,
-//! commas, colons, text and comments, so it also works on a scene that does not parse.
+//! commas, colons, text and comments, so it also works on a scene that does not parse, in RON and in JSON.
 
 use std::collections::HashMap;
-
-/// Line and column, both counted from 1; columns count characters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Position {
-    /// Line.
-    pub line: usize,
-    /// Column.
-    pub column: usize,
-}
-
-impl Position {
-    /// The position of the byte `offset` in `text`; its end if it lies beyond.
-    #[must_use]
-    pub fn of(text: &str, offset: usize) -> Self {
-        let mut end = offset.min(text.len());
-        while !text.is_char_boundary(end) {
-            end -= 1;
-        }
-        let before = &text[..end];
-        let start = before.rfind('\n').map_or(0, |at| at + 1);
-        Self { line: 1 + before.matches('\n').count(), column: 1 + before[start..].chars().count() }
-    }
-
-    /// The byte offset of the position in `text`; its end if it lies beyond.
-    #[must_use]
-    pub fn offset(self, text: &str) -> usize {
-        let start = text.split_inclusive('\n').take(self.line - 1).map(str::len).sum::<usize>();
-        let inside = text[start..].char_indices().nth(self.column - 1);
-        inside.map_or(text.len(), |(at, _)| start + at)
-    }
-}
 
 /// Byte offsets of the values at the given field paths (`history[3].to`, `bodies.0.young`).
 ///
 /// A path that is not there stands at the value that should hold it; the empty path at the scene.
 #[must_use]
 pub fn locate(text: &str, paths: &[&str]) -> Vec<usize> {
+    let listed: Vec<String> = paths.iter().map(|path| listed(path)).collect();
+    let spellings = || paths.iter().copied().zip(listed.iter().map(String::as_str));
     let mut wanted: HashMap<&str, usize> = HashMap::new();
-    for &path in paths {
-        wanted.extend(with_parents(path).map(|part| (part, usize::MAX)));
+    for (path, listed) in spellings() {
+        wanted.extend(with_parents(path).chain(with_parents(listed)).map(|part| (part, usize::MAX)));
     }
     let mut walker = Walker::new(text);
     while let Some(token) = walker.next_value() {
@@ -51,8 +22,17 @@ pub fn locate(text: &str, paths: &[&str]) -> Vec<usize> {
             *found = token.min(*found);
         }
     }
-    let place = |path| with_parents(path).map(|part| wanted[part]).find(|&at| at < usize::MAX).unwrap_or(0);
-    paths.iter().map(|&path| place(path)).collect()
+    let both = |(path, listed)| with_parents(path).zip(with_parents(listed));
+    let place = |(one, other)| wanted[one].min(wanted[other]);
+    spellings().map(|paths| both(paths).map(place).find(|&at| at < usize::MAX).unwrap_or(0)).collect()
+}
+
+/// The path with the members of pairs counted like those of lists, as JSON has them: `bodies[0]` for `bodies.0`.
+fn listed(path: &str) -> String {
+    let number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    let mut parts = path.split('.');
+    let first = parts.next().unwrap_or("").to_owned();
+    parts.fold(first, |path, part| if number(part) { format!("{path}[{part}]") } else { format!("{path}.{part}") })
 }
 
 /// The path, then the paths of what holds it, outwards.
@@ -168,14 +148,18 @@ impl<'t> Walker<'t> {
     fn is_key(&self, token: &str) -> bool {
         let fresh = self.frames.last().is_some_and(|frame| !frame.begun && frame.bracket != '[');
         let next = skip_blank(self.text, self.at);
-        fresh && token.starts_with(word) && self.text[next..].starts_with(':')
+        fresh && token.starts_with(|c| word(c) || c == '"') && self.text[next..].starts_with(':')
     }
 
+    /// A name of a field; that of a kind, as JSON has it before its fields, is no part of the path.
     fn key(&mut self, name: &str) {
-        if !self.path.is_empty() {
-            self.path.push('.');
+        let name = name.trim_matches('"');
+        if !name.starts_with(char::is_uppercase) {
+            if !self.path.is_empty() {
+                self.path.push('.');
+            }
+            self.path.push_str(name);
         }
-        self.path.push_str(name);
         if let Some(frame) = self.frames.last_mut() {
             frame.begun = true;
         }
@@ -219,7 +203,7 @@ pub fn token(text: &str, start: usize) -> &str {
 }
 
 /// Characters of names and numbers.
-pub(super) fn word(c: char) -> bool {
+pub fn word(c: char) -> bool {
     c.is_alphanumeric() || matches!(c, '_' | '.' | '+' | '-')
 }
 
@@ -268,6 +252,7 @@ fn block_length(rest: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::text::position::Position;
     use proptest::prelude::*;
 
     const SCENE: &str = r#"// (
@@ -313,6 +298,18 @@ mod tests {
         assert_eq!(&SCENE[found.token..offset], "\"");
         assert_eq!(found.open.unwrap().0, '(');
         assert_eq!(surroundings(SCENE, SCENE.len()).open, None);
+    }
+
+    #[test]
+    fn a_path_leads_to_its_value_in_json() {
+        let text = r#"{"bodies": [{"Elastic": {"young": 1, "poisson": 0.3}}, "Rigid"],
+            "history": [{"Indent": {"to": "1 µm"}}, {"Table": "h.csv"}]}"#;
+        let at = |path: &str| &text[locate(text, &[path])[0]..];
+        assert!(at("bodies.0.poisson").starts_with("0.3"));
+        assert!(at("bodies.1").starts_with("\"Rigid"));
+        assert!(at("history[0].to").starts_with("\"1 µm"));
+        assert!(at("history[1]").starts_with("{\"Table"));
+        assert_eq!(surroundings(text, text.find("µm").unwrap()).path, "history[0].to");
     }
 
     #[test]

@@ -1,12 +1,12 @@
-//! From text to a scene, and from a parser's error to a message a person can act on.
+//! From RON to a scene, and from a parser's error to a message a person can act on.
 
+use super::TextError;
 use super::names::advice;
-use crate::app::fault::Fault;
-use crate::app::place::{self, Position, Surroundings};
+use super::position::Position;
+use super::walk::{self, Surroundings};
 use crate::scene::Scene;
 use ron::error::{Error, SpannedError};
 use ron::extensions::Extensions;
-use std::path::Path;
 
 /// Deepest nesting of brackets; a scene needs eight.
 const DEEPEST: usize = 64;
@@ -15,17 +15,14 @@ const DEEPEST: usize = 64;
 ///
 /// # Errors
 /// The first fault of the text.
-pub fn scene(path: &Path, text: &str) -> Result<Scene, Box<Fault>> {
+pub fn scene(text: &str) -> Result<Scene, TextError> {
     let options = ron::Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_VARIANT_NEWTYPES)
         .with_recursion_limit(DEEPEST);
-    options.from_str(text).map_err(|error| Box::new(fault(path, text, &error)))
-}
-
-fn fault(path: &Path, text: &str, error: &SpannedError) -> Fault {
-    let source = Stop::new(text, error);
-    let (offset, message) = source.explained(&error.code);
-    Fault::at(path, (text, offset), message)
+    options.from_str(text).map_err(|error| {
+        let (offset, message) = Stop::new(text, &error).explained(&error.code);
+        TextError::at(text, offset, message)
+    })
 }
 
 /// The text around the place at which the parser stopped.
@@ -43,17 +40,17 @@ impl<'t> Stop<'t> {
         let offset = |place: ron::error::Position| Position { line: place.line, column: place.col }.offset(text);
         let mut at = offset(error.span.start);
         let next = text[at..].chars().next();
-        if matches!(error.code, Error::InvalidValueForType { .. }) && next.is_none_or(|c| !place::word(c)) {
+        if matches!(error.code, Error::InvalidValueForType { .. }) && next.is_none_or(|c| !walk::word(c)) {
             // The parser has stepped over a bare word such as `ten`.
-            at -= text[..at].chars().next_back().filter(|&c| place::word(c)).map_or(0, char::len_utf8);
+            at -= text[..at].chars().next_back().filter(|&c| walk::word(c)).map_or(0, char::len_utf8);
         }
         let ended = text[offset(error.span.end)..].trim_start().is_empty();
-        Self { text, ended, at, around: place::surroundings(text, at) }
+        Self { text, ended, at, around: walk::surroundings(text, at) }
     }
 
     /// The token at the place.
     fn token(&self) -> &'t str {
-        place::token(self.text, self.around.token)
+        walk::token(self.text, self.around.token)
     }
 
     /// The token before the place.
@@ -85,7 +82,7 @@ impl<'t> Stop<'t> {
     }
 
     fn never_closed(&self) -> (usize, String) {
-        let Some((open, at)) = place::surroundings(self.text, self.text.len()).open else {
+        let Some((open, at)) = walk::surroundings(self.text, self.text.len()).open else {
             return (self.at, "the text ends too early: expected a scene".into());
         };
         let close = match open {
@@ -98,7 +95,7 @@ impl<'t> Stop<'t> {
 
     fn missing(&self, field: &str, holder: Option<&str>) -> (usize, String) {
         let open = self.around.open.map_or(self.at, |(_, at)| at);
-        let head = self.text[..open].trim_end_matches(place::word).len();
+        let head = self.text[..open].trim_end_matches(walk::word).len();
         (head, format!("{} lacks the field `{field}`: expected `{field}: …`", holder.unwrap_or("this")))
     }
 

@@ -1,17 +1,10 @@
 //! Scene files: bytes in, a checked scene out, or every fault with its place.
 
-mod bytes;
-mod names;
-mod parse;
-
-pub use bytes::{read_bytes, read_text};
-pub use names::{advice, nearest};
-
 use super::fault::Fault;
-use super::place;
+use super::read::read_text;
 use super::table_file::TableFiles;
-use crate::input::problem::Problem;
 use crate::scene::setup::Setup;
+use crate::text::Notation;
 use std::path::{Path, PathBuf};
 
 /// A scene read from a file, ready to be computed.
@@ -44,24 +37,13 @@ impl SceneFile {
     }
 }
 
-/// The setup of the scene in `text`, which came from the file at `path`.
+/// The setup of the scene in `text`, which came from the file at `path`: JSON by its name, or else RON.
 ///
 /// # Errors
 /// Everything that is wrong with it, in the order of the text.
 pub fn setup(path: &Path, text: &str) -> Result<Setup, Vec<Fault>> {
-    let scene = parse::scene(path, text).map_err(|fault| vec![*fault])?;
-    let tables = TableFiles::beside(path);
-    scene.resolve(&tables).map_err(|problems| placed(path, text, &problems))
-}
-
-/// Problems at their places in the text, sorted by place.
-fn placed(path: &Path, text: &str, problems: &[Problem]) -> Vec<Fault> {
-    let paths: Vec<&str> = problems.iter().map(|problem| problem.path.as_str()).collect();
-    let mut faults: Vec<Fault> = place::locate(text, &paths)
-        .into_iter()
-        .zip(problems)
-        .map(|(offset, problem)| Fault::at(path, (text, offset), problem.to_string()))
-        .collect();
-    faults.sort_by(|a, b| (a.position, &a.message).cmp(&(b.position, &b.message)));
-    faults
+    let json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
+    let notation = if json { Notation::Json } else { Notation::Ron };
+    let setup = notation.setup(text, &TableFiles::beside(path));
+    setup.map_err(|errors| errors.into_iter().map(|error| Fault::at(path, error)).collect())
 }

@@ -1,0 +1,110 @@
+//! Scenes as text: RON, as people write it, and JSON, as programs do.
+//!
+//! Both have the same fields. A kind with its fields is `Sphere(radius: "5 mm")` in RON and
+//! `{"Sphere": {"radius": "5 mm"}}` in JSON, a kind without fields `Rigid` and `"Rigid"`, the two bodies
+//! `(…, …)` and `[…, …]`. What is wrong is said with line and column.
+
+mod json;
+mod names;
+mod position;
+mod ron;
+mod walk;
+
+pub use names::{advice, nearest};
+pub use position::Position;
+
+use crate::input::problem::Problem;
+use crate::input::table::Tables;
+use crate::scene::Scene;
+use crate::scene::setup::Setup;
+
+/// What is wrong with a text, and where.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("line {}, column {}: {message}", position.line, position.column)]
+pub struct TextError {
+    /// Where.
+    pub position: Position,
+    /// What it was, and what would be right.
+    pub message: String,
+    /// The line of the text.
+    pub line: String,
+}
+
+impl TextError {
+    /// An error at the byte `offset` of a text.
+    pub fn at(text: &str, offset: usize, message: impl Into<String>) -> Self {
+        let position = Position::of(text, offset);
+        let line = text.lines().nth(position.line - 1).unwrap_or("").to_owned();
+        Self { position, message: message.into(), line }
+    }
+}
+
+/// How a scene is written down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Notation {
+    /// Rusty Object Notation, with comments.
+    Ron,
+    /// JavaScript Object Notation.
+    Json,
+}
+
+impl Notation {
+    /// The scene in `text`, made ready with the `tables` it names.
+    ///
+    /// # Errors
+    /// The first fault of the notation, or else all that is wrong with the scene, in the order of the text.
+    pub fn setup(self, text: &str, tables: &dyn Tables) -> Result<Setup, Vec<TextError>> {
+        let scene = match self {
+            Self::Ron => Scene::from_ron(text),
+            Self::Json => Scene::from_json(text),
+        };
+        scene.map_err(|error| vec![error])?.resolve(tables).map_err(|problems| placed(text, &problems))
+    }
+}
+
+impl Scene {
+    /// The scene in a RON text; single values are checked, whether they fit together [`resolve`](Self::resolve) says.
+    ///
+    /// ```
+    /// # use springbed::scene::Scene;
+    /// let text = r#"(shape: Sphere(radius: "5 mm"), bodies: (Elastic(young: "1 MPa", poisson: 0.5), Rigid),
+    ///     history: [Indent(to: "10 um", over: 1)])"#;
+    /// let json = Scene::from_ron(text)?.to_json()?;
+    /// assert_eq!(Scene::from_json(&json)?, Scene::from_ron(text)?);
+    /// let error = Scene::from_ron(&text.replace("5 mm", "5 kg")).unwrap_err();
+    /// assert_eq!((error.position.line, error.position.column), (1, 24));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The first fault of the text.
+    pub fn from_ron(text: &str) -> Result<Self, TextError> {
+        ron::scene(text)
+    }
+
+    /// The scene in a JSON text, such as the `resolved` scene of a summary.
+    ///
+    /// # Errors
+    /// The first fault of the text.
+    pub fn from_json(text: &str) -> Result<Self, TextError> {
+        json::scene(text)
+    }
+
+    /// The scene as JSON, all quantities in SI units.
+    ///
+    /// # Errors
+    /// A number that JSON does not have.
+    pub fn to_json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string_pretty(self)
+    }
+}
+
+/// Problems at their places in the text, sorted by place.
+fn placed(text: &str, problems: &[Problem]) -> Vec<TextError> {
+    let paths: Vec<&str> = problems.iter().map(|problem| problem.path.as_str()).collect();
+    let places = walk::locate(text, &paths).into_iter().zip(problems);
+    let mut errors: Vec<TextError> =
+        places.map(|(offset, problem)| TextError::at(text, offset, problem.to_string())).collect();
+    errors.sort_by(|a, b| (a.position, &a.message).cmp(&(b.position, &b.message)));
+    errors
+}
