@@ -24,7 +24,7 @@ impl TableFiles {
     }
 
     /// Opens a table; errors name it as the scene does.
-    fn open(&self, path: &Path) -> Result<Table, TableError> {
+    fn open(&self, path: &Path) -> Result<NamedColumns, TableError> {
         let file = self.folder.join(path);
         let text = read_text(&file, LARGEST).map_err(|fault| TableError {
             path: path.to_owned(),
@@ -33,7 +33,7 @@ impl TableFiles {
         })?;
         let header =
             header(&text).map_err(|error| TableError::whole(path, format!("cannot be read as CSV: {error}")))?;
-        Ok(Table { path: path.to_owned(), text, header })
+        Ok(NamedColumns { path: path.to_owned(), text, header })
     }
 }
 
@@ -53,7 +53,7 @@ impl Tables for TableFiles {
     }
 }
 
-struct Table {
+struct NamedColumns {
     path: PathBuf,
     text: String,
     header: Vec<String>,
@@ -67,7 +67,7 @@ fn header(text: &str) -> Result<Vec<String>, csv::Error> {
     Ok(reader(text).headers()?.iter().map(|name| name.trim().to_owned()).collect())
 }
 
-impl Table {
+impl NamedColumns {
     /// For each name the number of its column.
     fn order(&self, names: &[&str]) -> Result<Vec<usize>, TableError> {
         let right = names.join(",");
@@ -117,7 +117,7 @@ impl Table {
     }
 }
 
-impl Table {
+impl NamedColumns {
     /// Row of the record just read; the position of a record itself is before the comments above it.
     fn row(&self, reader: &Reader<&[u8]>) -> usize {
         let after = reader.position();

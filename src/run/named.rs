@@ -1,4 +1,13 @@
 //! Numbers and answers that have a name.
+//!
+//! ```
+//! use springbed::run::named::Named;
+//! use springbed::run::unit::Unit;
+//!
+//! let force = Named::number("largest_force", Unit::NEWTON, 30.8);
+//! assert_eq!(force.name(), "largest_force_n");
+//! assert!(force.is_called("largest_force_n") && !force.is_called("largest_force"));
+//! ```
 
 use super::unit::Unit;
 use serde::Serialize;

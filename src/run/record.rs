@@ -45,7 +45,7 @@ pub const STICK_RADIUS: Column<Record> =
     Column::new("stick_radius", Unit::METRE, "stick radius c", |record| Some(record.tangential?.stick_radius));
 
 /// Columns every scene has.
-const NORMAL: [Column<Record>; 7] = [
+const NORMAL: &[Column<Record>] = &[
     TIME,
     INDENTATION,
     FORCE,
@@ -55,23 +55,27 @@ const NORMAL: [Column<Record>; 7] = [
     Column::new("dissipated", Unit::JOULE, "dissipated energy", |record| Some(record.normal.dissipated)),
 ];
 /// Columns of a scene with friction.
-const TANGENTIAL: [Column<Record>; 4] = [
+const TANGENTIAL: &[Column<Record>] = &[
     SLIDE,
     TANGENTIAL_FORCE,
     STICK_RADIUS,
     Column::new("friction_dissipated", Unit::JOULE, "energy lost to friction", |record| record.tangential?.dissipated),
 ];
 /// Columns of a sheared adhesive contact.
-const SHEARED: [Column<Record>; 1] =
-    [Column::new("area_ratio", Unit::ONE, "A/A₀", |record| record.tangential?.area_ratio)];
+const SHEARED: &[Column<Record>] =
+    &[Column::new("area_ratio", Unit::ONE, "A/A₀", |record| record.tangential?.area_ratio)];
 
 /// The columns of records: those of a part appear if the scene has it.
 #[must_use]
 pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let rubs = records.iter().any(|record| record.tangential.is_some());
     let peels = records.iter().any(|record| record.tangential.is_some_and(|state| state.area_ratio.is_some()));
-    let tangential = TANGENTIAL.into_iter().filter(|_| rubs);
-    NORMAL.into_iter().chain(tangential).chain(SHEARED.into_iter().filter(|_| peels)).collect()
+    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels)]
+        .into_iter()
+        .filter_map(|(columns, present)| present.then_some(columns))
+        .flatten()
+        .copied()
+        .collect()
 }
 
 /// Pressure and surface displacement over the radius, at one time.

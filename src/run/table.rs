@@ -1,4 +1,23 @@
 //! Columns, and tables filled with them.
+//!
+//! ```
+//! use springbed::run::table::{Column, Table};
+//! use springbed::run::unit::Unit;
+//!
+//! struct Ball {
+//!     radius: f64,
+//!     load: Option<f64>,
+//! }
+//!
+//! let columns = [
+//!     Column::new("radius", Unit::METRE, "radius R", |ball: &Ball| Some(ball.radius)),
+//!     Column::new("force", Unit::NEWTON, "force F", |ball: &Ball| ball.load),
+//! ];
+//! let balls = [Ball { radius: 0.01, load: Some(2.0) }, Ball { radius: 0.02, load: None }];
+//! let table = Table::new("balls").with(&columns, balls.iter());
+//! let force = table.column("force").unwrap();
+//! assert_eq!((force.name().as_str(), force.numbers()), ("force_n", &[Some(2.0), None][..]));
+//! ```
 
 use super::named::Named;
 use super::unit::Unit;
@@ -47,12 +66,12 @@ pub struct Filled {
     /// Words and symbol on the axis of a figure.
     pub label: &'static str,
     /// One per row.
-    pub cells: Cells,
+    pub cells: Content,
 }
 
 /// The cells of a column.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Cells {
+pub enum Content {
     /// Finite numbers; `None` where there is none.
     Numbers(Vec<Option<f64>>),
     /// Words.
@@ -84,7 +103,7 @@ impl Table {
             quantity: format!("{before}{}", column.quantity),
             unit: column.unit,
             label: column.label,
-            cells: Cells::Numbers(
+            cells: Content::Numbers(
                 rows.clone().map(|row| (column.of)(row).filter(|number| number.is_finite())).collect(),
             ),
         };
@@ -96,7 +115,7 @@ impl Table {
     #[must_use]
     pub fn with_words(mut self, quantity: &str, words: Vec<String>) -> Self {
         let (quantity, unit, label) = (quantity.to_owned(), Unit::ONE, "");
-        self.columns.push(Filled { quantity, unit, label, cells: Cells::Words(words) });
+        self.columns.push(Filled { quantity, unit, label, cells: Content::Words(words) });
         self
     }
 
@@ -104,8 +123,8 @@ impl Table {
     #[must_use]
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| match &column.cells {
-            Cells::Numbers(numbers) => numbers.len(),
-            Cells::Words(words) => words.len(),
+            Content::Numbers(numbers) => numbers.len(),
+            Content::Words(words) => words.len(),
         })
     }
 
@@ -127,8 +146,8 @@ impl Filled {
     #[must_use]
     pub fn numbers(&self) -> &[Option<f64>] {
         match &self.cells {
-            Cells::Numbers(numbers) => numbers,
-            Cells::Words(_) => &[],
+            Content::Numbers(numbers) => numbers,
+            Content::Words(_) => &[],
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Tables as CSV.
 
-use crate::run::table::{Cells, Filled, Table};
+use crate::run::table::{Content, Filled, Table};
 
 /// A table as CSV: the names of its columns, then its rows.
 ///
@@ -11,8 +11,8 @@ pub fn csv(table: &Table) -> Result<String, csv::Error> {
     writer.write_record(table.columns.iter().map(Filled::name))?;
     for row in 0..table.rows() {
         writer.write_record(table.columns.iter().map(|column| match &column.cells {
-            Cells::Numbers(numbers) => cell(numbers[row]),
-            Cells::Words(words) => words[row].clone(),
+            Content::Numbers(numbers) => cell(numbers[row]),
+            Content::Words(words) => words[row].clone(),
         }))?;
     }
     text(writer)
