@@ -33,7 +33,7 @@ fn friction(criterion: &mut Criterion) {
     }
     let mut group = criterion.benchmark_group("bed");
     group.sample_size(10);
-    let bed = CoulombBed::new(&shape, GRIP, (100_000.try_into().unwrap(), shape.edge(1.2).unwrap())).unwrap();
+    let bed = CoulombBed::new(&shape, GRIP, 100_000.try_into().unwrap(), shape.edge(1.2).unwrap()).unwrap();
     group.bench_function("100000 springs, 1000 steps", |bencher| {
         bencher.iter(|| bed.clone().advance(black_box(&path)));
     });

@@ -139,7 +139,7 @@ impl Agreement {
     }
 
     fn half_space(&self, spectrum: &RoughnessSpectrum, seed: u64) -> Result<Curve, AgreementError> {
-        let heights = rough_surface(spectrum, 1.0, (self.points, seed))?;
+        let heights = rough_surface(spectrum, 1.0, self.points, seed)?;
         let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
         #[expect(clippy::cast_precision_loss, reason = "grids are far below 2^53")]
         let pixel = 1.0 / self.points as f64;

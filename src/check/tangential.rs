@@ -265,9 +265,8 @@ mod tests {
     #[test]
     fn a_million_turns_of_depth_and_slide_do_not_drift() {
         let (shape, springs, radius) = (lens(), 48u32, 1.1);
-        let size = (NonZeroUsize::new(48).unwrap(), radius);
         let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
-        let mut bed = CoulombBed::new(&shape, GRIP, size).unwrap();
+        let mut bed = CoulombBed::new(&shape, GRIP, NonZeroUsize::new(48).unwrap(), radius).unwrap();
         let mut random = 7u64;
         let mut draw = || {
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

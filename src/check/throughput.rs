@@ -230,7 +230,7 @@ fn coulomb() -> Kernel {
     let springs = 100_000;
     Kernel::new(("fretting loop, bed of 100 000 springs", "records"), 100, move || {
         let (path, ball) = (shaken(100), ball()?);
-        let bed = CoulombBed::new(&ball, GRIP, (NonZeroUsize::new(springs)?, 1.1)).ok()?;
+        let bed = CoulombBed::new(&ball, GRIP, NonZeroUsize::new(springs)?, 1.1).ok()?;
         Some(move || bed.clone().advance(black_box(&path)).iter().all(|force| force.is_finite()))
     })
 }

@@ -43,11 +43,7 @@ impl CoulombBed {
     /// # Errors
     /// The profile ends before `radius`.
     #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
-    pub fn new(
-        profile: &dyn Profile,
-        grip: Grip,
-        (springs, radius): (NonZeroUsize, f64),
-    ) -> Result<Self, FrictionError> {
+    pub fn new(profile: &dyn Profile, grip: Grip, springs: NonZeroUsize, radius: f64) -> Result<Self, FrictionError> {
         let width = radius / springs.get() as f64;
         let depths = Array1::from_shape_fn(springs.get(), |k| profile.reduced((k as f64 + 0.5) * width));
         if depths.iter().any(|depth| depth.is_nan()) {

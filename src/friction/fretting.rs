@@ -112,7 +112,7 @@ impl WearMap {
         let edges = depths.map(|d| if d > 0.0 { self.profile.edge(d) } else { None });
         let half = 0.5 * self.springs.grip.coefficient * self.springs.grip.normal_modulus;
         for (k, energy) in self.energy.iter_mut().enumerate() {
-            let at = |(&edge, d)| pressure(self.profile.as_ref(), springs[k].x, (edge, d));
+            let at = |(&edge, d)| pressure(self.profile.as_ref(), springs[k].x, edge, d);
             let pressure: f64 = edges.iter().zip(depths).map(at).sum();
             *energy += half * pressure * surface_slip(&springs[..=k]);
         }
@@ -123,7 +123,7 @@ impl WearMap {
 }
 
 /// Pressure at the radius `r` divided by E* [1], at a contact radius and depth.
-fn pressure(profile: &dyn Profile, r: f64, (edge, depth): (Option<f64>, f64)) -> f64 {
+fn pressure(profile: &dyn Profile, r: f64, edge: Option<f64>, depth: f64) -> f64 {
     let Some(a) = edge.filter(|&a| r < a) else { return 0.0 };
     let load = match profile.rim() {
         Rim::Wall(b) => (depth - profile.reduced(b)).max(0.0),

@@ -87,8 +87,8 @@ pub struct ObliquePath {
 pub struct BallRebound {
     /// Motion afterwards.
     pub flight: BallMotion,
-    /// −w₂/w₁ with w the speed of the contact point; NaN without one before.
-    pub tangential_restitution: f64,
+    /// −w₂/w₁ with w the speed of the contact point; `None` without one before.
+    pub tangential_restitution: Option<f64>,
     /// Angle of the path to the normal after the impact [rad].
     pub angle: f64,
     /// Energy lost to friction [J].
@@ -155,7 +155,8 @@ impl Ball {
         let energy = 0.5 * self.mass * before.normal_speed * before.normal_speed;
         let friction = self.grip.coefficient * self.grip.reach() * energy;
         BallRebound {
-            tangential_restitution: -(flight.tangential_speed + self.radius * flight.spin) / speed,
+            tangential_restitution: (speed.abs() > 0.0)
+                .then(|| -(flight.tangential_speed + self.radius * flight.spin) / speed),
             angle: flight.tangential_speed.atan2(flight.normal_speed),
             dissipated: course.as_ref().map_or(0.0, |course| friction * course.dissipated),
             contact_time: CONTACT_TIME * depth / before.normal_speed,

@@ -80,7 +80,8 @@ impl RelaxingBed {
         profile: &dyn Profile,
         spectrum: Arc<Spectrum>,
         grip: Grip,
-        (springs, radius): (NonZeroUsize, f64),
+        springs: NonZeroUsize,
+        radius: f64,
     ) -> Result<Self, FrictionError> {
         let layout = Layout::uniform(profile, radius, springs.get());
         if layout.height.iter().any(|height| height.is_nan()) {
@@ -181,13 +182,13 @@ impl SpringGrip {
     fn drag(&mut self, spectrum: &Spectrum, pressed: &UnderIndenter<'_>) {
         let (mut displacement, mut loads, slip) = self.touched(spectrum);
         if let Slip::Towards(side) = slip {
-            let free = pressed.difference(spectrum, side, (displacement, &loads));
+            let free = pressed.difference(spectrum, side, displacement, &loads);
             if spectrum.recovery_speed(&free, 0.0) > pressed.speed - side * pressed.slide {
                 *self = pressed.slipped(spectrum, side, free);
                 return;
             }
         }
-        let first = pressed.first_slip(spectrum, (displacement, &loads));
+        let first = pressed.first_slip(spectrum, displacement, &loads);
         let stuck = first.map_or(pressed.duration, |(time, _)| time);
         spectrum.press(&mut loads, pressed.slide, stuck);
         displacement += pressed.slide * stuck;
@@ -197,7 +198,7 @@ impl SpringGrip {
                 let (start, mut normal) = (pressed.start + pressed.speed * time, pressed.loads.to_vec());
                 spectrum.press(&mut normal, pressed.speed, time);
                 let rest = UnderIndenter { start, loads: &normal, duration: pressed.duration - time, ..*pressed };
-                let free = rest.difference(spectrum, side, (displacement, &loads));
+                let free = rest.difference(spectrum, side, displacement, &loads);
                 rest.slipped(spectrum, side, free)
             }
         };
@@ -218,7 +219,7 @@ impl SpringGrip {
 
 impl UnderIndenter<'_> {
     /// The spring n − side·v, let go.
-    fn difference(&self, spectrum: &Spectrum, side: f64, (displacement, loads): (f64, &[f64])) -> Free {
+    fn difference(&self, spectrum: &Spectrum, side: f64, displacement: f64, loads: &[f64]) -> Free {
         let elements: Vec<f64> = self.loads.iter().zip(loads).map(|(normal, own)| normal - side * own).collect();
         let mut free = Free::default();
         spectrum.let_go((self.start - side * displacement, &elements), 0.0, &mut free);
@@ -226,7 +227,7 @@ impl UnderIndenter<'_> {
     }
 
     /// When and whither a sticking spring begins to slip.
-    fn first_slip(&self, spectrum: &Spectrum, (displacement, loads): (f64, &[f64])) -> Option<(f64, f64)> {
+    fn first_slip(&self, spectrum: &Spectrum, displacement: f64, loads: &[f64]) -> Option<(f64, f64)> {
         let time = |side: f64| {
             let elements: Vec<f64> = self.loads.iter().zip(loads).map(|(normal, own)| normal - side * own).collect();
             let state = (self.start - side * displacement, &elements[..]);
@@ -270,7 +271,7 @@ mod tests {
 
     fn bed(spectrum: &Arc<Spectrum>, grip: Grip) -> RelaxingBed {
         let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
-        RelaxingBed::new(&shape, Arc::clone(spectrum), grip, (60.try_into().unwrap(), 1.2)).unwrap()
+        RelaxingBed::new(&shape, Arc::clone(spectrum), grip, 60.try_into().unwrap(), 1.2).unwrap()
     }
 
     /// Speeds (normal, tangential) from integers, in motions of 0.1 s to 1 s.
@@ -290,7 +291,7 @@ mod tests {
         fn without_terms_it_is_the_elastic_bed(history in motions()) {
             let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
             let mut relaxing = bed(&spectrum(1.0, &[], 0.0), GRIP);
-            let mut elastic = CoulombBed::new(&shape, GRIP, (60.try_into().unwrap(), 1.2)).unwrap();
+            let mut elastic = CoulombBed::new(&shape, GRIP, 60.try_into().unwrap(), 1.2).unwrap();
             let mut to = Pose::default();
             for motion in history {
                 let ((speed, slide), time) = speeds(motion);

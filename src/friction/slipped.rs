@@ -52,7 +52,7 @@ impl SlideStep {
 /// ∫ ℓ (y₀ + y₁)/2 dx [m³] over the springs between two vertices, all of which slip.
 pub fn slip_work(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
     if upper.below < 0.0 && lower.below > 0.0 {
-        let edge = between(lower, upper, (upper.below / (upper.below - lower.below), motion.edge));
+        let edge = between(lower, upper, upper.below / (upper.below - lower.below), motion.edge);
         return held(curve, (lower, edge), motion) + left(curve, (edge, upper), motion);
     }
     // A contact that does not shrink leaves no spring; one at its very edge carries nothing.
@@ -79,7 +79,7 @@ fn left(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f
         let fraction = ways.1 / (ways.1 - ways.0);
         let below = upper.below + fraction * (lower.below - upper.below);
         let Some(place) = curve.place(motion.edge.depth(), below) else { return 0.0 };
-        let middle = between(lower, upper, (fraction, place));
+        let middle = between(lower, upper, fraction, place);
         return left_one_way(curve, (lower, middle), (ways.0, 0.0), motion)
             + left_one_way(curve, (middle, upper), (0.0, ways.1), motion);
     }
@@ -93,7 +93,7 @@ fn left_one_way(curve: &LoadCurve, (lower, upper): (Node, Node), ways: (f64, f64
 }
 
 /// The spring a fraction of the way from `upper` to `lower`, at a place already known.
-fn between(lower: Node, upper: Node, (fraction, place): (f64, SpringDepth)) -> Node {
+fn between(lower: Node, upper: Node, fraction: f64, place: SpringDepth) -> Node {
     let mix = |lower: f64, upper: f64| upper + fraction * (lower - upper);
     Node { place, below: mix(lower.below, upper.below), displacement: mix(lower.displacement, upper.displacement) }
 }

@@ -514,7 +514,7 @@ mod tests {
             for profile in shapes() {
                 let radius = profile.edge(1.3).unwrap();
                 let mut memory = TangentialMemory::new(profile.clone(), grip(coefficient));
-                let mut bed = CoulombBed::new(profile.as_ref(), grip(coefficient), (500.try_into().unwrap(), radius)).unwrap();
+                let mut bed = CoulombBed::new(profile.as_ref(), grip(coefficient), 500.try_into().unwrap(), radius).unwrap();
                 for to in positions(coefficient, &knots) {
                     memory.advance(to).unwrap();
                     let force = bed.advance(&[to])[0];

@@ -167,9 +167,7 @@ fn named(surface: &Surface, records: &[Record], ensemble: Option<&Ensemble>) -> 
         Named::number("rms_slope", Unit::ONE, roughness.rms_slope),
         Named::number("rms_curvature", Unit::PER_METRE, roughness.rms_curvature),
     ];
-    if roughness.peak_to_valley.is_finite() {
-        results.push(Named::number("peak_to_valley", Unit::METRE, roughness.peak_to_valley));
-    }
+    results.extend(roughness.peak_to_valley.map(|height| Named::number("peak_to_valley", Unit::METRE, height)));
     results.extend(ensemble.iter().flat_map(|ensemble| ensemble.results()));
     results
 }

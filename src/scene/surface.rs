@@ -52,7 +52,7 @@ impl Surface {
                 rms_height: spectrum.rms_height(),
                 rms_slope: spectrum.rms_slope(),
                 rms_curvature: spectrum.rms_curvature(),
-                peak_to_valley: f64::NAN,
+                peak_to_valley: None,
             },
         }
     }

@@ -5,7 +5,7 @@ use crate::app::console::{Console, Failure};
 use crate::app::export::with_prefix;
 use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
-use crate::check::one_piece;
+use crate::check::{one_piece, theory};
 use crate::contact::adhesion::{Edge, Range};
 use crate::run::record::Outcome;
 use crate::scene::setup::Setup;
@@ -47,6 +47,9 @@ fn text(setup: &Setup, outcome: &Outcome) -> String {
     for words in one_piece::in_words(setup, outcome) {
         line("connectivity", &words);
     }
+    for words in theories(setup, outcome) {
+        line("theory", &words);
+    }
     if outcome.warnings.is_empty() {
         line("warnings", "none");
     }
@@ -62,6 +65,13 @@ fn edge(setup: &Setup) -> Option<String> {
         Range::Vanishing(edge) => edge.map(Edge::in_words),
         Range::Finite => None,
     }
+}
+
+/// What theories of rough contact say of the largest force of the scene.
+fn theories(setup: &Setup, outcome: &Outcome) -> Vec<String> {
+    let states = outcome.records.iter().map(|record| &record.normal);
+    let largest = states.max_by(|one, other| one.force.total_cmp(&other.force));
+    largest.map_or_else(Vec::new, |state| theory::in_words(setup, state.force, state.stiffness))
 }
 
 /// Effective moduli by name [Pa].
@@ -86,6 +96,7 @@ fn json(setup: &Setup, outcome: &Outcome) -> Result<String, Failure> {
         "accuracy": setup.accuracy(),
         "error_estimate": outcome.error_estimate,
         "connectivity": one_piece::in_words(setup, outcome),
+        "theories": theories(setup, outcome),
         "warnings": outcome.warnings,
     });
     serde_json::to_string_pretty(&value).map_err(Failure::failed)

@@ -131,15 +131,15 @@ impl Canvas<'_> {
 
     /// One line of text, centred vertically on the place.
     pub(super) fn text(&mut self, at: Dot, text: &str, kind: Type) {
-        self.write(at, text, (kind, FontTransform::None));
+        self.write(at, text, kind, FontTransform::None);
     }
 
     /// One line of text running upwards, centred horizontally on the place.
     pub(super) fn upward_text(&mut self, at: Dot, text: &str, kind: Type) {
-        self.write(at, text, (kind, FontTransform::Rotate270));
+        self.write(at, text, kind, FontTransform::Rotate270);
     }
 
-    fn write(&mut self, at: Dot, text: &str, (kind, turn): (Type, FontTransform)) {
+    fn write(&mut self, at: Dot, text: &str, kind: Type, turn: FontTransform) {
         let weight = match kind.weight {
             Weight::Regular => FontStyle::Normal,
             Weight::Bold => FontStyle::Bold,

@@ -39,7 +39,7 @@ pub(super) fn rule(guide: &Guide, map: &Map, clearance: &mut Clearance) -> Ruled
             let x = map.x.range.place(*at).unwrap_or(0.0) * w;
             named(vec![(x, h), (x, 0.0)], label, clearance)
         }
-        Guide::Slope { exponent, label } => slope(direction(*exponent, map), label, (map, clearance)),
+        Guide::Slope { exponent, label } => slope(direction(*exponent, map), label, map, clearance),
         Guide::Jump { from, to } => jump(map.place(*from), map.place(*to), map),
         _ => Ruled::default(),
     }
@@ -101,7 +101,7 @@ fn direction(exponent: f64, map: &Map) -> Option<Dot> {
     (both && length.is_finite()).then(|| (SLOPE * u / length, SLOPE * v / length))
 }
 
-fn slope(direction: Option<Dot>, label: &str, (map, clearance): (&Map, &mut Clearance)) -> Ruled {
+fn slope(direction: Option<Dot>, label: &str, map: &Map, clearance: &mut Clearance) -> Ruled {
     let Some((u, v)) = direction else {
         return Ruled::default();
     };

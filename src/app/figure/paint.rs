@@ -137,18 +137,18 @@ fn axes(canvas: &mut Canvas, sheet: &Sheet) {
         let long = if tick.label.is_empty() { 2.5 } else { 4.5 };
         canvas.path(&[(x, h), (x, h + long)], FRAME);
         let kind = regular(ticks::SIZE, BLACK, HPos::Center);
-        written(canvas, (x, h + 12.5), (&tick.label, kind));
+        written(canvas, (x, h + 12.5), &tick.label, kind);
     }
     for tick in &sheet.y.ticks {
         let y = h - tick.at * h;
         let long = if tick.label.is_empty() { 2.5 } else { 4.5 };
         canvas.path(&[(0.0, y), (-long, y)], FRAME);
         let kind = regular(ticks::SIZE, BLACK, HPos::Right);
-        written(canvas, (-8.0, y + 1.0), (&tick.label, kind));
+        written(canvas, (-8.0, y + 1.0), &tick.label, kind);
     }
 }
 
-fn written(canvas: &mut Canvas, at: Dot, (text, kind): (&str, Type)) {
+fn written(canvas: &mut Canvas, at: Dot, text: &str, kind: Type) {
     if !text.is_empty() {
         canvas.text(at, text, kind);
     }
@@ -194,7 +194,7 @@ fn heading(canvas: &mut Canvas, sheet: &Sheet) {
 fn captions(canvas: &mut Canvas, sheet: &Sheet) {
     let (w, h) = sheet.size;
     let (label, size) = text::fit(&sheet.x.caption, CAPTION, w + INDENT);
-    written(canvas, (0.5 * w, h + 30.0), (&label, regular(size, BLACK, HPos::Center)));
+    written(canvas, (0.5 * w, h + 30.0), &label, regular(size, BLACK, HPos::Center));
     let (label, size) = text::fit(&sheet.y.caption, CAPTION, h);
     if !label.is_empty() {
         let at = (-sheet.y.widest() - 22.0, 0.5 * h);

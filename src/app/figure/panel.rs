@@ -60,7 +60,7 @@ impl Sheet {
         let map = Map { x: &x, y: &y, size };
         let curves = curves(panel, &map);
         let guides = guides(panel, &map, &curves);
-        let key = key(panel, &guides, (company, size.0 + INDENT));
+        let key = key(panel, &guides, company, size.0 + INDENT);
         Self {
             size,
             heading: text::wrap(&text::clean(&panel.title), HEADING * text::BOLD, size.0),
@@ -136,7 +136,7 @@ fn guides(panel: &Panel, map: &Map, curves: &[Shown]) -> Vec<Ruled> {
     ruled.collect()
 }
 
-fn key(panel: &Panel, guides: &[Ruled], (company, room): (Company, f64)) -> Key {
+fn key(panel: &Panel, guides: &[Ruled], company: Company, room: f64) -> Key {
     let homeless = guides.iter().filter_map(|g| g.homeless.clone());
     let entries = legend::entries(panel, homeless);
     if company == Company::Alone && entries.len() >= MANY {

@@ -92,7 +92,7 @@ fn line_keeps_its_roughness() -> Option<f64> {
 
 fn surface_keeps_its_spectrum() -> Option<f64> {
     let rings = Rings::of(&spectrum()?, 1.0, 72).ok()?;
-    let map = HeightMap::new(rough_surface(&spectrum()?, 1.0, (72, 5)).ok()?, (1.0 / 72.0, 1.0 / 72.0)).ok()?;
+    let map = HeightMap::new(rough_surface(&spectrum()?, 1.0, 72, 5).ok()?, (1.0 / 72.0, 1.0 / 72.0)).ok()?;
     let found = map.rings(Border::Periodic);
     // The last ring is cut by the corners of the grid.
     let pairs: Vec<_> = rings.variances().iter().zip(found.variances()).take(32).map(|(v, f)| (*f, *v)).collect();

@@ -3,6 +3,7 @@
 #[cfg(feature = "half-space")]
 use super::rough_full::grids;
 use super::{Comparison, Fineness, Measured, Method, Row, State, row, timed};
+use crate::check::theory;
 use crate::scene::setup::Setup;
 use crate::scene::surface::Surface;
 use crate::shape::rough::{RoughBed, RoughError, RoughLine};
@@ -37,6 +38,7 @@ pub(super) fn compare(rough: &Rough<'_>, done: &dyn Fn(f64)) -> Comparison {
         done(behind / work);
     }
     let (reference, state) = reference(&mut rows, rough.force);
+    notes.extend(theory::in_words(rough.setup, rough.force, state.stiffness_n_per_m.unwrap_or(0.0)));
     Comparison { reference, state, rows, notes }
 }
 

@@ -104,7 +104,7 @@ fn heights(rough: &Rough<'_>, (grid, seed): (usize, u64)) -> Result<(Array2<f64>
         }
     };
     let length = rough.surface.length();
-    let mut heights = rough_surface(spectrum, length, (grid, seed)).map_err(|error| error.to_string())?;
+    let mut heights = rough_surface(spectrum, length, grid, seed).map_err(|error| error.to_string())?;
     let pixel = length / grid as f64;
     let place = |index: usize| (index as f64 + 0.5) * pixel - 0.5 * length;
     if matches!(&rough.setup.scene.shape, Shape::RoughLine(line) if line.base.is_some()) {

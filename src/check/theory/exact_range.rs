@@ -13,25 +13,6 @@ pub struct ExactRange {
     pub load_integral: (f64, f64),
 }
 
-/// The first x in (0, limit] at which g stops increasing; `None` if it increases throughout.
-///
-/// `slope` is g′(x), looked at on `steps` places and refined by bisection. Up to there the contact grows steadily from the
-/// apex and the mapping is exact (Popov & Heß 2015, ch. 3); beyond, the edge jumps.
-pub fn first_fall(slope: impl Fn(f64) -> f64, limit: f64, steps: u32) -> Option<f64> {
-    let place = |k: u32| limit * f64::from(k) / f64::from(steps.max(1));
-    let falls = (1..=steps.max(1)).find(|&k| slope(place(k)) <= 0.0)?;
-    let (mut rises, mut falls) = (place(falls - 1), place(falls));
-    for _ in 0..60 {
-        let middle = 0.5 * (rises + falls);
-        if slope(middle) > 0.0 {
-            rises = middle;
-        } else {
-            falls = middle;
-        }
-    }
-    Some(falls)
-}
-
 /// Ranges of contact radii up to `limit` [m] in which a full circle of contact without adhesion is the true solution.
 ///
 /// True means: pressure (E*/π)∫_r^a g′ dx/√(x²−r²) ≥ 0 at every r inside, and gap (2/π)∫_a^r (g − d) dx/√(r²−x²) ≥ 0 outside, for which
@@ -45,7 +26,7 @@ pub fn exact_ranges(profile: &dyn Profile, limit: f64, steps: u32) -> Vec<ExactR
     let mut exact = vec![false; depths.len()];
     for k in (1..=steps).rev() {
         let at = k as usize;
-        exact[at] = depths[at] <= lowest_beyond && presses(profile, (place(k), steps.min(64)));
+        exact[at] = depths[at] <= lowest_beyond && presses(profile, place(k));
         lowest_beyond = lowest_beyond.min(depths[at]);
     }
     let range = |(first, last): (u32, u32)| {
@@ -59,10 +40,11 @@ pub fn exact_ranges(profile: &dyn Profile, limit: f64, steps: u32) -> Vec<ExactR
     runs(&exact).into_iter().map(range).collect()
 }
 
-/// Whether the pressure of a contact of this radius is nowhere negative, at `points` places.
-fn presses(profile: &dyn Profile, (radius, points): (f64, u32)) -> bool {
-    let inside = |k: u32| radius * (f64::from(k) + 0.5) / f64::from(points);
-    (0..points).all(|k| profile.pressure_integral(inside(k), radius) >= 0.0)
+/// Whether the pressure of a contact of this radius is nowhere negative, at so many places.
+fn presses(profile: &dyn Profile, radius: f64) -> bool {
+    const PLACES: u32 = 64;
+    let inside = |k: u32| radius * (f64::from(k) + 0.5) / f64::from(PLACES);
+    (0..PLACES).all(|k| profile.pressure_integral(inside(k), radius) >= 0.0)
 }
 
 /// First and last index of every run of true.
@@ -80,7 +62,7 @@ fn runs(flags: &[bool]) -> Vec<(u32, u32)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::quadrature;
+    use crate::numerics::{quadrature, root};
 
     /// x²/R with a wave of slope: g′ = 2x/R + A sin(κx), which is what a waviness gives but for its phase.
     #[derive(Debug)]
@@ -110,7 +92,6 @@ mod tests {
     #[test]
     fn a_rising_profile_is_exact_throughout() {
         let gentle = Wavy { amplitude: 0.05 };
-        assert_eq!(first_fall(|x| gentle.reduced_slope(x), 1.0, 1000), None);
         let ranges = exact_ranges(&gentle, 1.0, 200);
         assert_eq!(ranges.len(), 1);
         assert!((ranges[0].radius.1 - 1.0).abs() < 1e-15);
@@ -118,9 +99,9 @@ mod tests {
 
     /// g′ first vanishes past π/20 where the sine turns negative: 2x = −A sin 20x.
     #[test]
-    fn a_wave_splits_the_range_and_its_first_fall_is_a_root() {
+    fn a_wave_splits_the_range_at_its_first_fall() {
         let wavy = Wavy { amplitude: 1.0 };
-        let fall = first_fall(|x| wavy.reduced_slope(x), 1.0, 1000).unwrap();
+        let fall = root::brent(|x| wavy.reduced_slope(x), 0.1, 0.2).unwrap();
         assert!(fall > std::f64::consts::PI / 20.0 && wavy.reduced_slope(fall).abs() < 1e-12);
         let ranges = exact_ranges(&wavy, 1.0, 400);
         assert!(ranges.len() > 1, "{ranges:?}");

@@ -1,6 +1,7 @@
 //! Independent summits of one curvature and Gaussian heights.
 
-use crate::shape::rough::RoughnessSpectrum;
+use crate::numerics::root;
+use crate::shape::rough::Roughness;
 use std::f64::consts::{PI, TAU};
 
 /// ∫_h^∞ φ(z) (z − h)ⁿ dz for the standard normal density φ, any real n > −1 and finite h.
@@ -15,7 +16,7 @@ pub fn gaussian_tail(n: f64, h: f64) -> f64 {
 }
 
 /// ∫₀^∞ sⁿ e^{−hs−s²/2} ds by the trapezium rule in u with s = scale·e^{u − e^{−u}}: both ends die double-exponentially.
-pub(super) fn laplace_moment(n: f64, h: f64) -> f64 {
+fn laplace_moment(n: f64, h: f64) -> f64 {
     // Where the integrand is largest or, for large h, the decay length (n + 1)/h.
     let scale = 2.0 * (n + 1.0) / (h + (h * h + 4.0 * (n + 1.0)).sqrt());
     // For h < 0 the bump at s = −h has relative width 1/|h|: the step follows it.
@@ -52,12 +53,11 @@ pub struct SummitStatistics {
 }
 
 impl SummitStatistics {
-    /// The summits of a surface with this spectrum: m₀ = 2π∫qC, m₂ = π∫q³C, m₄ = (3π/4)∫q⁵C dq.
+    /// The summits of an isotropic surface: m₀ = ⟨h²⟩, m₂ = ⟨|∇h|²⟩/2, m₄ = (3/8)⟨(∇²h)²⟩, κ = ∇²h/2.
     #[must_use]
-    pub fn of(spectrum: &RoughnessSpectrum) -> Self {
-        let band = spectrum.cut_offs();
-        let moment = |n| TAU * spectrum.power_moment(n, band);
-        Self::from_moments(moment(1), 0.5 * moment(3), 0.375 * moment(5))
+    pub fn of(roughness: &Roughness) -> Self {
+        let Roughness { rms_height, rms_slope, rms_curvature, .. } = *roughness;
+        Self::from_moments(rms_height * rms_height, 0.5 * rms_slope * rms_slope, 1.5 * rms_curvature * rms_curvature)
     }
 
     /// The summits of an isotropic Gaussian surface with profile moments m₀ [m²], m₂ [1] and m₄ [1/m²].
@@ -110,10 +110,13 @@ impl GreenwoodWilliamson {
         4.0 / 3.0 * self.summits.density * self.modulus * self.summits.radius.sqrt() * self.tail(1.5, separation)
     }
 
-    /// Stiffness per nominal area [Pa/m], −dp/dh = 2ηE*√R ∫(z − h)^{1/2} φ dz.
+    /// Separation [m] at a nominal pressure [Pa]; `None` beyond 30 deviations, where next to no summit is left.
     #[must_use]
-    pub fn stiffness(&self, separation: f64) -> f64 {
-        2.0 * self.summits.density * self.modulus * self.summits.radius.sqrt() * self.tail(0.5, separation)
+    pub fn separation(&self, pressure: f64) -> Option<f64> {
+        let s = &self.summits;
+        let at = |h: f64| s.mean_height + h * s.deviation;
+        let h = root::brent(|h| (self.pressure(at(h)) / pressure).ln(), -30.0, 30.0).ok()?;
+        Some(at(h))
     }
 }
 
@@ -155,23 +158,24 @@ mod tests {
     /// A Gaussian-like narrow band has α = 3/2 (all waves of one length): the summits then spread by m₀(1 − 0.8968/1.5).
     #[test]
     fn one_wavelength_is_the_narrowest_band() {
-        let s = SummitStatistics::of(&RoughnessSpectrum::table(&[(1.0, 1.0), (1.0 + 1e-9, 1.0)]).unwrap());
-        assert!((s.bandwidth - 1.5).abs() < 1e-6);
+        // Waves of the wavevector 2 [1/m]: ⟨|∇h|²⟩ = 4⟨h²⟩, ⟨(∇²h)²⟩ = 16⟨h²⟩.
+        let waves = Roughness { rms_height: 3.0, rms_slope: 6.0, rms_curvature: 6.0, peak_to_valley: None };
+        assert!((SummitStatistics::of(&waves).bandwidth - 1.5).abs() < 1e-15);
         let m = SummitStatistics::from_moments(2.0, 3.0, 6.75);
         assert!((m.bandwidth - 1.5).abs() < 1e-15);
         assert!((m.deviation - (2.0f64 * (1.0 - 0.896_806 / 1.5)).sqrt()).abs() < 1e-6);
     }
 
-    /// Stiffness is −dp/dh (central difference, error δ²/6 of the third derivative) and area over pressure is near constant.
+    /// The separation gives back its pressure, and area over pressure is nearly constant.
     #[test]
-    fn stiffness_is_the_slope_of_pressure() {
+    fn area_follows_the_pressure() {
         let summits =
             SummitStatistics { density: 1e10, radius: 1e-5, deviation: 1e-7, mean_height: 0.0, bandwidth: 10.0 };
         let gw = GreenwoodWilliamson { summits, modulus: 1e11 };
         for k in 0..40 {
-            let (h, step) = (1e-8 * f64::from(k), 1e-11);
-            let slope = (gw.pressure(h - step) - gw.pressure(h + step)) / (2.0 * step);
-            assert!((gw.stiffness(h) / slope - 1.0).abs() < 1e-6);
+            let h = 1e-8 * f64::from(k);
+            // The pressure falls by e over a quarter of a deviation at most.
+            assert!((gw.separation(gw.pressure(h)).unwrap() - h).abs() < 1e-12 * 1e-7, "{h}");
         }
         let ratio = |h: f64| gw.area_fraction(h) / gw.pressure(h);
         assert!((ratio(3e-7) / ratio(2e-7) - 1.0).abs() < 0.2);

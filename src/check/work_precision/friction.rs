@@ -41,7 +41,7 @@ pub(super) fn mindlin_loop(effort: Effort) -> Option<Study> {
         let path = path.clone();
         Method::new("bed of Coulomb springs", Setting::springs(count), move || {
             let path = path.clone();
-            let bed = CoulombBed::new(&ball()?, GRIP, (NonZeroUsize::new(count)?, 1.1 * reach)).ok()?;
+            let bed = CoulombBed::new(&ball()?, GRIP, NonZeroUsize::new(count)?, 1.1 * reach).ok()?;
             Some(move || springs(bed.clone(), &path))
         })
     }));

@@ -46,7 +46,7 @@ impl Relaxing {
     pub fn new(setup: &Setup, relaxation: &Relaxation, grip: Grip) -> Result<Self, FrictionError> {
         let spectrum = Arc::new(Spectrum::new(relaxation));
         let (instant, springs, radius) = (spectrum.instant(), springs(setup), reach(setup));
-        let bed = RelaxingBed::new(setup.profile.as_ref(), spectrum, grip, (springs, radius))?;
+        let bed = RelaxingBed::new(setup.profile.as_ref(), spectrum, grip, springs, radius)?;
         let width = radius / springs.get() as f64;
         Ok(Self { bed, instant, tangential_modulus: grip.tangential_modulus, width, slide: 0.0 })
     }

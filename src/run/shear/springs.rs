@@ -32,7 +32,7 @@ impl Springs {
     ) -> Result<Self, FrictionError> {
         let width = radius / springs.get() as f64;
         let places: Vec<f64> = (0..springs.get()).map(|k| (k as f64 + 0.5) * width).collect();
-        let bed = CoulombBed::new(profile, grip, (springs, radius))?;
+        let bed = CoulombBed::new(profile, grip, springs, radius)?;
         let map = FrettingMap::new(profile, grip, &places);
         Ok(Self { bed, map, grip, width, accuracy, at: Pose::default(), force: 0.0 })
     }

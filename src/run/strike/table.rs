@@ -58,7 +58,7 @@ pub const AFTER: [Column<BallRebound>; 6] = [
     Column::new("rebound_angle", Unit::RADIAN, "angle of rebound", |rebound| Some(rebound.angle)),
     Column::new("rebound_spin", Unit::RADIAN_PER_SECOND, "spin", |rebound| Some(rebound.flight.spin)),
     Column::new("tangential_restitution", Unit::ONE, "tangential restitution", |rebound| {
-        Some(rebound.tangential_restitution)
+        rebound.tangential_restitution
     }),
     Column::new("impulse_ratio", Unit::ONE, "ratio of impulses", |rebound| Some(rebound.impulse_ratio)),
     Column::new("local_incidence", Unit::ONE, "local incidence ψ₁", |rebound| Some(rebound.psi.0)),

@@ -36,8 +36,8 @@ pub struct Roughness {
     pub rms_slope: f64,
     /// Root mean square of the mean curvature ∇²h/2 [1/m], from the spectrum: ½[2π∫q⁵C dq]^½.
     pub rms_curvature: f64,
-    /// Highest minus lowest point [m].
-    pub peak_to_valley: f64,
+    /// Highest minus lowest point [m]; `None` of a spectrum.
+    pub peak_to_valley: Option<f64>,
 }
 
 impl HeightMap {
@@ -93,7 +93,7 @@ impl HeightMap {
             rms_height: variance.sqrt(),
             rms_slope: slope.sqrt(),
             rms_curvature: 0.5 * laplacian.sqrt(),
-            peak_to_valley: high - low,
+            peak_to_valley: Some(high - low),
         }
     }
 

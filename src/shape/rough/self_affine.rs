@@ -38,8 +38,10 @@ impl SelfAffine {
     pub fn spectrum(&self) -> Result<RoughnessSpectrum, RoughError> {
         let (long, short) = (self.long.si(), self.short.si());
         let roll_off = self.roll_off.map_or(long, Length::si);
-        ordered(("long", long), "at least", ("roll_off", roll_off))?;
-        ordered((if self.roll_off.is_some() { "roll_off" } else { "long" }, roll_off), "above", ("short", short))?;
+        let cut_off = |name, length| CutOff { name, length };
+        ordered(&cut_off("long", long), "at least", &cut_off("roll_off", roll_off))?;
+        let end = cut_off(if self.roll_off.is_some() { "roll_off" } else { "long" }, roll_off);
+        ordered(&end, "above", &cut_off("short", short))?;
         let shape = unit_plateau(self.hurst.si(), (TAU / long, TAU / roll_off, TAU / short));
         match (self.rms, self.amplitude) {
             (Some(rms), None) => Ok(shape.scaled((rms.si() / shape.rms_height()).powi(2))),
@@ -50,15 +52,23 @@ impl SelfAffine {
     }
 }
 
-fn ordered(
-    (larger, larger_value): (&'static str, f64),
-    relation: &'static str,
-    (smaller, smaller_value): (&'static str, f64),
-) -> Result<(), RoughError> {
-    if larger_value > smaller_value || (relation == "at least" && larger_value >= smaller_value) {
+/// A wavelength [m] of the spectrum under its name in a scene.
+struct CutOff {
+    name: &'static str,
+    length: f64,
+}
+
+fn ordered(larger: &CutOff, relation: &'static str, smaller: &CutOff) -> Result<(), RoughError> {
+    if larger.length > smaller.length || (relation == "at least" && larger.length >= smaller.length) {
         return Ok(());
     }
-    Err(RoughError::CutOffs { larger, larger_value, relation, smaller, smaller_value })
+    Err(RoughError::CutOffs {
+        larger: larger.name,
+        larger_value: larger.length,
+        relation,
+        smaller: smaller.name,
+        smaller_value: smaller.length,
+    })
 }
 
 /// The spectrum with C₀ = 1 and wavevectors of the long cut-off, the roll-off and the short cut-off.

@@ -20,9 +20,9 @@ use std::f64::consts::TAU;
 /// Waves longer than the side or shorter than two steps.
 ///
 /// ```
-/// use springbed::shape::rough::{Spectrum, rough_surface};
-/// let spectrum = Spectrum::table(&[(6.4, 1e-12), (64.0, 1e-15)])?;
-/// let heights = rough_surface(&spectrum, 1.0, (32, 7))?;
+/// use springbed::shape::rough::{RoughnessSpectrum, rough_surface};
+/// let spectrum = RoughnessSpectrum::table(&[(6.4, 1e-12), (64.0, 1e-15)])?;
+/// let heights = rough_surface(&spectrum, 1.0, 32, 7)?;
 /// let variance = heights.iter().map(|h| h * h).sum::<f64>() / 1024.0;
 /// assert!((variance.sqrt() / spectrum.rms_height() - 1.0).abs() < 1e-12);
 /// # Ok::<(), springbed::shape::rough::RoughError>(())
@@ -30,13 +30,14 @@ use std::f64::consts::TAU;
 pub fn rough_surface(
     spectrum: &RoughnessSpectrum,
     length: f64,
-    (points, seed): (usize, u64),
+    points: usize,
+    seed: u64,
 ) -> Result<Array2<f64>, RoughError> {
     let rings = Rings::of(spectrum, length, points)?;
     let waves = Amplitudes::new(spectrum, &rings);
     let transform = Transform::new(points);
     let mut columns = vec![(0.0, 0.0); points * points];
-    columns.par_chunks_mut(points).enumerate().for_each(|(m, line)| waves.fill(line, (m, seed), &transform));
+    columns.par_chunks_mut(points).enumerate().for_each(|(m, line)| waves.fill(line, m, seed, &transform));
     let mut rows = transposed(&columns, points);
     transform.run_lines(&mut rows);
     let heights = Array2::from_shape_fn((points, points), |(i, j)| rows[i * points + j].0);
@@ -96,14 +97,14 @@ impl<'a> Amplitudes<'a> {
     }
 
     /// Fills and transforms the waves of first index m along their second index.
-    fn fill(&self, line: &mut [Complex], (m, seed): (usize, u64), transform: &Transform) {
+    fn fill(&self, line: &mut [Complex], m: usize, seed: u64, transform: &Transform) {
         if m >= self.factors.len() {
             return;
         }
         for n in self.partners(m) {
             let Some((ring, density)) = self.of(m, n) else { continue };
             let amplitude = (self.factors[ring] * density).sqrt();
-            let phase = wave_phase(seed, (m, n));
+            let phase = wave_phase(seed, m, n);
             line[n.rem_euclid(line.len().cast_signed()).cast_unsigned()] =
                 (amplitude * libm::cos(phase), amplitude * libm::sin(phase));
         }
@@ -115,7 +116,7 @@ impl<'a> Amplitudes<'a> {
 const SLACK: f64 = 1e-9;
 
 /// Phase of one wave of one seed.
-fn wave_phase(seed: u64, (m, n): (usize, isize)) -> f64 {
+fn wave_phase(seed: u64, m: usize, n: isize) -> f64 {
     let place = ((m as u64) << 32).wrapping_add_signed(n as i64);
     Random::seeded(Random::seeded(seed).bits() ^ place).phase()
 }
@@ -134,7 +135,7 @@ mod tests {
     fn any_number_of_threads_gives_the_same_bits() {
         let with = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| rough_surface(&spectrum(0.8, 0.05), 1.0, (64, 9)).unwrap())
+            pool.install(|| rough_surface(&spectrum(0.8, 0.05), 1.0, 64, 9).unwrap())
         };
         assert_eq!(with(1), with(3));
     }
@@ -143,7 +144,7 @@ mod tests {
     #[test]
     fn a_finer_grid_samples_the_same_surface() {
         let s = spectrum(0.6, 0.1);
-        let (coarse, fine) = (rough_surface(&s, 1.0, (40, 4)).unwrap(), rough_surface(&s, 1.0, (80, 4)).unwrap());
+        let (coarse, fine) = (rough_surface(&s, 1.0, 40, 4).unwrap(), rough_surface(&s, 1.0, 80, 4).unwrap());
         let scale = s.rms_height();
         for ((i, j), h) in coarse.indexed_iter() {
             assert!((h - fine[(2 * i, 2 * j)]).abs() < 1e-12 * scale);
@@ -157,7 +158,7 @@ mod tests {
         fn the_spectrum_is_recovered(h in 10i32..=100, points in 8usize..50, seed in 0u64..100) {
             let s = spectrum(0.01 * f64::from(h), 2.1 / f64::from(u32::try_from(points).unwrap()));
             let rings = Rings::of(&s, 1.0, points).unwrap();
-            let heights = rough_surface(&s, 1.0, (points, seed)).unwrap();
+            let heights = rough_surface(&s, 1.0, points, seed).unwrap();
             let map = HeightMap::new(heights, (1.0 / points as f64, 1.0 / points as f64)).unwrap();
             let found = map.rings(Border::Periodic);
             let total = rings.mean_square(0);

@@ -161,7 +161,7 @@ impl StruckHalfSpace {
     fn squares(&self, piece: &MotionPiece, theta: f64, before: &[f64]) -> Vec<f64> {
         let of = |(k, term): (usize, &crate::contact::viscoelastic::Element)| {
             let rate = |c: f64| {
-                let sum = piece.sum_of(&Fading::new(piece.span / term.time, c), (term.modulus, k));
+                let sum = piece.sum_of(&Fading::new(piece.span / term.time, c), term.modulus, k);
                 2.0 * term.modulus * piece.speed(c) * sum
             };
             let rates: Polynomial = through_all(rate(0.0), &RADAU.map(rate));

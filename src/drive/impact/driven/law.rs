@@ -87,7 +87,7 @@ impl<'p> Shrinking<'p> {
         for (k, term) in spectrum.terms().iter().enumerate() {
             let fading = Fading::new(piece.span / term.time, theta);
             let kept = (-age / term.time).exp();
-            load += place.memory[k] - kept * piece.memory_of(&fading, (term.modulus, k));
+            load += place.memory[k] - kept * piece.memory_of(&fading, term.modulus, k);
             stiffness += kept * term.modulus;
         }
         Load { load, stiffness, height, speed: piece.speed(theta) }
@@ -176,7 +176,7 @@ impl<'p> Shrinking<'p> {
         for (k, term) in spectrum.terms().iter().enumerate() {
             let fading = Fading::new(piece.span / term.time, theta);
             let kept = (-(place.time - touched) / term.time).exp();
-            force += kept * piece.sum_of(&fading, (term.modulus, k));
+            force += kept * piece.sum_of(&fading, term.modulus, k);
         }
         BedResponse { force, radius, touched, joined: true }
     }

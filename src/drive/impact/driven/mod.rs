@@ -104,7 +104,7 @@ impl StruckHalfSpace {
 
     fn run(&self, impact: &Projectile, tolerance: f64) -> Result<Flight, ImpactError> {
         let depth = self.depth_scale(impact)?;
-        let (loading, turned) = self.load((impact, depth), tolerance)?;
+        let (loading, turned) = self.load(impact, depth, tolerance)?;
         let end = loading.last().map(|solved| solved.end.clone()).unwrap_or_default();
         let last = loading.last().map_or(BedResponse::default(), |solved| solved.answer);
         let loading = loading.into_iter().map(|solved| solved.piece).collect();
@@ -125,7 +125,7 @@ impl StruckHalfSpace {
     }
 
     /// The contact while it grows; whether the mass turns or stays in a liquid.
-    fn load(&self, (impact, depth): (&Projectile, f64), tolerance: f64) -> Result<(Vec<Solved>, bool), ImpactError> {
+    fn load(&self, impact: &Projectile, depth: f64, tolerance: f64) -> Result<(Vec<Solved>, bool), ImpactError> {
         let terms = vec![0.0; self.spectrum.terms().len()];
         let flat = 2.0 * self.edge(0.0)? * self.spectrum.viscosity() * impact.speed;
         let mut now = MotionState {

@@ -78,12 +78,12 @@ impl MotionPiece {
 
     /// Hᵢ [N/m].
     pub fn memory(&self, spectrum: &Spectrum, theta: f64) -> Vec<f64> {
-        self.faded(spectrum, theta).map(|(fading, modulus, k)| self.memory_of(&fading, (modulus, k))).collect()
+        self.faded(spectrum, theta).map(|(fading, modulus, k)| self.memory_of(&fading, modulus, k)).collect()
     }
 
     /// Sᵢ [N] while the contact grows.
     pub fn sums(&self, spectrum: &Spectrum, theta: f64) -> Vec<f64> {
-        self.faded(spectrum, theta).map(|(fading, modulus, k)| self.sum_of(&fading, (modulus, k))).collect()
+        self.faded(spectrum, theta).map(|(fading, modulus, k)| self.sum_of(&fading, modulus, k)).collect()
     }
 
     fn faded<'s>(&self, spectrum: &'s Spectrum, theta: f64) -> impl Iterator<Item = (Fading, f64, usize)> + use<'s> {
@@ -93,12 +93,12 @@ impl MotionPiece {
     }
 
     /// Hᵢ of the term `k` of the modulus given.
-    pub fn memory_of(&self, fading: &Fading, (modulus, k): (f64, usize)) -> f64 {
+    pub fn memory_of(&self, fading: &Fading, modulus: f64, k: usize) -> f64 {
         fading.kept * self.start.memory[k] + modulus * self.span * fading.gain(&self.velocity)
     }
 
     /// Sᵢ of the term `k` of the modulus given.
-    pub fn sum_of(&self, fading: &Fading, (modulus, k): (f64, usize)) -> f64 {
+    pub fn sum_of(&self, fading: &Fading, modulus: f64, k: usize) -> f64 {
         fading.kept * self.start.sums[k] + modulus * self.span * fading.gain(&self.flow)
     }
 }

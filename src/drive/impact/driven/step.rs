@@ -104,7 +104,7 @@ impl Collocation<'_> {
                 let mut memory = vec![0.0; fadings.len()];
                 let answers = from_fn(|j| {
                     for (k, (term, fading)) in self.model.spectrum.terms().iter().zip(fadings).enumerate() {
-                        memory[k] = piece.memory_of(&fading[j], (term.modulus, k));
+                        memory[k] = piece.memory_of(&fading[j], term.modulus, k);
                     }
                     let c = RADAU[j];
                     let place = Kinematics {
@@ -135,7 +135,7 @@ impl Collocation<'_> {
         let grown = MotionPiece { flow, ..piece.clone() };
         let answer = |j: usize| {
             let elements = spectrum.terms().iter().zip(fadings).enumerate();
-            let elements: f64 = elements.map(|(k, (term, fading))| grown.sum_of(&fading[j], (term.modulus, k))).sum();
+            let elements: f64 = elements.map(|(k, (term, fading))| grown.sum_of(&fading[j], term.modulus, k)).sum();
             let (a, d) = (radius[j], piece.depth(RADAU[j]));
             let over = d - profile.reduced(a);
             let steady = 2.0 * spectrum.equilibrium() * (profile.load_integral(a) + a * over);
@@ -173,18 +173,18 @@ impl Collocation<'_> {
         answer: BedResponse,
     ) -> Solved {
         let piece = MotionPiece { flow, ..piece };
-        let at_end = |of: &dyn Fn(&Fading, (f64, usize)) -> f64| -> Vec<f64> {
+        let at_end = |of: &dyn Fn(&Fading, f64, usize) -> f64| -> Vec<f64> {
             let terms = self.model.spectrum.terms().iter().zip(fadings).enumerate();
-            terms.map(|(k, (term, fading))| of(&fading[NODES - 1], (term.modulus, k))).collect()
+            terms.map(|(k, (term, fading))| of(&fading[NODES - 1], term.modulus, k)).collect()
         };
         let end = MotionState {
             time: piece.end(),
             depth: piece.depth(1.0),
             speed: piece.speed(1.0),
             acceleration: -answer.force / self.mass,
-            memory: at_end(&|fading, term| piece.memory_of(fading, term)),
+            memory: at_end(&|fading, modulus, k| piece.memory_of(fading, modulus, k)),
             sums: if self.shrinking.is_none() {
-                at_end(&|fading, term| piece.sum_of(fading, term))
+                at_end(&|fading, modulus, k| piece.sum_of(fading, modulus, k))
             } else {
                 Vec::new()
             },

@@ -1,0 +1,64 @@
+//! What theories of rough contact say of a scene, beside what is computed.
+
+use super::{GreenwoodWilliamson, SummitStatistics, area_fraction, contact_conductance, plasticity_index};
+use crate::material::Body;
+use crate::scene::setup::Setup;
+use crate::shape::Shape;
+use crate::shape::rough::Roughness;
+
+/// Hardness over yield stress of metals (Tabor 1951).
+const HARDNESS: f64 = 2.8;
+
+/// Area, summits, plasticity and conductance of a rough scene under the force [N], with its normal stiffness [N/m].
+///
+/// Empty without roughness. The area theories ask for a nominally flat surface; on a ball they say nothing.
+#[must_use]
+pub fn in_words(setup: &Setup, force: f64, stiffness: f64) -> Vec<String> {
+    let Some(surface) = &setup.surface else { return Vec::new() };
+    let (roughness, modulus) = (surface.roughness(), setup.pair.normal);
+    let mut lines = Vec::new();
+    if is_flat(&setup.scene.shape) && force > 0.0 {
+        let pressure = force / (surface.length() * surface.length());
+        let share = area_fraction(pressure, modulus, roughness.rms_slope);
+        lines.push(format!(
+            "Persson: {share:.3e} of the nominal area touches under {force:.3e} N, rather a quarter more"
+        ));
+        lines.extend(of_summits(&roughness, modulus, pressure));
+    }
+    if let Some(stress) = yield_stress(&setup.scene.bodies) {
+        let index = plasticity_index(modulus, roughness.rms_slope, HARDNESS * stress);
+        let fate = if index < 2.0 / 3.0 { "summits stay elastic at any load" } else { "summits yield" };
+        lines.push(format!("plasticity index {index:.3}: {fate} (hardness {HARDNESS} times the yield stress)"));
+    }
+    let length = contact_conductance(stiffness, modulus, 1.0);
+    lines.push(format!("Barber: the conductance of the contact is {length:.3e} m over the sum of both resistivities"));
+    lines
+}
+
+/// Greenwood and Williamson at the nominal pressure [Pa].
+fn of_summits(roughness: &Roughness, modulus: f64, pressure: f64) -> Option<String> {
+    let contact = GreenwoodWilliamson { summits: SummitStatistics::of(roughness), modulus };
+    let separation = contact.separation(pressure)?;
+    let (share, radius) = (contact.area_fraction(separation), contact.summits.radius);
+    let summits = contact.summits_in_contact(separation);
+    Some(format!(
+        "Greenwood and Williamson: {share:.3e} on {summits:.3e} summits per m² of radius {radius:.3e} m, each on its own"
+    ))
+}
+
+/// Whether the roughness lies on no shape of its own.
+fn is_flat(shape: &Shape) -> bool {
+    match shape {
+        Shape::RoughLine(line) => line.base.is_none(),
+        shape => matches!(shape, Shape::HeightMap(..)),
+    }
+}
+
+/// The lesser yield stress [Pa] of the bodies that state one.
+fn yield_stress(bodies: &(Body, Body)) -> Option<f64> {
+    let stated = [&bodies.0, &bodies.1].into_iter().filter_map(|body| match body {
+        Body::Elastic(elastic) => elastic.yield_stress,
+        Body::Viscoelastic(_) | Body::Rigid => None,
+    });
+    stated.map(|stress| stress.si()).reduce(f64::min)
+}
