@@ -6,21 +6,21 @@
 use crate::contact::adhesion::equilibrium::{Balance, BranchError, Branches, Control, Equilibrium, Leap, Search};
 use crate::contact::adhesion::line::{EdgeLine, Energy};
 use crate::contact::adhesion::range::{RangeDisc, attraction};
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::shape::{Profile, Rim};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, PI};
 
 /// What holds the edge of the contact.
 #[derive(Debug, Clone)]
-pub enum Attraction {
+pub enum Attraction<F = HalfSpace> {
     /// Nothing, or an attraction of vanishing range.
-    Line(EdgeLine),
+    Line(EdgeLine<F>),
     /// An attraction of finite range.
     Range(RangeDisc),
 }
 
-impl From<EdgeLine> for Attraction {
-    fn from(line: EdgeLine) -> Self {
+impl<F> From<EdgeLine<F>> for Attraction<F> {
+    fn from(line: EdgeLine<F>) -> Self {
         Self::Line(line)
     }
 }
@@ -58,8 +58,8 @@ pub struct Present {
 
 /// A quasi-static contact of two elastic bodies, and the energy it has lost in jumps.
 #[derive(Debug, Clone)]
-pub struct QuasiStatic {
-    attraction: Attraction,
+pub struct QuasiStatic<F = HalfSpace> {
+    attraction: Attraction<F>,
     by_depth: Option<Branches>,
     by_force: Option<Branches>,
     s: f64,
@@ -67,10 +67,10 @@ pub struct QuasiStatic {
     dissipated: f64,
 }
 
-impl QuasiStatic {
+impl<F: Foundation> QuasiStatic<F> {
     /// Bodies that just touch, d = 0, before any attraction has acted; `attraction` is what holds the edge.
     #[must_use]
-    pub fn new(attraction: impl Into<Attraction>) -> Self {
+    pub fn new(attraction: impl Into<Attraction<F>>) -> Self {
         let attraction = attraction.into();
         let s = attraction.start();
         let balance = Balance { contact_radius: 0.0, reach: 0.0, indentation: 0.0, force: 0.0 };
@@ -92,7 +92,7 @@ impl QuasiStatic {
 
     /// What holds the edge.
     #[must_use]
-    pub fn attraction(&self) -> &Attraction {
+    pub fn attraction(&self) -> &Attraction<F> {
         &self.attraction
     }
 
@@ -197,7 +197,7 @@ impl QuasiStatic {
     /// Without adhesion ∂F/∂a = 2E*(d − g) vanishes at the edge.
     fn prescribed(&self, control: Control, s: f64, to: f64) -> Balance {
         let ends = matches!(self.profile().rim(), Rim::End(_));
-        let steep = |line: &EdgeLine| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
+        let steep = |line: &EdgeLine<F>| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
         match (&self.attraction, control) {
             (Attraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
             (Attraction::Line(line), Control::Force) if steep(line) => {
@@ -273,19 +273,54 @@ impl QuasiStatic {
     fn energy_of(&self, balance: Option<&Balance>) -> Energy {
         let Some(balance) = balance else { return Energy::default() };
         match &self.attraction {
-            Attraction::Line(line) => line.energy(balance.contact_radius, self.edge_of(balance)),
+            Attraction::Line(line) => line.energy(balance.contact_radius, balance.indentation),
             Attraction::Range(disc) => disc.energy(balance),
+        }
+    }
+
+    /// Contact stiffness k(a) [N/m]: dF/dd at constant contact radius, 2E*a on a half-space (Popov & Heß
+    /// 2015, eq. 3.25).
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        self.stiffness_at(self.present.balance.contact_radius)
+    }
+
+    /// The same of a contact of radius `a` [m].
+    #[must_use]
+    pub fn stiffness_at(&self, a: f64) -> f64 {
+        match &self.attraction {
+            Attraction::Line(line) => line.ground().stiffness(a),
+            Attraction::Range(disc) => disc.ground().stiffness(a),
+        }
+    }
+
+    /// Whether the edge carries no load: no adhesion and no wall.
+    fn is_smooth(&self) -> bool {
+        self.attraction.search() == Search::Nowhere && self.s < self.attraction.end()
+    }
+
+    /// The profile.
+    #[must_use]
+    pub fn profile(&self) -> &dyn Profile {
+        match &self.attraction {
+            Attraction::Line(line) => line.ground().profile(),
+            Attraction::Range(disc) => disc.ground().profile(),
+        }
+    }
+}
+
+impl QuasiStatic {
+    /// What the indenter is pressed into.
+    #[must_use]
+    pub fn ground(&self) -> &HalfSpace {
+        match &self.attraction {
+            Attraction::Line(line) => line.ground(),
+            Attraction::Range(disc) => disc.ground(),
         }
     }
 
     fn edge_of(&self, balance: &Balance) -> f64 {
         balance.indentation - self.profile().reduced(balance.contact_radius)
-    }
-
-    /// Contact stiffness 2E*a [N/m]: dF/dd at constant contact radius (Popov & Heß 2015, eq. 3.25).
-    #[must_use]
-    pub fn stiffness(&self) -> f64 {
-        2.0 * self.ground().modulus() * self.present.balance.contact_radius
     }
 
     /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] at the edge of the contact; zero without adhesion
@@ -303,11 +338,6 @@ impl QuasiStatic {
             Attraction::Line(_) => self.ground().modulus() * self.edge_of(&self.present.balance),
             Attraction::Range(_) => 0.0,
         }
-    }
-
-    /// Whether the edge carries no load: no adhesion and no wall.
-    fn is_smooth(&self) -> bool {
-        self.attraction.search() == Search::Nowhere && self.s < self.attraction.end()
     }
 
     /// Pressure p(r) [Pa] at the radius `r` [m], compression positive.
@@ -346,30 +376,9 @@ impl QuasiStatic {
         let pressed = if a > 0.0 { self.profile().displacement_integral(r, a) + edge } else { 0.0 };
         pressed + drawn
     }
-
-    /// The profile.
-    #[must_use]
-    pub fn profile(&self) -> &dyn Profile {
-        self.ground().profile()
-    }
-
-    /// What the indenter is pressed into.
-    #[must_use]
-    pub fn ground(&self) -> &HalfSpace {
-        self.attraction.ground()
-    }
 }
 
-impl Attraction {
-    /// What the indenter is pressed into.
-    #[must_use]
-    pub fn ground(&self) -> &HalfSpace {
-        match self {
-            Self::Line(line) => line.ground(),
-            Self::Range(disc) => disc.ground(),
-        }
-    }
-
+impl<F: Foundation> Attraction<F> {
     fn at(&self, s: f64) -> Balance {
         match self {
             Self::Line(line) => line.at(s),
@@ -378,7 +387,7 @@ impl Attraction {
     }
 }
 
-impl Equilibrium for Attraction {
+impl<F: Foundation> Equilibrium for Attraction<F> {
     fn value(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.value(control, s),

@@ -1,10 +1,11 @@
 //! The classical bed of N springs, the method under study.
 //!
-//! Spring i stands at x = (i + ½)h on both sides of the axis, with the stiffness E*h
-//! (Popov & Heß 2015, eq. 3.1). Springs join and part one by one; between two such events the force
+//! Spring i stands on both sides of the axis where the measure of its foundation is s = (i + ½)h, on a
+//! half-space at x = (i + ½)h, with the stiffness E*h (Popov & Heß 2015, eq. 3.1). Springs join and part one by one; between two such events the force
 //! is linear in the depth, so the work is known exactly and the energy ledger closes.
 
 use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::shape::{Profile, Rim};
 use ndarray::Array1;
 use std::f64::consts::{FRAC_1_PI, PI};
@@ -20,41 +21,50 @@ pub enum EdgeLocation {
 
 /// A bed of independent springs under a profile.
 #[derive(Debug, Clone)]
-pub struct SpringBed {
+pub struct SpringBed<F = HalfSpace> {
+    ground: F,
+    /// Width h of a spring, in the measure [m].
     spacing: f64,
-    modulus: f64,
     work_of_adhesion: f64,
     location: EdgeLocation,
-    /// g at the springs [m].
+    /// d_e at the springs [m].
     reduced: Array1<f64>,
-    /// Depth at which a spring parts: g − Δl [m].
+    /// Depth at which a spring parts: d_e − Δl [m].
     threshold: Array1<f64>,
     /// Springs in contact, a prefix of the bed.
     attached: usize,
-    /// Sum of g over the springs in contact [m].
+    /// Sum of d_e over the springs in contact [m].
     attached_sum: f64,
-    /// Sum of d − g over the springs in contact [m], carried from event to event.
+    /// Sum of d − d_e over the springs in contact [m], carried from event to event.
     deflection: f64,
     wall: bool,
     indentation: f64,
     work: f64,
 }
 
-impl SpringBed {
-    /// `springs` springs under `profile` out to the radius `reach` [m], with E* `modulus` [Pa] and
-    /// the work of adhesion `work` [J/m²].
+/// Radius [m] of a bed that is just wide enough for contacts up to the radius `largest` [m].
+#[must_use]
+pub fn reach_for(profile: &dyn Profile, largest: f64) -> f64 {
+    match profile.rim() {
+        Rim::Wall(end) if largest >= end => end,
+        _ if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
+        _ => profile.scale(),
+    }
+}
+
+impl<F: Foundation> SpringBed<F> {
+    /// `springs` springs on `ground` out to the radius `reach` [m], with the work of adhesion `work` [J/m²].
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
-    pub fn new(profile: &dyn Profile, (springs, reach): (usize, f64), modulus: f64, work: f64) -> Self {
-        let spacing = reach / springs as f64;
-        let place = |i: usize| (i as f64 + 0.5) * spacing;
-        let reduced = Array1::from_shape_fn(springs, |i| profile.reduced(place(i)));
-        let elongation = |i: usize| (2.0 * PI * place(i) * (work / modulus)).sqrt();
-        let threshold = Array1::from_shape_fn(springs, |i| reduced[i] - elongation(i));
-        let wall = matches!(profile.rim(), Rim::Wall(end) if reach >= end);
+    pub fn new(ground: F, (springs, reach): (usize, f64), work: f64) -> Self {
+        let spacing = ground.measure(reach) / springs as f64;
+        let place = |i: usize| ground.radius((i as f64 + 0.5) * spacing);
+        let reduced = Array1::from_shape_fn(springs, |i| ground.depth(place(i)));
+        let threshold = Array1::from_shape_fn(springs, |i| reduced[i] - ground.elongation(place(i), work));
+        let wall = matches!(ground.profile().rim(), Rim::Wall(end) if reach >= end);
         Self {
+            ground,
             spacing,
-            modulus,
             work_of_adhesion: work,
             location: EdgeLocation::BetweenSprings,
             reduced,
@@ -65,16 +75,6 @@ impl SpringBed {
             wall,
             indentation: 0.0,
             work: 0.0,
-        }
-    }
-
-    /// Radius [m] of a bed that is just wide enough for contacts up to the radius `largest` [m].
-    #[must_use]
-    pub fn reach_for(profile: &dyn Profile, largest: f64) -> f64 {
-        match profile.rim() {
-            Rim::Wall(end) if largest >= end => end,
-            _ if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
-            _ => profile.scale(),
         }
     }
 
@@ -211,11 +211,11 @@ impl SpringBed {
     }
 
     fn depth_under(&self, force: f64) -> f64 {
-        (force / (2.0 * self.modulus * self.spacing) + self.attached_sum) / self.count()
+        (force / (2.0 * self.ground.modulus() * self.spacing) + self.attached_sum) / self.count()
     }
 
     fn force_at(&self, depth: f64) -> f64 {
-        2.0 * self.modulus * self.spacing * (self.count() * depth - self.attached_sum)
+        2.0 * self.ground.modulus() * self.spacing * (self.count() * depth - self.attached_sum)
     }
 
     #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
@@ -225,7 +225,7 @@ impl SpringBed {
 
     /// Sum of the loads of the springs in contact [N].
     fn counted_force(&self) -> f64 {
-        2.0 * self.modulus * self.spacing * self.deflection
+        2.0 * self.ground.modulus() * self.spacing * self.deflection
     }
 
     /// Indentation [m].
@@ -237,13 +237,18 @@ impl SpringBed {
     /// Normal force [N].
     #[must_use]
     pub fn force(&self) -> f64 {
-        let beyond = self.contact_radius() - self.count() * self.spacing;
-        self.counted_force() + 2.0 * self.modulus * beyond * self.edge_deflection()
+        let beyond = self.covered() - self.count() * self.spacing;
+        self.counted_force() + 2.0 * self.ground.modulus() * beyond * self.edge_deflection()
     }
 
     /// Contact radius [m].
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
+        self.ground.radius(self.covered())
+    }
+
+    /// Measure of the contact [m].
+    fn covered(&self) -> f64 {
         let counted = self.count() * self.spacing;
         if self.attached == 0 || self.location == EdgeLocation::AtSprings || self.at_wall() {
             return counted;
@@ -262,7 +267,7 @@ impl SpringBed {
         Some(((self.indentation - last) / (next - last)).clamp(0.0, 1.0))
     }
 
-    /// d − g at the edge [m], by interpolation.
+    /// d − d_e at the edge [m], by interpolation.
     fn edge_deflection(&self) -> f64 {
         let (Some(place), Some(next)) = (self.edge_place_if_any(), self.reduced.get(self.attached)) else { return 0.0 };
         let last = self.reduced[self.attached - 1];
@@ -277,13 +282,13 @@ impl SpringBed {
     #[must_use]
     pub fn elastic_energy(&self) -> f64 {
         let squares = self.reduced.iter().take(self.attached).map(|g| (self.indentation - g).powi(2));
-        self.modulus * self.spacing * squares.sum::<f64>()
+        self.ground.modulus() * self.spacing * squares.sum::<f64>()
     }
 
     /// Energy of the closed surface [J].
     #[must_use]
     pub fn surface_energy(&self) -> f64 {
-        -self.work_of_adhesion * PI * (self.count() * self.spacing).powi(2)
+        -self.work_of_adhesion * PI * self.ground.radius(self.count() * self.spacing).powi(2)
     }
 
     /// Work done on the bed so far [J].
@@ -292,6 +297,25 @@ impl SpringBed {
         self.work
     }
 
+    /// k(a) [N/m], dF/dd at constant contact radius.
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        self.ground.stiffness(self.contact_radius())
+    }
+
+    /// Follows `control` to the value `to`; `false` if the bodies parted under a prescribed force.
+    pub fn follow(&mut self, control: Control, to: f64) -> bool {
+        match control {
+            Control::Indentation => {
+                self.indent(to);
+                true
+            }
+            Control::Force => self.press(to),
+        }
+    }
+}
+
+impl SpringBed {
     /// Pressure p(r) [Pa]: the inverse transform of the loads joined by straight lines.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
@@ -301,7 +325,7 @@ impl SpringBed {
         }
         // On the axis itself the transform is the limit of a small radius.
         let r = r.max(1e-6 * self.spacing);
-        let edge = (a, self.modulus * self.edge_deflection());
+        let edge = (a, self.ground.modulus() * self.edge_deflection());
         let mut sum = 0.0;
         let mut last: Option<(f64, f64)> = None;
         for (x, q) in self.loads().filter(|load| load.0 < a).chain([edge]) {
@@ -318,7 +342,8 @@ impl SpringBed {
     #[must_use]
     pub fn surface(&self, r: f64) -> f64 {
         let kernel = |(x, q): (f64, f64)| q / ((r - x) * (r + x)).sqrt();
-        2.0 * FRAC_1_PI * self.spacing / self.modulus * self.loads().filter(|load| load.0 < r).map(kernel).sum::<f64>()
+        2.0 * FRAC_1_PI * self.spacing / self.ground.modulus()
+            * self.loads().filter(|load| load.0 < r).map(kernel).sum::<f64>()
     }
 
     /// Loads of the springs in contact per length, q = E*(d − g) [N/m], with their places [m].
@@ -327,19 +352,8 @@ impl SpringBed {
         self.reduced.iter().take(self.attached).scan(half, |x, g| {
             let place = *x;
             *x += self.spacing;
-            Some((place, self.modulus * (self.indentation - g)))
+            Some((place, self.ground.modulus() * (self.indentation - g)))
         })
-    }
-
-    /// Follows `control` to the value `to`; `false` if the bodies parted under a prescribed force.
-    pub fn follow(&mut self, control: Control, to: f64) -> bool {
-        match control {
-            Control::Indentation => {
-                self.indent(to);
-                true
-            }
-            Control::Force => self.press(to),
-        }
     }
 }
 
@@ -349,9 +363,10 @@ mod tests {
     use crate::input::quantity::Length;
     use crate::shape::Paraboloid;
     use proptest::prelude::*;
+    use std::sync::Arc;
 
-    fn paraboloid(radius: f64) -> Paraboloid {
-        Paraboloid { radius: Length::new(radius).unwrap() }
+    fn ground() -> HalfSpace {
+        HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }), 1.0)
     }
 
     proptest! {
@@ -360,9 +375,8 @@ mod tests {
         /// reached (the upper one at δ = h²/24a).
         #[test]
         fn hertz_stays_in_the_envelope(k in 1i32..400, n in 20usize..400) {
-            let ball = paraboloid(1.0);
             let d = 1e-3 * (0.3 + 0.0017 * f64::from(k));
-            let mut bed = SpringBed::new(&ball, (n, 0.04), 1.0, 0.0).with_edge(EdgeLocation::AtSprings);
+            let mut bed = SpringBed::new(ground(), (n, 0.04), 0.0).with_edge(EdgeLocation::AtSprings);
             bed.indent(d);
             let exact = 4.0 / 3.0 * d.powf(1.5);
             let scaled = (bed.force() / exact - 1.0) * d / bed.spacing.powi(2);
@@ -373,9 +387,8 @@ mod tests {
         /// Depth and force control agree on the way up, and the ledger of an elastic bed closes.
         #[test]
         fn both_controls_agree(k in 1i32..400, n in 20usize..400) {
-            let ball = paraboloid(1.0);
             let d = 1e-3 * (0.3 + 0.0017 * f64::from(k));
-            let mut bed = SpringBed::new(&ball, (n, 0.04), 1.0, 0.0);
+            let mut bed = SpringBed::new(ground(), (n, 0.04), 0.0);
             let mut pressed = bed.clone();
             bed.indent(d);
             prop_assert!(pressed.press(bed.counted_force()));
@@ -389,9 +402,8 @@ mod tests {
     /// The force at pull-off: of first order if springs are counted, better between springs.
     #[test]
     fn jkr_edge_lies_between_springs() {
-        let ball = paraboloid(1.0);
         for springs in [200, 800] {
-            let mut bed = SpringBed::new(&ball, (springs, 3.0), 1.0, 1.0);
+            let mut bed = SpringBed::new(ground(), (springs, 3.0), 1.0);
             bed.indent(0.5);
             bed.indent(-1.2);
             let a = bed.contact_radius();

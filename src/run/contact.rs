@@ -167,7 +167,7 @@ fn normal(contact: &QuasiStatic, balance: &Balance, (stored, dissipated): (Energ
         indentation: (!balance.indentation.is_nan()).then_some(balance.indentation),
         force: balance.force,
         contact_radius: Some(balance.contact_radius),
-        stiffness: 2.0 * contact.ground().modulus() * balance.contact_radius,
+        stiffness: contact.stiffness_at(balance.contact_radius),
         stored,
         dissipated,
     }
@@ -259,15 +259,14 @@ impl NormalContact for QuasiStatic {
 #[derive(Debug, Clone)]
 pub struct Springs {
     bed: SpringBed,
-    modulus: f64,
     parted: bool,
 }
 
 impl Springs {
-    /// A bed with the effective modulus E* [Pa].
+    /// A bed whose bodies just touch.
     #[must_use]
-    pub fn new(bed: SpringBed, modulus: f64) -> Self {
-        Self { bed, modulus, parted: false }
+    pub fn new(bed: SpringBed) -> Self {
+        Self { bed, parted: false }
     }
 }
 
@@ -290,7 +289,7 @@ impl NormalContact for Springs {
             indentation: (!self.parted).then_some(self.bed.indentation()),
             force: self.bed.force(),
             contact_radius: Some(a),
-            stiffness: 2.0 * self.modulus * a,
+            stiffness: self.bed.stiffness(),
             stored,
             dissipated: self.bed.work() - stored.stored(),
         }

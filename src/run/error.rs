@@ -4,7 +4,7 @@ use super::conditioning::moved_edge;
 use super::shear;
 use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::springs::SpringBed;
+use crate::contact::springs::reach_for;
 use crate::contact::state::Normal;
 use crate::run::record::{ErrorEstimate, Record};
 use crate::scene::setup::Setup;
@@ -53,7 +53,7 @@ fn springs_error(setup: &Setup, springs: NonZeroUsize, records: &[Record]) -> Er
     let count = springs.get() as f64;
     let second = (17.0 / 16.0 * 2.0 / count).powi(2).max(1e-11);
     let work = if let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion { jkr.work.si() } else { 0.0 };
-    let width = SpringBed::reach_for(setup.profile.as_ref(), a) / count;
+    let width = reach_for(setup.profile.as_ref(), a) / count;
     let line = EdgeLine::new(setup.ground(), work);
     let edge = setup.pair.normal * line.elongation(a) * width / force.max(f64::MIN_POSITIVE);
     if edge > second {

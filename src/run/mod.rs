@@ -29,7 +29,7 @@ use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::{Attraction, QuasiStatic};
-use crate::contact::springs::SpringBed;
+use crate::contact::springs::{SpringBed, reach_for};
 use crate::run::record::Outcome;
 use crate::scene::plan;
 use crate::scene::setup::Setup;
@@ -184,7 +184,7 @@ fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: QuasiStatic) -> R
     };
     let run = follow(setup, Contact { normal: Box::new(direct), tangential: None }, Wanted::NOTHING)?;
     let largest = run.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
-    let reach = SpringBed::reach_for(setup.profile.as_ref(), largest);
-    let bed = SpringBed::new(setup.profile.as_ref(), (springs.get(), reach), setup.pair.normal, work);
-    Ok((Springs::new(bed, setup.pair.normal), reach))
+    let reach = reach_for(setup.profile.as_ref(), largest);
+    let bed = SpringBed::new(setup.ground(), (springs.get(), reach), work);
+    Ok((Springs::new(bed), reach))
 }

@@ -191,12 +191,12 @@ fn ellipsoid() -> Option<f64> {
 
 /// The largest part of the proved envelope that a scan over the place of the edge uses.
 fn bed_envelope() -> Option<f64> {
-    let ball = Paraboloid { radius: Length::new(1.0).ok()? };
+    let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0).ok()? }), 1.0);
     let (springs, reach) = (200, 0.04);
     let spacing = reach / f64::from(springs);
     let part = |k: i32| {
         let d = 4e-4 * (1.0 + 1e-3 * f64::from(k));
-        let mut bed = SpringBed::new(&ball, (200, reach), 1.0, 0.0).with_edge(EdgeLocation::AtSprings);
+        let mut bed = SpringBed::new(ground.clone(), (200, reach), 0.0).with_edge(EdgeLocation::AtSprings);
         bed.indent(d);
         let scaled = (bed.force() / (4.0 / 3.0 * d.powf(1.5)) - 1.0) * d / (spacing * spacing);
         let highest = 0.125 + spacing * spacing / d / 384.0;

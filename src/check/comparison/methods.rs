@@ -4,7 +4,7 @@ use super::{Fineness, Measured, Method, State, state_of, timed};
 use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::direct::QuasiStatic;
-use crate::contact::springs::SpringBed;
+use crate::contact::springs::{SpringBed, reach_for};
 use crate::numerics::extremum;
 use crate::run::record::Record;
 use crate::run::{self, NormalContact, SimulationError, Wanted};
@@ -104,8 +104,8 @@ impl<'s> Scenario<'s> {
             Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
             _ => 0.0,
         };
-        let reach = SpringBed::reach_for(profile, self.most.contact_radius_m.unwrap_or(0.0));
-        let mut bed = SpringBed::new(profile, (springs, reach), self.setup.pair.normal, work);
+        let reach = reach_for(profile, self.most.contact_radius_m.unwrap_or(0.0));
+        let mut bed = SpringBed::new(self.setup.ground(), (springs, reach), work);
         bed.indent(self.most.indentation_m);
         State {
             force_n: bed.force(),

@@ -28,7 +28,7 @@ pub(super) fn pull_off(effort: Effort) -> Option<Study> {
     {
         methods.extend(effort.decades(2, 5).map(|count| {
             let prepare = move || {
-                let bed = SpringBed::new(&ball()?, (count, 3.2), 1.0, 1.0).with_edge(location);
+                let bed = SpringBed::new(HalfSpace::new(Arc::new(ball()?), 1.0), (count, 3.2), 1.0).with_edge(location);
                 Some(move || Some(springs(bed.clone())))
             };
             Method::new(name, Setting::springs(count), prepare)

@@ -50,7 +50,8 @@ fn study<P: Profile + Clone + 'static>(
             let prepare = move || {
                 // No whole number of springs fits the contact: their sum has its usual error.
                 let reach = FRAC_PI_2.sqrt() * exact.radius;
-                let bed = SpringBed::new(&shape()?, (count, reach), 1.0, 0.0).with_edge(location);
+                let bed =
+                    SpringBed::new(HalfSpace::new(Arc::new(shape()?), 1.0), (count, reach), 0.0).with_edge(location);
                 Some(move || springs(bed.clone(), wanted))
             };
             Method::new(name, Setting::springs(count), prepare)

@@ -1,19 +1,19 @@
 //! Attraction of vanishing range on any profile, by Heß's rule.
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::shape::Rim;
 use std::f64::consts::PI;
 
 /// Equilibrium of a contact whose edge carries the work of adhesion w, w = 0 included.
 ///
-/// The edge springs hold until stretched by Δl(a) = √(2πaw/E*) (Heß 2010; Popov & Heß 2015,
-/// eq. 4.18), so d = g(a) − Δl(a) and F = 2E*(N(a) − aΔl(a)). With w = 0 it is the contact without
-/// adhesion, to the bit. Symbols: a contact radius [m], w work of adhesion [J/m²], E* effective
-/// modulus [Pa]. Check: R = E* = w = 1 parts at d = −1.608772047833270 under displacement control.
+/// The edge springs hold until stretched by Δl(a), on a half-space √(2πaw/E*) (Heß 2010; Popov & Heß
+/// 2015, eq. 4.18), so d = d_e(a) − Δl(a) and F = 2E*(N(a) − s(a)Δl(a)) (see
+/// [`Foundation`]). With w = 0 it is the contact without adhesion, to the bit. Symbols: a contact
+/// radius [m], w work of adhesion [J/m²], E* effective modulus [Pa]. Check: R = E* = w = 1 parts at d = −1.608772047833270 under displacement control.
 #[derive(Debug, Clone)]
-pub struct EdgeLine {
-    ground: HalfSpace,
+pub struct EdgeLine<F = HalfSpace> {
+    ground: F,
     work: f64,
 }
 
@@ -34,16 +34,16 @@ impl Energy {
     }
 }
 
-impl EdgeLine {
+impl<F: Foundation> EdgeLine<F> {
     /// A contact on `ground` with the work of adhesion w [J/m²].
     #[must_use]
-    pub fn new(ground: HalfSpace, work: f64) -> Self {
+    pub fn new(ground: F, work: f64) -> Self {
         Self { ground, work }
     }
 
     /// What the indenter is pressed into.
     #[must_use]
-    pub fn ground(&self) -> &HalfSpace {
+    pub fn ground(&self) -> &F {
         &self.ground
     }
 
@@ -56,7 +56,7 @@ impl EdgeLine {
     /// Δl(a) [m], the elongation at which the edge springs part.
     #[must_use]
     pub fn elongation(&self, a: f64) -> f64 {
-        (2.0 * PI * a * (self.work / self.ground.modulus())).sqrt()
+        self.ground.elongation(a, self.work)
     }
 
     /// The state at the contact radius `a` [m] in equilibrium.
@@ -68,43 +68,42 @@ impl EdgeLine {
     /// The state of a contact of radius `a` whose indentation is `d`, in equilibrium or held by a wall.
     #[must_use]
     pub fn under_wall(&self, a: f64, d: f64) -> Balance {
-        let edge = d - self.ground.profile().reduced(a);
-        let force = 2.0 * self.ground.modulus() * (self.ground.profile().load_integral(a) + a * edge);
+        let force = self.ground.force(a, d - self.ground.depth(a));
         Balance { contact_radius: a, reach: a, indentation: d, force }
     }
 
     /// Indentation [m] at which a contact of radius `a` [m], held by a wall, carries the force [N].
     #[must_use]
     pub fn indentation_under_wall(&self, a: f64, force: f64) -> f64 {
-        self.ground.profile().reduced(a)
-            + (0.5 * force / self.ground.modulus() - self.ground.profile().load_integral(a)) / a
+        self.ground.depth(a) + self.ground.edge_under(a, force)
     }
 
-    /// Energy of a contact of radius `a` [m] whose edge springs are compressed by `edge` [m].
+    /// Energy of a contact of radius `a` [m] at the indentation `d` [m].
     #[must_use]
-    pub fn energy(&self, a: f64, edge: f64) -> Energy {
-        let (n, m) = (self.ground.profile().load_integral(a), self.ground.profile().energy_integral(a));
-        Energy {
-            elastic: self.ground.modulus() * (m + 2.0 * edge * n + a * edge * edge),
-            surface: -self.work * PI * a * a,
-        }
+    pub fn energy(&self, a: f64, d: f64) -> Energy {
+        let elastic = self.ground.energy(a, d - self.ground.depth(a));
+        Energy { elastic, surface: -self.work * PI * a * a }
     }
 }
 
-impl Equilibrium for EdgeLine {
+impl<F: Foundation> Equilibrium for EdgeLine<F> {
     fn value(&self, control: Control, a: f64) -> f64 {
         let elongation = self.elongation(a);
         match control {
-            Control::Indentation => self.ground.profile().reduced(a) - elongation,
-            Control::Force => 2.0 * self.ground.modulus() * (self.ground.profile().load_integral(a) - a * elongation),
+            Control::Indentation => self.ground.depth(a) - elongation,
+            Control::Force => self.ground.force(a, -elongation),
         }
     }
 
     fn slope(&self, control: Control, a: f64) -> f64 {
-        let (slope, elongation) = (self.ground.profile().reduced_slope(a), self.elongation(a));
+        let ground = &self.ground;
+        let (slope, elongation, growth) = (ground.depth_slope(a), self.elongation(a), ground.elongation_growth(a));
         match control {
-            Control::Indentation => slope - 0.5 * elongation / a,
-            Control::Force => 2.0 * self.ground.modulus() * (a * slope - 1.5 * elongation),
+            Control::Indentation => slope - growth * elongation / a,
+            Control::Force => {
+                let lost = ground.density(a) * (1.0 + growth / ground.stiffness_growth(a)) * elongation;
+                2.0 * ground.modulus() * (ground.measure(a) * slope - lost)
+            }
         }
     }
 
@@ -120,11 +119,11 @@ impl Equilibrium for EdgeLine {
     }
 
     fn scale(&self) -> f64 {
-        self.ground.profile().scale()
+        self.ground.scale()
     }
 
     fn search(&self) -> Search {
-        match (self.ground.profile().feature(), self.ground.profile().kink()) {
+        match (self.ground.feature(), self.ground.kink()) {
             _ if self.work <= 0.0 => Search::Nowhere,
             (Some(length), _) => Search::Spaced(length),
             (None, Some(kink)) => Search::About(kink),

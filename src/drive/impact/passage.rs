@@ -3,6 +3,7 @@
 use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::adhesion::line::Energy;
 use crate::contact::direct::{Jump, QuasiStatic};
+use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::numerics::quadrature;
 use crate::numerics::root;
 use std::f64::consts::PI;
@@ -18,9 +19,9 @@ use std::f64::consts::PI;
 /// Check: Hertz, contact time 2.943275184324705 x₀/v with x₀ = (15mv²/(16E*√R))^{2/5} (Johnson 1985,
 /// eq. 11.23). Valid while v is far below the speed of sound and the edge runs far faster than the mass.
 #[derive(Debug, Clone)]
-pub struct Passage {
+pub struct Passage<F = HalfSpace> {
     impact: Projectile,
-    legs: Vec<Leg>,
+    legs: Vec<Leg<F>>,
     /// Kinetic energy left as the bodies part [J]; `None` if they stay together.
     left: Option<f64>,
     lost: f64,
@@ -28,9 +29,9 @@ pub struct Passage {
 
 /// A stretch between two jumps, in one direction.
 #[derive(Debug, Clone)]
-struct Leg {
+struct Leg<F> {
     /// The contact somewhere on this stretch.
-    contact: QuasiStatic,
+    contact: QuasiStatic<F>,
     from: f64,
     to: f64,
     /// Energy lost in jumps before [J].
@@ -46,13 +47,13 @@ const LOOKS: u32 = 24;
 /// Most parts a leg is cut into for its duration.
 const MOST_PARTS: usize = 64;
 
-impl Passage {
+impl<F: Foundation> Passage<F> {
     /// The way of a mass through a contact such as `contact`, from first touch on; `accuracy` is the relative error of the
     /// contact time aimed at (default 1e-6; smaller costs panels of a quadrature that converges fast).
     ///
     /// # Errors
     /// The kinetic energy carries the contact beyond its profile, or an equilibrium is not found.
-    pub fn new(contact: &QuasiStatic, impact: Projectile, accuracy: f64) -> Result<Self, ImpactError> {
+    pub fn new(contact: &QuasiStatic<F>, impact: Projectile, accuracy: f64) -> Result<Self, ImpactError> {
         let mut passage = Self { impact, legs: Vec::new(), left: None, lost: 0.0 };
         let deepest = passage.inwards(contact.apart())?;
         passage.outwards(deepest)?;
@@ -83,12 +84,12 @@ impl Passage {
     /// Bytes of its state.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.legs.iter().map(|leg| size_of::<Leg>() + size_of::<f64>() * leg.clock.len()).sum()
+        self.legs.iter().map(|leg| size_of::<Leg<F>>() + size_of::<f64>() * leg.clock.len()).sum()
     }
 
     /// The contact at the greatest depth.
     #[must_use]
-    pub fn deepest(&self) -> Option<QuasiStatic> {
+    pub fn deepest(&self) -> Option<QuasiStatic<F>> {
         let leg = self.legs.get(self.turn())?;
         Some(leg.at(leg.to))
     }
@@ -140,12 +141,12 @@ impl Passage {
     }
 
     /// Kinetic energy [J] on a leg at the depth `d`.
-    fn kinetic(&self, leg: &Leg, d: f64) -> f64 {
+    fn kinetic(&self, leg: &Leg<F>, d: f64) -> f64 {
         self.impact.energy() - leg.stored(d).stored() - leg.spent
     }
 
     /// Follows the contact inwards to where the kinetic energy is used up; the contact there.
-    fn inwards(&mut self, mut contact: QuasiStatic) -> Result<Leg, ImpactError> {
+    fn inwards(&mut self, mut contact: QuasiStatic<F>) -> Result<Leg<F>, ImpactError> {
         let mut from = contact.first_touch();
         // What holds the bodies from the first touch on.
         self.lost += contact.indent(from)?.iter().map(|jump| jump.dissipated).sum::<f64>();
@@ -173,10 +174,10 @@ impl Passage {
     /// Adds the legs between the jumps of a motion; the last one, if the mass comes to rest on it.
     fn walk(
         &mut self,
-        mut contact: QuasiStatic,
+        mut contact: QuasiStatic<F>,
         (start, end): (f64, f64),
         jumps: &[Jump],
-    ) -> Result<Option<Leg>, ImpactError> {
+    ) -> Result<Option<Leg<F>>, ImpactError> {
         let mut from = start;
         for (k, jump) in jumps.iter().enumerate() {
             let at = jump.before.indentation;
@@ -192,7 +193,7 @@ impl Passage {
     }
 
     /// Adds a leg as far as the mass gets on it; the leg if it rests at its end.
-    fn leg(&mut self, contact: &QuasiStatic, (from, to): (f64, f64)) -> Result<Option<Leg>, ImpactError> {
+    fn leg(&mut self, contact: &QuasiStatic<F>, (from, to): (f64, f64)) -> Result<Option<Leg<F>>, ImpactError> {
         let mut contact = contact.clone();
         contact.indent(0.5 * (from + to))?;
         let mut leg = Leg { contact, from, to, spent: self.lost, clock: vec![0.0], error: 0.0 };
@@ -212,7 +213,7 @@ impl Passage {
     }
 
     /// Follows the contact back to where the bodies part or the mass rests.
-    fn outwards(&mut self, deepest: Leg) -> Result<(), ImpactError> {
+    fn outwards(&mut self, deepest: Leg<F>) -> Result<(), ImpactError> {
         let contact = deepest.contact.clone();
         let mut back = contact.clone();
         let mut jumps = back.indent(-f64::MAX)?;
@@ -230,7 +231,7 @@ impl Passage {
 /// Relative error of closed forms, roots within roots included.
 const ROUNDING: f64 = 1e-11;
 
-impl Leg {
+impl<F: Foundation> Leg<F> {
     fn depth(&self, phi: f64) -> f64 {
         let (sine, cosine) = (0.5 * phi).sin_cos();
         // From the nearer end, free of cancellation.
@@ -248,7 +249,7 @@ impl Leg {
     }
 
     /// The contact at the depth `d` of this leg.
-    fn at(&self, d: f64) -> QuasiStatic {
+    fn at(&self, d: f64) -> QuasiStatic<F> {
         let mut contact = self.contact.clone();
         // On a stable branch between its ends nothing can fail.
         let _ = contact.indent(d);
@@ -324,7 +325,6 @@ mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
     use crate::contact::adhesion::range::RangeDisc;
-    use crate::contact::foundation::HalfSpace;
     use crate::input::quantity::{Amplitude, Length, Positive};
     use crate::shape::{Cone, FlatPunch, Paraboloid, Profile, TruncatedCone, WavyParaboloid};
     use proptest::prelude::*;

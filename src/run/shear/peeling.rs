@@ -128,7 +128,7 @@ impl TangentialContact for Peeling<'_> {
         let Some(Present { state, .. }) = self.present else { return normal };
         let (a, line) = (state.contact_radius, &self.contact.line);
         let balance = line.under_wall(a, state.indentation);
-        let stored = line.energy(a, state.indentation - line.ground().profile().reduced(a));
+        let stored = line.energy(a, state.indentation);
         Normal {
             indentation: Some(state.indentation),
             force: balance.force,
