@@ -20,7 +20,7 @@ const RANGES: usize = 4;
 /// What is known about the contact of a scene staying in one piece; empty for rough shapes, whose contact never does.
 #[must_use]
 pub fn in_words(setup: &Setup, outcome: &Outcome) -> Vec<String> {
-    if setup.surface.is_some() {
+    if setup.surface().is_some() {
         return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
     }
     match &setup.scene.shape {
@@ -28,11 +28,11 @@ pub fn in_words(setup: &Setup, outcome: &Outcome) -> Vec<String> {
         Shape::PlaneWavy(wavy) => return sealed(setup, wavy, outcome),
         _ => {}
     }
-    let profile = setup.profile.as_ref();
+    let Some(profile) = setup.profile() else { return Vec::new() };
     let radii = outcome.records.iter().filter_map(|record| record.normal.contact_radius);
     let limit = limit(profile, radii.fold(0.0, f64::max));
     let mut lines = round(profile, setup.pair.normal, limit);
-    lines.extend(plane(setup, limit));
+    lines.extend(plane(setup, profile, limit));
     lines
 }
 
@@ -130,8 +130,7 @@ fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
 }
 
 /// The same profile as a cylinder on a half-plane: the sufficient condition of Kudish et al. and the least loads.
-fn plane(setup: &Setup, limit: f64) -> Vec<String> {
-    let profile = setup.profile.as_ref();
+fn plane(setup: &Setup, profile: &dyn Profile, limit: f64) -> Vec<String> {
     let Some(radius) = mean_curvature_radius(&setup.scene.shape, profile, limit) else { return Vec::new() };
     let slope = |x: f64| deviation_slope((&setup.scene.shape, profile), (radius, 1e-5 * limit), x);
     let parabola = WavyParabola { modulus: setup.pair.normal, radius, slope: &slope };

@@ -1,34 +1,28 @@
 //! How far rounding moves an edge: near a turning point the radius is known to few digits.
 
-use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::equilibrium::{Control, Equilibrium};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::run::record::Record;
-use crate::scene::setup::Setup;
+use crate::scene::plan::RoundPlan;
 
 /// Error of a radius at a turning point: the root of the rounding.
 const TURNING: f64 = 1e-7;
 
-/// Largest relative error of a radius from the rounding of what is prescribed, Q = d or F:
-/// δa = 4ε·(terms of Q)/(dQ/da), at most that of a turning point.
+/// Largest relative error of a radius under the work of adhesion `work` [J/m²] from the rounding of what is
+/// prescribed, Q = d or F: δa = 4ε·(terms of Q)/(dQ/da), at most that of a turning point.
 ///
 /// The states just before a jump are roots of the slope itself, and not moved by it.
 #[must_use]
-pub fn moved_edge(setup: &Setup, records: &[Record]) -> f64 {
-    let work = match &setup.scene.adhesion {
-        None => 0.0,
-        Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
-        Some(Adhesion::Maugis(_)) => return 0.0,
-    };
-    let line = EdgeLine::new(setup.ground(), work);
-    let first = |entry: usize| setup.stages.partition_point(|stage| stage.entry < entry);
-    let control = |entry: usize| setup.stages.get(first(entry))?.control;
+pub fn moved_edge(plan: &RoundPlan, work: f64, records: &[Record]) -> f64 {
+    let line = EdgeLine::new(plan.ground(), work);
+    let first = |entry: usize| plan.stages.partition_point(|stage| stage.entry < entry);
+    let control = |entry: usize| plan.stages.get(first(entry))?.control;
     let largest = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let jumps = |at: usize| records.get(at + 1).is_some_and(|next| (next.time - records[at].time).abs() <= 0.0);
     let states = records.iter().enumerate().filter(|(at, _)| !jumps(*at)).map(|(_, record)| record);
     let error = |record: &Record| {
         let control = control(record.entry)?;
-        Some((moved(&line, (control, record.normal.contact_radius?), setup.pair.normal)? / largest).min(TURNING))
+        Some((moved(&line, (control, record.normal.contact_radius?), plan.pair.normal)? / largest).min(TURNING))
     };
     states.filter_map(error).fold(0.0, f64::max)
 }

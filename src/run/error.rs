@@ -1,65 +1,119 @@
-//! The error of elastic contacts, and where it comes from.
+//! The error of each solver, and where it comes from.
 
 use super::conditioning::moved_edge;
-use super::shear;
-use crate::contact::adhesion::Adhesion;
+use super::follow::{Run, follow};
+use super::{Contact, Wanted, relaxing, shear};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::springs::reach_for;
 use crate::contact::state::Normal;
+use crate::material::Relaxation;
 use crate::run::record::{ErrorEstimate, Record};
-use crate::scene::setup::Setup;
+use crate::scene::law::{ContactLaw, ElasticAdhesion, GRADE, HeldEdge};
+use crate::scene::plan::RoundPlan;
+use crate::scene::stage::Path;
 use std::num::NonZeroUsize;
 
 /// What a few hundred roundings leave of a state, conditioned a thousand times worse than themselves.
 const ROUNDING: f64 = 1e-11;
 
-/// Where the error of an elastic scene comes from.
-#[must_use]
-pub fn estimate(setup: &Setup, records: &[Record]) -> ErrorEstimate {
-    with_friction(setup, normal_error(setup, records))
-}
-
 /// The error of the normal contact or of the tangential one, whichever is larger.
 #[must_use]
-pub fn with_friction(setup: &Setup, normal: ErrorEstimate) -> ErrorEstimate {
-    shear::error_estimate(setup).filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
+pub fn estimate(plan: &RoundPlan, run: &Run<'_>) -> ErrorEstimate {
+    let normal = normal_error(plan, run);
+    let tangential = plan.friction.as_ref().and_then(|law| shear::error_estimate(plan, law));
+    tangential.filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
 }
 
-fn normal_error(setup: &Setup, records: &[Record]) -> ErrorEstimate {
-    let of = |relative, basis: &str| ErrorEstimate { relative, basis: basis.to_owned() };
-    match (setup.scene.springs, &setup.scene.adhesion) {
-        (Some(springs), _) => springs_error(setup, springs, records),
-        (None, Some(Adhesion::Maugis(_))) => {
+fn of(relative: f64, basis: &str) -> ErrorEstimate {
+    ErrorEstimate { relative, basis: basis.to_owned() }
+}
+
+fn normal_error(plan: &RoundPlan, run: &Run<'_>) -> ErrorEstimate {
+    match &plan.contact {
+        ContactLaw::Direct(ElasticAdhesion::Finite { .. }) => {
             of(1e-10, "direct path with roots within roots: rounding, against Maugis' equations over twelve decades")
         }
-        (None, _) => {
-            let edge = moved_edge(setup, records);
-            if edge > ROUNDING {
-                return of(
-                    edge,
-                    "direct path: the contact radius near a turning point, moved by the rounding of what is prescribed",
-                );
-            }
-            of(ROUNDING, "direct path: rounding, against closed forms over twelve decades")
+        ContactLaw::Direct(ElasticAdhesion::None) => direct_error(plan, 0.0, &run.records),
+        ContactLaw::Direct(ElasticAdhesion::Vanishing { work }) => direct_error(plan, *work, &run.records),
+        ContactLaw::Springs { count, work } => springs_error(plan, (*count, work.unwrap_or(0.0)), &run.records),
+        ContactLaw::Continuous { edge: None, .. } => {
+            of(sums(run), "continuous bed, exact in time: every sum made anew with panels of half the width")
         }
+        ContactLaw::Continuous { relaxation, edge: Some(edge) } => adhesive_error(plan, run, (relaxation, edge)),
+        ContactLaw::ViscoelasticSprings { count, .. } => viscoelastic_springs_error(plan, run, count.get()),
     }
+}
+
+fn direct_error(plan: &RoundPlan, work: f64, records: &[Record]) -> ErrorEstimate {
+    let edge = moved_edge(plan, work, records);
+    if edge > ROUNDING {
+        return of(
+            edge,
+            "direct path: the contact radius near a turning point, moved by the rounding of what is prescribed",
+        );
+    }
+    of(ROUNDING, "direct path: rounding, against closed forms over twelve decades")
 }
 
 /// The error of a bed: second order in the width h of a spring, and what the load q(a) of an adhesive edge
 /// does within one spring, q(a)h against the largest force.
-fn springs_error(setup: &Setup, springs: NonZeroUsize, records: &[Record]) -> ErrorEstimate {
+fn springs_error(plan: &RoundPlan, (springs, work): (NonZeroUsize, f64), records: &[Record]) -> ErrorEstimate {
     let largest = |of: fn(&Normal) -> f64| records.iter().map(|record| of(&record.normal).abs()).fold(0.0, f64::max);
     let (a, force) = (largest(|normal| normal.contact_radius.unwrap_or(0.0)), largest(|normal| normal.force));
     let count = springs.get() as f64;
     let second = (17.0 / 16.0 * 2.0 / count).powi(2).max(1e-11);
-    let work = if let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion { jkr.work.si() } else { 0.0 };
-    let width = reach_for(setup.profile.as_ref(), a) / count;
-    let line = EdgeLine::new(setup.ground(), work);
-    let edge = setup.pair.normal * line.elongation(a) * width / force.max(f64::MIN_POSITIVE);
+    let width = reach_for(plan.profile.as_ref(), a) / count;
+    let line = EdgeLine::new(plan.ground(), work);
+    let edge = plan.pair.normal * line.elongation(a) * width / force.max(f64::MIN_POSITIVE);
     if edge > second {
         let basis = format!("bed of {springs} springs: the load of one spring at the adhesive edge, first order");
         return ErrorEstimate { relative: edge.min(1.0), basis };
     }
     let basis = format!("bed of {springs} springs: second order in the spring width, constant at most 4");
     ErrorEstimate { relative: second, basis }
+}
+
+/// The largest force of a run [N], above zero.
+fn largest_force(run: &Run<'_>) -> f64 {
+    run.records.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// The error of the sums of the continuous bed.
+fn sums(run: &Run<'_>) -> f64 {
+    (run.force_error / largest_force(run)).max(1e-13)
+}
+
+fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run<'_>, count: usize) -> ErrorEstimate {
+    let width = GRADE.recip().asinh() / count as f64;
+    let basis = format!(
+        "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius lies between two springs",
+        plan.accuracy()
+    );
+    ErrorEstimate { relative: 0.25 * width * width + felt(plan, run) * plan.accuracy(), basis }
+}
+
+/// What the largest force feels of a depth off by a part of itself, 2E(0)a·d/F, where the depth is followed in
+/// chords; one where the force itself is met.
+fn felt(plan: &RoundPlan, run: &Run<'_>) -> f64 {
+    let chords = plan.stages.iter().any(|stage| matches!(stage.normal, Path::Wave { .. }));
+    let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
+    let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
+    part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
+}
+
+/// Adhesion: the whole history again with the opening edge followed in half the steps.
+fn adhesive_error(plan: &RoundPlan, run: &Run<'_>, (relaxation, edge): (&Relaxation, &HeldEdge)) -> ErrorEstimate {
+    let forces = |records: &[Record]| {
+        let forces = records.iter().map(|record| record.normal.force);
+        (forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max))
+    };
+    let again = Contact { normal: relaxing::refined(plan, relaxation, edge), tangential: None };
+    let again = follow(&plan.stages, again, Wanted::NOTHING).ok().map(|run| forces(&run.records));
+    let (found, finer) = (forces(&run.records), again.unwrap_or((f64::NAN, f64::NAN)));
+    let off = (found.0 - finer.0).abs().max((found.1 - finer.1).abs()) / largest_force(run);
+    let pieces = if plan.is_curved() { plan.accuracy() } else { 0.0 };
+    of(
+        sums(run) + pieces + 2.0 * off,
+        "continuous bed: its sums with panels of half the width, and the least and greatest force with the opening edge followed in half the steps",
+    )
 }

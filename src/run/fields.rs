@@ -4,12 +4,13 @@ use super::contact::NormalContact;
 use super::shear::TangentialContact;
 use super::table::{Column, Table};
 use super::unit::Unit;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::state::Normal;
 use crate::contact::stress::Loading;
 use crate::contact::stress::StressRow;
 use crate::material::Body;
 use crate::run::record::{Field, FieldRow, Record};
-use crate::scene::setup::Setup;
+use crate::scene::plan::Shared;
 use std::f64::consts::FRAC_PI_2;
 
 /// Radii inside the contact, denser towards the edge.
@@ -116,13 +117,13 @@ const STRESS: [Column<StressRow>; 4] = [
 
 /// Stresses on the axis in the first body that can deform, at the given state; `None` where the bodies are apart.
 #[must_use]
-pub fn stresses(setup: &Setup, normal: &Normal) -> Option<Table> {
+pub fn stresses(shared: &Shared, ground: &HalfSpace, normal: &Normal) -> Option<Table> {
     let a = normal.contact_radius.filter(|&a| a > 0.0)?;
-    let profile = setup.profile.as_ref();
+    let profile = ground.profile();
     let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
-    let edge_load = setup.pair.normal * edge;
-    let poisson = poisson(&setup.scene.bodies);
-    let loading = Loading { ground: setup.ground(), poisson, contact_radius: a, edge_load };
+    let edge_load = ground.modulus() * edge;
+    let poisson = poisson(&shared.scene.bodies);
+    let loading = Loading { ground: ground.clone(), poisson, contact_radius: a, edge_load };
     Some(Table::new("stress").with(&STRESS, loading.profile_down(DEPTHS).iter()))
 }
 

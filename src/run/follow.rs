@@ -7,7 +7,7 @@ use super::table::Table;
 use super::{Contact, SimulationError, Wanted, fields};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::state::Normal;
-use crate::scene::setup::Setup;
+use crate::scene::plan::RoundPlan;
 use crate::scene::stage::{Path, Stage};
 
 /// Where a step leads: the prescribed quantity, the tangential displacement [m], and the time as the
@@ -48,8 +48,7 @@ pub(super) struct Run<'p> {
     pub(super) bytes: usize,
 }
 
-pub(super) fn follow<'p>(setup: &Setup, contact: Contact<'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
-    let stages = &setup.stages;
+pub(super) fn follow<'p>(stages: &[Stage], contact: Contact<'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
     let mut run = Run {
         contact: contact.normal,
         tangential: contact.tangential,
@@ -216,7 +215,7 @@ impl Run<'_> {
         }
     }
 
-    pub(super) fn stresses(&self, setup: &Setup) -> Option<Table> {
-        fields::stresses(setup, &self.loaded?)
+    pub(super) fn stresses(&self, plan: &RoundPlan) -> Option<Table> {
+        fields::stresses(plan, &plan.ground(), &self.loaded?)
     }
 }

@@ -1,10 +1,10 @@
 //! Where in the contact friction takes its energy.
 
-use super::shear;
 use super::table::{Column, Table};
 use super::unit::Unit;
-use crate::friction::{Friction, Pose, WearMap};
-use crate::scene::setup::Setup;
+use crate::friction::{Pose, WearMap};
+use crate::scene::law::FrictionLaw;
+use crate::scene::plan::RoundPlan;
 use crate::scene::stage::{Extent, Path, Stage};
 use std::f64::consts::FRAC_PI_2;
 
@@ -13,13 +13,17 @@ const POSITIONS: usize = 192;
 
 /// Whether the scene is one of fretting: Coulomb friction, and a tangential motion to and fro.
 #[must_use]
-pub fn is_fretting(setup: &Setup) -> bool {
+pub fn is_fretting(plan: &RoundPlan) -> bool {
     let to_and_fro = |stage: &Stage| match stage.tangential {
         Path::Stay | Path::UntilParted { .. } => false,
         Path::To(_) => stage.extent == Extent::Row,
         Path::Wave { .. } => true,
     };
-    matches!(setup.scene.friction, Some(Friction::Coulomb(_))) && setup.stages.iter().any(to_and_fro)
+    coefficient(plan).is_some() && plan.stages.iter().any(to_and_fro)
+}
+
+fn coefficient(plan: &RoundPlan) -> Option<f64> {
+    plan.friction.as_ref().and_then(FrictionLaw::coulomb)
 }
 
 /// Energy lost to friction at one position, gathered over the whole history.
@@ -41,16 +45,14 @@ const COLUMNS: [Column<Lost>; 3] = [
 /// The fretting map of a path of straight steps: energy lost to friction over the distance from the axis.
 #[must_use]
 #[expect(clippy::cast_precision_loss, reason = "few positions")]
-pub fn map(setup: &Setup, path: &[Pose]) -> Option<Table> {
-    let Some(Friction::Coulomb(law)) = setup.scene.friction.as_ref().filter(|_| !path.is_empty()) else {
-        return None;
-    };
-    let profile = setup.profile.as_ref();
+pub fn map(plan: &RoundPlan, path: &[Pose]) -> Option<Table> {
+    let coefficient = coefficient(plan).filter(|_| !path.is_empty())?;
+    let profile = plan.profile.as_ref();
     let deepest = path.iter().map(|at| at.indentation).fold(0.0, f64::max);
     let a = profile.edge(deepest).filter(|&a| a > 0.0)?;
     let at = |k: usize| a * (FRAC_PI_2 * k as f64 / POSITIONS as f64).sin();
     let positions: Vec<f64> = (0..=POSITIONS).map(at).collect();
-    let mut map = WearMap::new(setup.profile.clone(), shear::grip(setup, law), &positions);
+    let mut map = WearMap::new(plan.profile.clone(), plan.grip(coefficient), &positions);
     for &to in path {
         map.advance(to);
     }

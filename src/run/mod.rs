@@ -25,15 +25,17 @@ pub use plane::PlaneError;
 pub use rough::LineTooShort;
 pub use shear::{TangentialContact, sheared};
 
-use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::{Attraction, QuasiStatic};
+use crate::contact::foundation::HalfSpace;
 use crate::contact::springs::{SpringBed, reach_for};
+use crate::input::problem::Problem;
 use crate::run::record::Outcome;
-use crate::scene::plan;
-use crate::scene::setup::Setup;
-use follow::follow;
+use crate::scene::law::{ContactLaw, ElasticAdhesion};
+use crate::scene::parts::Parts;
+use crate::scene::plan::{Plan, RoundPlan};
+use follow::{Run, follow};
 use std::num::NonZeroUsize;
 
 /// Why a scene could not be run to its end.
@@ -50,6 +52,13 @@ pub enum SimulationError {
     /// The scene holds a part that cannot be computed.
     #[error("{0}")]
     Refused(String),
+}
+
+impl From<Vec<Problem>> for SimulationError {
+    fn from(problems: Vec<Problem>) -> Self {
+        let all: Vec<String> = problems.iter().map(ToString::to_string).collect();
+        Self::Refused(all.join("; "))
+    }
 }
 
 /// What is wanted beside records and results; what is not asked for is not computed.
@@ -76,92 +85,93 @@ pub(super) struct Contact<'p> {
 
 /// Runs a scene.
 ///
-/// The order: the plan picks a solver; the history becomes stages; each stage is followed record by
-/// record, jumps between records included; then the named results are read off the records.
-///
 /// # Errors
 /// The contact would leave its profile, or cannot be followed.
-pub fn run(setup: &Setup, wanted: Wanted) -> Result<Outcome, SimulationError> {
-    run_watched(setup, wanted, &|_| ())
+pub fn run(plan: &Plan, wanted: Wanted) -> Result<Outcome, SimulationError> {
+    run_watched(plan, wanted, &|_| ())
 }
 
 /// Runs a scene; `done` is told the share of the work that is behind, from any thread, where it is long.
 ///
 /// # Errors
 /// As for [`run`].
-pub fn run_watched(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
-    let mut outcome = solved(setup, wanted, done)?;
+pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
+    let mut outcome = match plan {
+        Plan::Round(plan) => run_round(plan, wanted),
+        Plan::Impact(plan) => strike::run(plan, wanted),
+        Plan::Plane(plan) => plane::run(plan, wanted),
+        Plan::Rough(plan) => rough::run(plan, done),
+    }?;
     let pressure = fields::pressure_table(&outcome.fields, &outcome.records);
     outcome.tables.splice(0..0, pressure);
-    outcome.warnings.extend(warnings::of(setup, &outcome.records));
-    let shape = warnings::error_of_shape(setup).filter(|shape| shape.relative > outcome.error_estimate.relative);
+    outcome.warnings.extend(warnings::of(plan, &outcome.records));
+    let shape = warnings::error_of_shape(plan).filter(|shape| shape.relative > outcome.error_estimate.relative);
     outcome.error_estimate = shape.unwrap_or(outcome.error_estimate);
     Ok(outcome)
 }
 
-/// What the solver of a scene finds.
-fn solved(setup: &Setup, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
-    if let Some(surface) = &setup.surface {
-        return rough::run(setup, surface, done);
-    }
-    if let Some(outcome) = plane::run(setup, wanted) {
-        return outcome;
-    }
-    if let Some(impact) = strike::of(setup) {
-        return strike::run(setup, impact, wanted);
-    }
-    let mut plan = plan::of(setup);
-    let mut run = follow(setup, contact(setup, wanted)?, wanted)?;
-    let mut error_estimate = error::estimate(setup, &run.records);
-    if setup.relaxation.is_some() {
-        let own = run.tangential.as_ref().map_or((0, 0), |tangential| (tangential.bytes(), tangential.springs()));
-        (plan.state_bytes, plan.springs) = (run.bytes + own.0, run.contact.springs() + own.1);
-        error_estimate = error::with_friction(setup, relaxing::error_estimate(setup, &run));
-    }
-    let stresses = if wanted.stresses { run.stresses(setup) } else { None };
+/// Leads a round contact through its history.
+///
+/// The order: each stage is followed record by record, jumps between records included; then the named results
+/// are read off the records.
+fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Outcome, SimulationError> {
+    let mut run = follow(&plan.stages, contact(plan, wanted)?, wanted)?;
+    let stresses = if wanted.stresses { run.stresses(plan) } else { None };
     let path = run.tangential.as_ref().map_or(&[][..], |tangential| tangential.path());
-    let fretting = fretting::map(setup, path);
-    let mut results = results::named(setup, &run.records, &run.fields);
-    results.extend(relaxing::results(setup, &run));
+    let fretting = fretting::map(plan, path);
+    let mut results = results::named(Some(&plan.contact), &run.records, &run.fields);
+    results.extend(results::of_friction(plan, &run.records));
+    results.extend(relaxing::results(plan, &run));
     run.notes.extend(relaxing::remark(&run));
     Ok(Outcome {
+        error_estimate: error::estimate(plan, &run),
+        plan: parts(plan, &run),
         records: std::mem::take(&mut run.records),
         fields: std::mem::take(&mut run.fields),
         tables: [stresses, fretting].into_iter().flatten().collect(),
         results,
-        error_estimate,
         warnings: std::mem::take(&mut run.notes),
-        plan,
     })
 }
 
-/// The contact of a scene, bodies just touching.
-fn contact(setup: &Setup, wanted: Wanted) -> Result<Contact<'_>, SimulationError> {
-    if let Some(relaxation) = &setup.relaxation {
-        let tangential = shear::of(setup, None, None)?;
-        return Ok(Contact { normal: relaxing::contact(setup, relaxation), tangential });
+/// The plan in words, with the springs and bytes that are known from the run alone.
+fn parts(plan: &RoundPlan, run: &Run<'_>) -> Parts {
+    let parts = plan.parts();
+    if plan.contact.relaxation().is_none() {
+        return parts;
     }
-    let direct = direct(setup)?;
-    let Some(springs) = setup.scene.springs else {
-        let path = (wanted.fretting && fretting::is_fretting(setup)).then(Vec::new);
-        return Ok(Contact { normal: Box::new(direct), tangential: shear::of(setup, None, path)? });
-    };
-    let (bed, reach) = springs_under(setup, springs, direct)?;
-    let tangential = shear::of(setup, Some((springs, reach)), None)?;
-    Ok(Contact { normal: Box::new(bed), tangential })
+    let (bytes, springs) = run.tangential.as_ref().map_or((0, 0), |part| (part.bytes(), part.springs()));
+    Parts { state_bytes: run.bytes + bytes, springs: run.contact.springs() + springs, ..parts }
 }
 
-/// The direct path of a scene, bodies just touching.
+/// The contact of a scene, bodies just touching.
+fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Contact<'_>, SimulationError> {
+    let mut bed_radius = 0.0;
+    let normal: Box<dyn NormalContact> = match &plan.contact {
+        ContactLaw::Direct(adhesion) => Box::new(direct(plan.ground(), *adhesion)?),
+        ContactLaw::Springs { count, work } => {
+            let bed = springs_under(plan, *count, *work)?;
+            bed_radius = bed.1;
+            Box::new(bed.0)
+        }
+        ContactLaw::Continuous { relaxation, edge } => relaxing::continuous(plan, relaxation, edge.as_ref()),
+        ContactLaw::ViscoelasticSprings { relaxation, count } => relaxing::springs(plan, relaxation, count.get()),
+    };
+    let kept = (wanted.fretting && fretting::is_fretting(plan)).then(Vec::new);
+    let tangential = plan.friction.as_ref().map(|law| shear::of(plan, law, bed_radius, kept)).transpose()?;
+    Ok(Contact { normal, tangential })
+}
+
+/// The direct path on a ground, bodies just touching.
 ///
 /// # Errors
 /// The attraction has no contact.
-pub fn direct(setup: &Setup) -> Result<QuasiStatic, SimulationError> {
-    let ground = setup.ground();
-    let mut contact = match &setup.scene.adhesion {
-        None => QuasiStatic::new(EdgeLine::new(ground, 0.0)),
-        Some(Adhesion::Jkr(jkr)) => QuasiStatic::new(EdgeLine::new(ground, jkr.work.si())),
-        Some(Adhesion::Maugis(maugis)) => {
-            let disc = RangeDisc::new(ground, maugis.work.si(), maugis.stress.si());
+pub fn direct(ground: HalfSpace, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
+    let mut contact = match adhesion {
+        ElasticAdhesion::None => QuasiStatic::new(EdgeLine::new(ground, 0.0)),
+        ElasticAdhesion::Vanishing { work } => QuasiStatic::new(EdgeLine::new(ground, work)),
+        ElasticAdhesion::Finite { work, stress } => {
+            let disc = RangeDisc::new(ground, work, stress);
             QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?)
         }
     };
@@ -174,17 +184,16 @@ pub fn direct(setup: &Setup) -> Result<QuasiStatic, SimulationError> {
 
 /// A bed of `springs` springs that is just wide enough for the history, as the direct path finds it,
 /// and its half width [m].
-fn springs_under(setup: &Setup, springs: NonZeroUsize, direct: QuasiStatic) -> Result<(Springs, f64), SimulationError> {
-    let work = match &setup.scene.adhesion {
-        Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
-        Some(Adhesion::Maugis(_)) => {
-            return Err(SimulationError::Refused("springs: a bed of springs cannot carry Maugis adhesion".to_owned()));
-        }
-        None => 0.0,
-    };
-    let run = follow(setup, Contact { normal: Box::new(direct), tangential: None }, Wanted::NOTHING)?;
+fn springs_under(
+    plan: &RoundPlan,
+    springs: NonZeroUsize,
+    work: Option<f64>,
+) -> Result<(Springs, f64), SimulationError> {
+    let adhesion = work.map_or(ElasticAdhesion::None, |work| ElasticAdhesion::Vanishing { work });
+    let normal = Box::new(direct(plan.ground(), adhesion)?);
+    let run = follow(&plan.stages, Contact { normal, tangential: None }, Wanted::NOTHING)?;
     let largest = run.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
-    let reach = reach_for(setup.profile.as_ref(), largest);
-    let bed = SpringBed::new(setup.ground(), (springs.get(), reach), work);
+    let reach = reach_for(plan.profile.as_ref(), largest);
+    let bed = SpringBed::new(plan.ground(), (springs.get(), reach), work.unwrap_or(0.0));
     Ok((Springs::new(bed), reach))
 }

@@ -7,14 +7,12 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::plane::{ConnectivityError, PlaneContact, WavyParabola, Westergaard};
 use crate::contact::state::Normal;
-use crate::friction::Friction;
 use crate::numerics::root;
 use crate::run::named::Named;
 use crate::run::record::{ErrorEstimate, Outcome, Record};
 use crate::run::unit::Unit;
-use crate::scene::plan;
-use crate::scene::setup::Setup;
-use crate::shape::{PlaneWave, PlaneWavy, Shape};
+use crate::scene::plan::{CappedCoulomb, PlanePlan, Section};
+use crate::shape::{PlaneWave, PlaneWavy};
 use std::f64::consts::PI;
 
 /// Why a plane contact cannot follow.
@@ -41,42 +39,41 @@ pub enum PlaneError {
     Waves(#[from] ConnectivityError),
 }
 
-/// Runs a scene with a plane shape; `None` for other shapes.
-pub(super) fn run(setup: &Setup, wanted: Wanted) -> Option<Result<Outcome, SimulationError>> {
-    match &setup.scene.shape {
-        Shape::PlaneWave(wave) => Some(run_wave(setup, wave, wanted)),
-        Shape::PlaneWavy(wavy) => Some(run_wavy(setup, wavy, wanted)),
-        _ => None,
+/// Runs a scene with a plane shape.
+pub(super) fn run(plan: &PlanePlan, wanted: Wanted) -> Result<Outcome, SimulationError> {
+    match &plan.section {
+        Section::Wave { wave, sliding } => run_wave(plan, wave, *sliding, wanted),
+        Section::Wavy(wavy) => run_wavy(plan, wavy, wanted),
     }
 }
 
-fn run_wave(setup: &Setup, shape: &PlaneWave, wanted: Wanted) -> Result<Outcome, SimulationError> {
+fn run_wave(
+    plan: &PlanePlan,
+    shape: &PlaneWave,
+    sliding: Option<CappedCoulomb>,
+    wanted: Wanted,
+) -> Result<Outcome, SimulationError> {
     let (amplitude, wavelength) = (shape.amplitude.si(), shape.wavelength.si());
-    let wave = Westergaard { modulus: setup.pair.normal, amplitude, wavelength };
+    let wave = Westergaard { modulus: plan.pair.normal, amplitude, wavelength };
     let contact = WaveContact { wave, width: shape.width(), pressure: 0.0 };
     let area = contact.area();
-    let (mut outcome, _) = outcome(setup, Box::new(contact), wanted)?;
+    let (mut outcome, _) = outcome(plan, Box::new(contact), wanted)?;
     let largest = outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::max) / area;
     let mut add = |quantity, unit, value| outcome.results.push(Named::number(quantity, unit, value));
     add("largest_mean_pressure", Unit::PASCAL, largest);
     add("full_contact_pressure", Unit::PASCAL, wave.full_contact_pressure());
     add("rms_slope", Unit::ONE, wave.rms_slope());
-    let law = match &setup.scene.friction {
-        Some(Friction::Coulomb(law)) => Some((law.coefficient.si(), f64::MAX)),
-        Some(Friction::CoulombOrowan(law)) => Some((law.coefficient.si(), law.shear_limit.si())),
-        _ => None,
-    };
-    if let Some(law) = law {
-        let sliding = wave.sliding(largest, law);
+    if let Some(CappedCoulomb { coefficient, cap }) = sliding {
+        let sliding = wave.sliding(largest, (coefficient, cap));
         add("gross_sliding_force", Unit::NEWTON, sliding.mean_shear * area);
         add("capped_half_width", Unit::METRE, sliding.capped_half_width);
     }
     Ok(outcome)
 }
 
-fn run_wavy(setup: &Setup, shape: &PlaneWavy, wanted: Wanted) -> Result<Outcome, SimulationError> {
-    let contact = WavyContact { shape, modulus: setup.pair.normal, load: 0.0, piece: None };
-    let (mut outcome, broken) = outcome(setup, Box::new(contact), wanted)?;
+fn run_wavy(plan: &PlanePlan, shape: &PlaneWavy, wanted: Wanted) -> Result<Outcome, SimulationError> {
+    let contact = WavyContact { shape, modulus: plan.pair.normal, load: 0.0, piece: None };
+    let (mut outcome, broken) = outcome(plan, Box::new(contact), wanted)?;
     outcome.results.push(Named::answer("in_one_piece", broken.is_none()));
     outcome.results.push(Named::number("rms_slope", Unit::ONE, shape.rms_slope()));
     if let Some(force) = broken {
@@ -94,14 +91,14 @@ fn is_known(record: &Record) -> bool {
 
 /// The outcome of a plane contact, and the largest force [N] under which it is not in one piece.
 fn outcome<'s>(
-    setup: &'s Setup,
+    plan: &'s PlanePlan,
     normal: Box<dyn NormalContact + 's>,
     wanted: Wanted,
 ) -> Result<(Outcome, Option<f64>), SimulationError> {
-    let run = follow(setup, Contact { normal, tangential: None }, wanted)?;
+    let run = follow(&plan.stages, Contact { normal, tangential: None }, wanted)?;
     let (records, broken): (Vec<_>, Vec<_>) = run.records.into_iter().partition(is_known);
     let outcome = Outcome {
-        results: results::named(setup, &records, &run.fields),
+        results: results::named(None, &records, &run.fields),
         records,
         fields: run.fields,
         tables: Vec::new(),
@@ -110,7 +107,7 @@ fn outcome<'s>(
             basis: "closed form or Chebyshev series of the half-plane: rounding".to_owned(),
         },
         warnings: run.notes,
-        plan: plan::of_plane(setup),
+        plan: plan.parts(),
     };
     Ok((outcome, broken.iter().map(|record| record.normal.force).reduce(f64::max)))
 }

@@ -5,7 +5,7 @@ use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::state::Normal;
 use crate::friction::state::Tangential;
-use crate::scene::plan::Plan;
+use crate::scene::parts::Parts;
 use serde::Serialize;
 
 /// State of the contact at one time.
@@ -131,7 +131,7 @@ pub struct Outcome {
     /// Physics a user must know.
     pub warnings: Vec<String>,
     /// What was used.
-    pub plan: Plan,
+    pub plan: Parts,
 }
 
 impl Outcome {

@@ -2,33 +2,32 @@
 
 use super::curves::sliding;
 use super::shear;
-use crate::friction::Friction;
 use crate::friction::peeling::TangentialLoad;
 use crate::friction::state::Tangential;
 use crate::run::named::Named;
 use crate::run::record::{Field, Record};
 use crate::run::unit::Unit;
-use crate::scene::setup::Setup;
+use crate::scene::law::ContactLaw;
+use crate::scene::plan::RoundPlan;
 use crate::scene::stage::Path;
 
-/// The results the scene has, in a fixed order.
+/// The results the scene has, in a fixed order; `contact` is who computes a round contact.
 #[must_use]
-pub fn named(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<Named> {
-    let mut results = largest(setup, records, fields);
+pub fn named(contact: Option<&ContactLaw>, records: &[Record], fields: &[Field]) -> Vec<Named> {
+    let mut results = largest(contact, records, fields);
     if let (Some(first), Some(last)) = (records.first(), records.last()) {
-        results.extend(last_state(setup, first, last));
+        results.extend(last_state(contact, first, last));
     }
-    results.extend(rubbing(setup, records));
     results
 }
 
 /// The largest of everything.
-fn largest(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<Named> {
+fn largest(contact: Option<&ContactLaw>, records: &[Record], fields: &[Field]) -> Vec<Named> {
     let forces = || records.iter().map(|record| record.normal.force);
     let most = |of: fn(&Record) -> Option<f64>| records.iter().filter_map(of).reduce(f64::max);
     let intensity = fields.iter().filter_map(|field| field.stress_intensity);
     let intensity = intensity.max_by(|x, y| x.abs().total_cmp(&y.abs()));
-    let pull_off = forces().reduce(f64::min).filter(|least| setup.scene.adhesion.is_some() && *least < 0.0);
+    let pull_off = forces().reduce(f64::min).filter(|least| contact.is_some_and(ContactLaw::adheres) && *least < 0.0);
     let found = [
         ("largest_force", Unit::NEWTON, forces().reduce(f64::max)),
         ("largest_indentation", Unit::METRE, most(|record| record.normal.indentation)),
@@ -41,10 +40,10 @@ fn largest(setup: &Setup, records: &[Record], fields: &[Field]) -> Vec<Named> {
 }
 
 /// Work done so far, and the last state.
-fn last_state(setup: &Setup, first: &Record, last: &Record) -> Vec<Named> {
+fn last_state(contact: Option<&ContactLaw>, first: &Record, last: &Record) -> Vec<Named> {
     let normal = &last.normal;
     let (stored, initial) = (normal.stored.stored(), first.normal.stored.stored());
-    let adheres = setup.scene.adhesion.is_some() && setup.relaxation.is_none();
+    let elastic = contact.is_some_and(|contact| contact.adheres() && contact.relaxation().is_none());
     let found = [
         ("work", Unit::JOULE, Some(stored - initial + normal.dissipated)),
         ("dissipated", Unit::JOULE, Some(normal.dissipated)),
@@ -53,7 +52,7 @@ fn last_state(setup: &Setup, first: &Record, last: &Record) -> Vec<Named> {
         ("final_force", Unit::NEWTON, Some(normal.force)),
         ("final_contact_radius", Unit::METRE, normal.contact_radius),
         ("final_stored_elastic", Unit::JOULE, Some(normal.stored.elastic)),
-        ("final_stored_surface", Unit::JOULE, adheres.then_some(normal.stored.surface)),
+        ("final_stored_surface", Unit::JOULE, elastic.then_some(normal.stored.surface)),
     ];
     known(&found)
 }
@@ -65,7 +64,8 @@ fn known(found: &[(&'static str, Unit, Option<f64>)]) -> Vec<Named> {
 }
 
 /// What friction adds.
-fn rubbing(setup: &Setup, records: &[Record]) -> Vec<Named> {
+#[must_use]
+pub fn of_friction(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
     let Some(last) = records.last().and_then(|record| record.tangential) else { return Vec::new() };
     let force = records.iter().filter_map(|record| Some(record.tangential?.force.abs()));
     let found = [
@@ -76,28 +76,26 @@ fn rubbing(setup: &Setup, records: &[Record]) -> Vec<Named> {
         ("final_tangential_stiffness", Unit::NEWTON_PER_METRE, Some(last.stiffness)),
         ("final_stored_tangential", Unit::JOULE, last.stored),
         ("friction_dissipated", Unit::JOULE, last.dissipated),
-        ("dissipated_per_cycle", Unit::JOULE, per_cycle(setup, records)),
-        ("friction_coefficient", Unit::ONE, coefficient(setup, records)),
+        ("dissipated_per_cycle", Unit::JOULE, per_cycle(plan, records)),
+        ("friction_coefficient", Unit::ONE, coefficient(plan, records)),
     ];
-    known(&found).into_iter().chain(peeled(setup, records)).collect()
+    known(&found).into_iter().chain(peeled(plan, records)).collect()
 }
 
 /// F_x/F of the last slide under a law of gross sliding.
-fn coefficient(setup: &Setup, records: &[Record]) -> Option<f64> {
-    if matches!(setup.scene.friction, None | Some(Friction::Coulomb(_))) {
-        return None;
-    }
+fn coefficient(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
+    plan.friction.as_ref()?.interface()?;
     records.iter().rev().find_map(sliding::slid).map(|(_, coefficient)| coefficient)
 }
 
 /// What sliding does to an adhesive contact: A/A_JKR at the last slide and at its least, what is left
 /// without adhesion, and the tangential force at which the edge would jump under that force.
-fn peeled(setup: &Setup, records: &[Record]) -> Vec<Named> {
+fn peeled(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
     let ratio = |record: &Record| record.tangential.and_then(|state| state.area_ratio);
     let last = records.iter().rev().find_map(ratio);
     let sheared = records.iter().filter(|record| ratio(record).is_some());
     let least = sheared.min_by(|x, y| ratio(x).unwrap_or(1.0).total_cmp(&ratio(y).unwrap_or(1.0)));
-    let (Some(contact), Some(last), Some(least)) = (shear::sheared(setup), last, least) else { return Vec::new() };
+    let (Some(contact), Some(last), Some(least)) = (shear::sheared(plan), last, least) else { return Vec::new() };
     let (force, radius) = (least.normal.force, least.normal.contact_radius.unwrap_or(0.0));
     let rest = contact.under(force, TangentialLoad::Force(0.0)).map(|state| state.contact_radius);
     let hertz = if let (Ok(plain), Ok(rest)) = (contact.plain_radius(force), rest) {
@@ -117,8 +115,8 @@ fn peeled(setup: &Setup, records: &[Record]) -> Vec<Named> {
 }
 
 /// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.
-fn per_cycle(setup: &Setup, records: &[Record]) -> Option<f64> {
-    let entry = setup.stages.iter().rev().find(|stage| matches!(stage.tangential, Path::Wave { .. }))?.entry;
+fn per_cycle(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
+    let entry = plan.stages.iter().rev().find(|stage| matches!(stage.tangential, Path::Wave { .. }))?.entry;
     let shaken = records.iter().filter(|record| record.entry == entry).filter_map(|record| record.tangential);
     let shaken: Vec<Tangential> = shaken.collect();
     let turns = |three: &&[Tangential]| (three[1].slide - three[0].slide) * (three[2].slide - three[1].slide) < 0.0;

@@ -10,8 +10,7 @@ use super::{Contact, SimulationError, Wanted};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::state::Normal;
-use crate::scene::plan;
-use crate::scene::setup::Setup;
+use crate::scene::plan::RoughPlan;
 use crate::scene::surface::Surface;
 use crate::shape::rough::{BedState, RoughBed, RoughError, RoughLine, VALIDITY};
 use crate::shape::{Profile, Rim};
@@ -45,18 +44,19 @@ struct RoughContact {
 }
 
 impl RoughContact {
-    fn new(setup: &Setup, surface: &Surface, seed: u64) -> Result<Self, RoughError> {
-        let profile = setup.profile.as_ref();
+    fn new(plan: &RoughPlan, seed: u64) -> Result<Self, RoughError> {
+        let surface = &plan.surface;
         let line = RoughLine::new(&surface.rings, seed);
-        let bed = RoughBed::under(&line, surface.points, setup.pair.normal, |x| profile.reduced(x))?;
+        let bed = RoughBed::under(&line, surface.points, plan.pair.normal, |x| plan.reduced(x))?;
         let state = bed.at_indentation(bed.first_touch());
-        let ends = (least_gap_at_ends(profile, &line, surface.points)?, line.length());
+        let ends = (least_gap_at_ends(plan.base.as_deref(), &line, surface.points)?, line.length());
         Ok(Self { bed: Arc::new(bed), state, depth: 0.0, ends })
     }
 }
 
 /// Least gap near the ends of the line; infinite over a flat, whose edge the contact may reach.
-fn least_gap_at_ends(profile: &dyn Profile, line: &RoughLine, points: usize) -> Result<f64, RoughError> {
+fn least_gap_at_ends(base: Option<&dyn Profile>, line: &RoughLine, points: usize) -> Result<f64, RoughError> {
+    let Some(profile) = base else { return Ok(f64::INFINITY) };
     let half = 0.5 * line.length();
     if matches!(profile.rim(), Rim::Wall(end) if end <= half) {
         return Ok(f64::INFINITY);
@@ -123,10 +123,11 @@ impl NormalContact for RoughContact {
 }
 
 /// Runs a scene with a rough shape, all members of its ensemble in parallel; `done` is told the share behind.
-pub(super) fn run(setup: &Setup, surface: &Surface, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
+pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
+    let surface = &plan.surface;
     let behind = std::sync::atomic::AtomicUsize::new(0);
     let member = |&seed: &u64| {
-        let records = member(setup, surface, seed);
+        let records = member(plan, seed);
         let count = behind.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
         done(count as f64 / surface.seeds.len() as f64);
         records
@@ -142,14 +143,14 @@ pub(super) fn run(setup: &Setup, surface: &Surface, done: &(dyn Fn(f64) + Sync))
         tables: ensemble.iter().map(Ensemble::table).collect(),
         error_estimate: estimate(),
         warnings: vec![format!("{VALIDITY}; indentation counts from first touch")],
-        plan: plan::of_rough(setup, surface),
+        plan: plan.parts(),
     })
 }
 
-fn member(setup: &Setup, surface: &Surface, seed: u64) -> Result<Vec<Record>, SimulationError> {
-    let contact = RoughContact::new(setup, surface, seed);
+fn member(plan: &RoughPlan, seed: u64) -> Result<Vec<Record>, SimulationError> {
+    let contact = RoughContact::new(plan, seed);
     let contact = contact.map_err(|error| SimulationError::Refused(format!("shape, seed {seed}: {error}")))?;
-    let run = follow(setup, Contact { normal: Box::new(contact), tangential: None }, Wanted::NOTHING)?;
+    let run = follow(&plan.stages, Contact { normal: Box::new(contact), tangential: None }, Wanted::NOTHING)?;
     Ok(run.records)
 }
 

@@ -21,7 +21,7 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 /// The physics a user must know about the records of a scene.
 #[must_use]
 pub fn of(setup: &Setup, records: &[Record]) -> Vec<String> {
-    if let Some(surface) = &setup.surface {
+    if let Some(surface) = setup.surface() {
         return steep_waves(surface.roughness().rms_slope).into_iter().collect();
     }
     match &setup.scene.shape {
@@ -34,7 +34,8 @@ pub fn of(setup: &Setup, records: &[Record]) -> Vec<String> {
     }
     let states = records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
     let Some((a, largest)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
-    let profile = setup.profile.as_ref();
+    let Some(ground) = setup.ground() else { return Vec::new() };
+    let profile = ground.profile();
     let found =
         [steep(profile, a), not_a_ball(setup, a), two_radii(setup), connected(setup, a), tabor(setup), coupled(setup)];
     found.into_iter().flatten().chain(first_yield(setup, a, &largest)).collect()
@@ -114,7 +115,7 @@ fn two_radii(setup: &Setup) -> Option<String> {
 
 /// With adhesion the contact is taken to be connected even where the waves would part.
 fn connected(setup: &Setup, a: f64) -> Option<String> {
-    let limit = setup.profile.first_fall().filter(|&limit| a > limit)?;
+    let limit = setup.profile()?.first_fall().filter(|&limit| a > limit)?;
     Some(format!(
         "beyond the radius {limit:.3e} m the one-dimensional profile falls: the contact is assumed to stay connected, which only adhesion can bring about (Guduru 2007)"
     ))
@@ -157,15 +158,15 @@ fn yielding(setup: &Setup, a: f64, largest: &Normal, body: &Body) -> Option<Stri
     let Body::Elastic(elastic) = body else { return None };
     let limit = elastic.yield_stress?.si();
     let modulus = setup.pair.normal;
-    if a > 0.0 && setup.profile.pressure_integral(0.0, a).is_infinite() {
+    let ground = setup.ground()?;
+    if a > 0.0 && ground.profile().pressure_integral(0.0, a).is_infinite() {
         return Some(format!(
             "the tip is a point: the elastic stress below it has no bound, so the body yields there at any load, above {limit:.3e} Pa; mean pressure {:.3e} Pa",
             largest.force / (PI * a * a)
         ));
     }
-    let edge = largest.indentation? - setup.profile.reduced(a);
-    let loading =
-        Loading { ground: setup.ground(), poisson: elastic.poisson.si(), contact_radius: a, edge_load: modulus * edge };
+    let edge = largest.indentation? - ground.profile().reduced(a);
+    let loading = Loading { ground, poisson: elastic.poisson.si(), contact_radius: a, edge_load: modulus * edge };
     let worst = loading.profile_down(96).into_iter().max_by(|x, y| x.shear.total_cmp(&y.shear))?;
     (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
         format!(

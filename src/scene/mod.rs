@@ -2,6 +2,9 @@
 
 pub mod history;
 mod limits;
+mod resolve;
+pub mod law;
+pub mod parts;
 pub mod plan;
 pub mod reach;
 pub mod rules;

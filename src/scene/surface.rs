@@ -1,9 +1,11 @@
 //! What lies on the smooth profile of a scene: roughness, made ready.
 
 use crate::input::problem::Problem;
+use crate::input::quantity::Length;
 use crate::input::table::Tables;
 use crate::shape::rough::{Border, HeightMap, Rings, Roughness, RoughnessSpectrum, SourceError};
-use crate::shape::{Family, Rim, RoughShape, Shape};
+use crate::shape::{Rim, RoughShape};
+use std::path::Path;
 use std::sync::Arc;
 
 /// Most springs of a rough line: their state alone has a gigabyte.
@@ -58,25 +60,11 @@ impl Surface {
     }
 }
 
-/// The roughness of a shape, if it has one, or what is wrong with it.
+/// The roughness of a line.
 ///
 /// # Errors
-/// Spectra that do not fit the line, tables that cannot be read.
-pub fn of(shape: &Shape, tables: &dyn Tables) -> Result<Option<Surface>, Vec<Problem>> {
-    match shape.family() {
-        Family::Line(line) => of_line(line, tables).map(Some),
-        Family::Map(path, pixel) => {
-            let map = tables.heights(path).map_err(|error| error.to_string());
-            let map = map.and_then(|heights| {
-                HeightMap::new(heights, (pixel.si(), pixel.si())).map_err(|e| format!("{}: {e}", path.display()))
-            });
-            map.map(of_map).map(Some).map_err(|what| vec![Problem::new("shape", what)])
-        }
-        Family::Round | Family::Wave(_) | Family::Wavy(_) => Ok(None),
-    }
-}
-
-fn of_line(line: &RoughShape, tables: &dyn Tables) -> Result<Surface, Vec<Problem>> {
+/// Spectra that do not fit the line, tables that cannot be read, a base that is rough or too short.
+pub fn of_line(line: &RoughShape, tables: &dyn Tables) -> Result<Surface, Vec<Problem>> {
     let mut problems = sizes(line);
     problems.extend(beyond_base(line, tables));
     let spectrum = line.spectrum.spectrum(tables);
@@ -127,8 +115,16 @@ fn beyond_base(line: &RoughShape, tables: &dyn Tables) -> Option<Problem> {
     })
 }
 
-fn of_map(map: HeightMap) -> Surface {
+/// The roughness of the height map at `path` with pixels of the size `pixel`.
+///
+/// # Errors
+/// The map cannot be read.
+pub fn of_map(path: &Path, pixel: Length, tables: &dyn Tables) -> Result<Surface, Vec<Problem>> {
+    let problem = |what: String| vec![Problem::new("shape", what)];
+    let heights = tables.heights(path).map_err(|error| problem(error.to_string()))?;
+    let map = HeightMap::new(heights, (pixel.si(), pixel.si()));
+    let map = map.map_err(|error| problem(format!("{}: {error}", path.display())))?;
     let rings = map.rings(Border::Cut);
     let points = (PER_RING * rings.variances().len()).max(LEAST_POINTS);
-    Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] }
+    Ok(Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] })
 }

@@ -331,7 +331,7 @@ impl Shape {
             Self::Table(path) => Arc::new(Measured::read(path, tables)?),
             Self::RoughLine(line) => match &line.base {
                 Some(base) => base.profile(tables)?,
-                None => Arc::new(FlatPunch::of_width(line.length)?),
+                None => return Err(ShapeError::NoProfile(self.name())),
             },
             Self::PlaneWave(_) | Self::PlaneWavy(_) | Self::HeightMap(..) => {
                 return Err(ShapeError::NoProfile(self.name()));

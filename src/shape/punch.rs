@@ -1,7 +1,7 @@
 //! Flat-ended cylindrical punch.
 
 use super::{Profile, Rim};
-use crate::input::quantity::{Length, QuantityError};
+use crate::input::quantity::Length;
 use serde::{Deserialize, Serialize};
 
 /// Flat punch f(r) = 0 for r ≤ b, infinite beyond; g(x) likewise.
@@ -14,16 +14,6 @@ use serde::{Deserialize, Serialize};
 pub struct FlatPunch {
     /// Radius.
     pub radius: Length,
-}
-
-impl FlatPunch {
-    /// The punch that stands for a flat of a given side [m] in one dimension: its bed is as wide.
-    ///
-    /// # Errors
-    /// Half the side is not a positive number (a side at the limits of `f64`).
-    pub fn of_width(side: Length) -> Result<Self, QuantityError> {
-        Ok(Self { radius: Length::new(0.5 * side.si())? })
-    }
 }
 
 impl Profile for FlatPunch {

@@ -77,7 +77,7 @@ fn theories(setup: &Setup, outcome: &Outcome) -> Vec<String> {
 /// Effective moduli by name [Pa].
 fn moduli(setup: &Setup) -> Vec<(&'static str, f64)> {
     let mut rows = vec![("G*", setup.pair.tangential)];
-    match &setup.relaxation {
+    match setup.relaxation() {
         None => rows.insert(0, ("E*", setup.pair.normal)),
         Some(relaxation) => {
             rows.insert(0, ("E*(∞)", relaxation.equilibrium));
@@ -91,7 +91,7 @@ fn json(setup: &Setup, outcome: &Outcome) -> Result<String, Failure> {
     let value = serde_json::json!({
         "title": setup.scene.title,
         "pair": setup.pair,
-        "relaxation": setup.relaxation,
+        "relaxation": setup.relaxation(),
         "plan": outcome.plan,
         "accuracy": setup.accuracy(),
         "error_estimate": outcome.error_estimate,

@@ -3,14 +3,14 @@
 use crate::run::named::Named;
 use crate::run::record::{ErrorEstimate, Outcome};
 use crate::scene::Scene;
-use crate::scene::plan::Plan;
+use crate::scene::parts::Parts;
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
 #[derive(Serialize)]
 struct Summary<'a> {
     scene: Described<'a>,
     version: &'static str,
-    plan: &'a Plan,
+    plan: &'a Parts,
     results: Results<'a>,
     error_estimate: &'a ErrorEstimate,
     warnings: &'a [String],

@@ -56,7 +56,7 @@ fn height(scenario: &Scenario<'_>, x: f64, y: f64) -> f64 {
     if let Shape::Ellipsoid(ellipsoid) = &scenario.setup.scene.shape {
         return 0.5 * (x * x / ellipsoid.radius_x.si() + y * y / ellipsoid.radius_y.si());
     }
-    super::rough_full::smooth(scenario.setup.profile.as_ref(), x.hypot(y))
+    scenario.setup.profile().map_or(0.0, |profile| super::rough_full::smooth(profile, x.hypot(y)))
 }
 
 /// Contact radius [m]: of Hertzian pressures from their second moments, else from the area.

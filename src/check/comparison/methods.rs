@@ -4,11 +4,13 @@ use super::{Fineness, Measured, Method, State, state_of, timed};
 use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::numerics::extremum;
 use crate::run::record::Record;
 use crate::run::{self, NormalContact, SimulationError, Wanted};
-use crate::scene::plan;
+use crate::scene::law::ElasticAdhesion;
+use crate::scene::plan::SceneSettings;
 use crate::scene::setup::Setup;
 use crate::shape::Shape;
 use std::num::NonZeroUsize;
@@ -33,7 +35,7 @@ impl<'s> Scenario<'s> {
     pub(super) fn of(setup: &'s Setup, most: &Record) -> Self {
         let recorded = state_of(most);
         let mut scenario = Self { setup, most: recorded, peak_at: None, replayed: false };
-        if setup.relaxation.is_some() {
+        if setup.relaxation().is_some() {
             return scenario;
         }
         // With adhesion a state may hang on the way to it.
@@ -75,7 +77,7 @@ impl<'s> Scenario<'s> {
 
     fn direct(&self) -> Result<Measured, String> {
         let (state, time) = timed(|| if self.replayed { self.direct_state() } else { self.history(None) });
-        let bytes = plan::of(self.setup).state_bytes as u64;
+        let bytes = self.setup.parts().state_bytes as u64;
         let state = state.map_err(|error| format!("direct: {error}"))?;
         Ok(Measured { state, time, bytes, iterations: None })
     }
@@ -92,42 +94,46 @@ impl<'s> Scenario<'s> {
     }
 
     fn springs(&self, springs: usize) -> Result<Measured, String> {
-        let computed = || if self.replayed { Ok(self.bed_state(springs)) } else { self.history(Some(springs)) };
+        let computed = || if self.replayed { self.bed_state(springs) } else { self.history(Some(springs)) };
         let (state, time) = timed(computed);
         let state = state.map_err(|error| format!("{springs} springs: {error}"))?;
         Ok(Measured { state, time, bytes: 16 * springs as u64, iterations: None })
     }
 
-    fn bed_state(&self, springs: usize) -> State {
-        let profile = self.setup.profile.as_ref();
-        let work = match &self.setup.scene.adhesion {
-            Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
-            _ => 0.0,
-        };
-        let reach = reach_for(profile, self.most.contact_radius_m.unwrap_or(0.0));
-        let mut bed = SpringBed::new(self.setup.ground(), (springs, reach), work);
+    fn bed_state(&self, springs: usize) -> Result<State, SimulationError> {
+        let (ground, adhesion) = direct(self.setup)?;
+        let reach = reach_for(ground.profile(), self.most.contact_radius_m.unwrap_or(0.0));
+        let work = adhesion.work_at_edge().unwrap_or(0.0);
+        let mut bed = SpringBed::new(ground.clone(), (springs, reach), work);
         bed.indent(self.most.indentation_m);
-        State {
+        Ok(State {
             force_n: bed.force(),
             contact_radius_m: Some(bed.contact_radius()),
             peak_pressure_pa: self.peak_at.map(|r| bed.pressure(r)),
             ..self.most
-        }
+        })
     }
 
     /// The state of the largest force after the whole history.
     fn history(&self, springs: Option<usize>) -> Result<State, SimulationError> {
-        let mut setup = self.setup.clone();
-        setup.scene.springs = springs.and_then(NonZeroUsize::new);
+        let springs = springs.and_then(NonZeroUsize::new);
+        let setup = self.setup.with(SceneSettings { springs, ..self.setup.settings() })?;
         let outcome = run::run(&setup, Wanted::NOTHING)?;
         let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force));
         Ok(most.map_or(self.most, state_of))
     }
 }
 
+/// What a scene on the direct path is made of.
+fn direct(setup: &Setup) -> Result<(HalfSpace, ElasticAdhesion), SimulationError> {
+    let parts = setup.ground().zip(setup.direct());
+    parts.ok_or_else(|| SimulationError::Refused("the direct path computes elastic round contacts".to_owned()))
+}
+
 /// The contact pressed to an indentation [m] from first touch.
 fn pressed(setup: &Setup, to: f64) -> Result<QuasiStatic, SimulationError> {
-    let mut contact = run::direct(setup)?;
+    let (ground, adhesion) = direct(setup)?;
+    let mut contact = run::direct(ground, adhesion)?;
     let pressed = contact.advance(Control::Indentation, to, 0.0);
     pressed.map_err(|source| SimulationError::Contact { entry: 0, source })?;
     Ok(contact)

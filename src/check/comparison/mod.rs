@@ -11,6 +11,7 @@ mod rough_full;
 
 use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
+use crate::scene::plan::SceneSettings;
 use crate::scene::setup::Setup;
 use serde::Serialize;
 use std::time::Instant;
@@ -155,12 +156,11 @@ pub fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, Comparis
     if setup.scene.shape.is_plane() {
         return plane::compare(setup, done);
     }
-    let mut setup = setup.clone();
-    setup.scene.springs = None;
+    let setup = setup.with(SceneSettings { springs: None, ..setup.settings() }).map_err(SimulationError::from)?;
     let outcome = run::run(&setup, Wanted::NOTHING)?;
     let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force));
     let most = most.filter(|record| record.normal.force > 0.0).ok_or(ComparisonError::NoContact)?;
-    if let Some(surface) = &setup.surface {
+    if let Some(surface) = setup.surface() {
         let force = most.normal.force;
         return Ok(rough::compare(&rough::Rough { setup: &setup, surface, force }, done));
     }
@@ -223,7 +223,7 @@ fn notes(setup: &Setup, scenario: &methods::Scenario<'_>) -> Vec<String> {
     if setup.scene.adhesion.is_some() {
         left_out("adhesion");
     }
-    if setup.relaxation.is_some() {
+    if setup.relaxation().is_some() {
         left_out("viscoelastic bodies");
     }
     if setup.scene.friction.is_some() {

@@ -5,6 +5,7 @@ use crate::check::one_piece::largest_force;
 #[cfg(feature = "half-space")]
 use crate::halfspace::{PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, Settings, solve_plane};
 use crate::run::{self, Wanted};
+use crate::scene::plan::SceneSettings;
 use crate::scene::setup::Setup;
 #[cfg(feature = "half-space")]
 use crate::shape::Shape;
@@ -58,8 +59,7 @@ fn fill_in(row: &mut Row, right: &State) {
 
 /// The state under the force by the closed form, in one record.
 fn direct(setup: &Setup, force: f64) -> Option<Measured> {
-    let mut setup = setup.clone();
-    setup.scene.steps = NonZeroUsize::new(1);
+    let setup = setup.with(SceneSettings { steps: NonZeroUsize::new(1), ..setup.settings() }).ok()?;
     let fields = Wanted { fields: true, ..Wanted::NOTHING };
     let outcome = run::run(&setup, fields).ok()?;
     let (_, time) = timed(|| run::run(&setup, Wanted::NOTHING));

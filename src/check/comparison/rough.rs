@@ -115,9 +115,10 @@ impl Rough<'_> {
     }
 
     fn pressed(&self, seed: u64, points: usize) -> Result<State, RoughError> {
-        let profile = self.setup.profile.as_ref();
         let line = RoughLine::new(&self.surface.rings, seed);
-        let bed = RoughBed::under(&line, points, self.setup.pair.normal, |x| profile.reduced(x))?;
+        let bed = RoughBed::under(&line, points, self.setup.pair.normal, |x| {
+            self.setup.profile().map_or(0.0, |base| base.reduced(x))
+        })?;
         let depth = |force: f64| bed.at_force(force).indentation;
         Ok(self.state([depth(BELOW * self.force), depth(self.force)], bed.first_touch()))
     }

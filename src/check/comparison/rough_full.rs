@@ -7,7 +7,7 @@ use crate::halfspace::{
 };
 use crate::scene::surface::Source;
 use crate::shape::rough::rough_surface;
-use crate::shape::{Profile, Rim, Shape};
+use crate::shape::{Profile, Rim};
 use ndarray::Array2;
 
 /// Relative residual: far below the scatter of surfaces.
@@ -92,7 +92,6 @@ fn pressed(rough: &Rough<'_>, (grid, seed): (usize, u64)) -> Result<(State, Solu
 
 /// Heights of the indenter [m], away from the half-space, and the pixel [m].
 fn heights(rough: &Rough<'_>, (grid, seed): (usize, u64)) -> Result<(Array2<f64>, [f64; 2]), String> {
-    let profile = rough.setup.profile.as_ref();
     let spectrum = match &rough.surface.source {
         Source::Spectrum(spectrum) => spectrum,
         Source::Map(map) => {
@@ -107,7 +106,7 @@ fn heights(rough: &Rough<'_>, (grid, seed): (usize, u64)) -> Result<(Array2<f64>
     let mut heights = rough_surface(spectrum, length, grid, seed).map_err(|error| error.to_string())?;
     let pixel = length / grid as f64;
     let place = |index: usize| (index as f64 + 0.5) * pixel - 0.5 * length;
-    if matches!(&rough.setup.scene.shape, Shape::RoughLine(line) if line.base.is_some()) {
+    if let Some(profile) = rough.setup.profile() {
         for ((row, column), height) in heights.indexed_iter_mut() {
             *height += smooth(profile, place(row).hypot(place(column)));
         }

@@ -14,7 +14,7 @@ const HARDNESS: f64 = 2.8;
 /// Empty without roughness. The area theories ask for a nominally flat surface; on a ball they say nothing.
 #[must_use]
 pub fn in_words(setup: &Setup, force: f64, stiffness: f64) -> Vec<String> {
-    let Some(surface) = &setup.surface else { return Vec::new() };
+    let Some(surface) = setup.surface() else { return Vec::new() };
     let (roughness, modulus) = (surface.roughness(), setup.pair.normal);
     let mut lines = Vec::new();
     if is_flat(&setup.scene.shape) && force > 0.0 {

@@ -1,11 +1,11 @@
 //! Any scene: its own solver at several accuracies, and beds of springs.
 
 use super::{Answer, Effort, Method, Setting, Study};
-use crate::contact::adhesion::Adhesion;
 use crate::input::quantity::Accuracy;
 use crate::run::named::{Finding, Named};
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
+use crate::scene::plan::SceneSettings;
 use crate::scene::setup::Setup;
 use std::num::NonZeroUsize;
 
@@ -19,7 +19,7 @@ const FINEST: f64 = 1e-8;
 /// # Errors
 /// The scene cannot be run.
 pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
-    let own = refined(setup, None, FINEST);
+    let own = refined(setup, None, FINEST)?;
     let outcome = run::run(&own, Wanted::NOTHING)?;
     let exact = numbers(&outcome);
     let direct = outcome.plan.solver == "direct";
@@ -31,18 +31,16 @@ pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
             Some(move || answer(&run::run(&setup, Wanted::NOTHING).ok()?, &exact))
         })
     };
-    let mut methods: Vec<Method> = accuracies
-        .iter()
-        .map(|&accuracy| method(outcome.plan.solver, Setting::FREE, refined(setup, None, accuracy)))
-        .collect();
-    if setup.surface.is_none()
-        && setup.relaxation.is_none()
-        && !matches!(setup.scene.adhesion, Some(Adhesion::Maugis(_)))
-    {
-        methods.extend(effort.decades(1, 5).map(|count| {
-            let springs = NonZeroUsize::new(count);
-            method("springs", Setting::springs(count), refined(setup, springs, FINEST))
-        }));
+    let mut methods = Vec::new();
+    for &accuracy in accuracies {
+        methods.push(method(outcome.plan.solver, Setting::FREE, refined(setup, None, accuracy)?));
+    }
+    if own.direct().is_some() {
+        for count in effort.decades(1, 5) {
+            // A scene that cannot be computed on springs is refused under any number of them.
+            let Ok(plan) = refined(setup, NonZeroUsize::new(count), FINEST) else { break };
+            methods.push(method("springs", Setting::springs(count), plan));
+        }
     }
     let title = if setup.scene.title.is_empty() { "scene" } else { &setup.scene.title };
     let reference =
@@ -60,11 +58,8 @@ pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
 }
 
 /// The scene with other springs and another accuracy.
-fn refined(setup: &Setup, springs: Option<NonZeroUsize>, accuracy: f64) -> Setup {
-    let mut setup = setup.clone();
-    setup.scene.springs = springs;
-    setup.scene.accuracy = Accuracy::new(accuracy).ok();
-    setup
+fn refined(setup: &Setup, springs: Option<NonZeroUsize>, accuracy: f64) -> Result<Setup, SimulationError> {
+    Ok(setup.with(SceneSettings { springs, accuracy: Accuracy::new(accuracy).ok(), ..setup.settings() })?)
 }
 
 /// Named results that are numbers above the noise of a sum that should vanish.

@@ -1,6 +1,5 @@
 //! States between records, where a curve is too bent for a straight line from one to the next.
 
-use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::state::Normal;
 use crate::run::record::Record;
@@ -33,13 +32,7 @@ pub fn filled(setup: &Setup, records: &[Record]) -> Vec<Record> {
 
 /// The equilibrium curve of the scene, if its states are those of the direct path.
 fn line(setup: &Setup) -> Option<EdgeLine> {
-    let work = match &setup.scene.adhesion {
-        None => 0.0,
-        Some(Adhesion::Jkr(jkr)) => jkr.work.si(),
-        Some(Adhesion::Maugis(_)) => return None,
-    };
-    let direct = setup.relaxation.is_none() && setup.scene.springs.is_none() && !setup.scene.shape.is_plane();
-    direct.then(|| EdgeLine::new(setup.ground(), work))
+    Some(EdgeLine::new(setup.ground()?, setup.direct()?.work_at_edge()?))
 }
 
 fn at(line: &EdgeLine, radius: f64, like: &Record) -> Record {

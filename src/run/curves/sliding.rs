@@ -1,13 +1,13 @@
 //! Curves of sliding: ways to and fro, coefficient of friction over the load, contact area over the speed.
 
 use crate::contact::adhesion::line::EdgeLine;
-use crate::friction::Friction;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::sliding::{SlidingLaw, SlidingPoint, amontons_range, friction_curve};
 use crate::friction::state::Tangential;
 use crate::run::record::Record;
 use crate::run::sheared;
 use crate::scene::history::Entry;
+use crate::scene::law::FrictionLaw;
 use crate::scene::setup::Setup;
 
 /// Deviation of d ln F_x/d ln F from one up to which Amontons' law counts as holding.
@@ -49,7 +49,7 @@ fn way(states: &[Tangential]) -> Option<(Way, &[Tangential])> {
 /// μF of Coulomb friction [N], if the load stays while the body slides and the force comes near it.
 #[must_use]
 pub fn limit(setup: &Setup, records: &[Record]) -> Option<f64> {
-    let Some(Friction::Coulomb(law)) = &setup.scene.friction else { return None };
+    let coefficient = setup.round()?.friction.as_ref()?.coulomb()?;
     let slides = |pair: &&[Record]| match (pair[0].tangential, pair[1].tangential) {
         (Some(before), Some(after)) => (after.slide - before.slide).abs() > 0.0,
         _ => false,
@@ -57,7 +57,7 @@ pub fn limit(setup: &Setup, records: &[Record]) -> Option<f64> {
     let loads: Vec<f64> = records.windows(2).filter(slides).map(|pair| pair[1].normal.force).collect();
     let load = *loads.first()?;
     let constant = loads.iter().all(|other| (other - load).abs() <= 1e-9 * load);
-    let limit = law.coefficient.si() * load;
+    let limit = coefficient * load;
     let most = records.iter().filter_map(|record| record.tangential).map(|state| state.force.abs()).fold(0.0, f64::max);
     (constant && most > 0.5 * limit).then_some(limit)
 }
@@ -73,9 +73,9 @@ pub fn slid(record: &Record) -> Option<(f64, f64)> {
 /// far as the profile goes; empty without a law.
 #[must_use]
 pub fn coefficient(setup: &Setup, records: &[Record]) -> Vec<SlidingPoint> {
-    let line = EdgeLine::new(setup.ground(), 0.0);
+    let (Some(ground), Some(law)) = (setup.ground(), law_of_last_slide(setup)) else { return Vec::new() };
+    let line = EdgeLine::new(ground, 0.0);
     let contact = ShearedAdhesion { line, ratio: setup.pair.tangential / setup.pair.normal };
-    let Some(law) = law_of_last_slide(setup) else { return Vec::new() };
     let load = records.iter().filter_map(slid).map(|point| point.0).fold(0.0, f64::max);
     let loads = (0..=96).map(|k| load * 10f64.powf(f64::from(k) / 12.0 - 6.0));
     loads.map_while(|load| friction_curve(&contact, law.as_ref(), &[load]).ok()).flatten().collect()
@@ -91,9 +91,9 @@ pub fn amontons(curve: &[SlidingPoint]) -> Option<(Option<f64>, Option<f64>)> {
 }
 
 fn law_of_last_slide(setup: &Setup) -> Option<Box<dyn SlidingLaw>> {
-    let friction = setup.scene.friction.as_ref()?;
+    let interface = setup.round()?.friction.as_ref()?.interface()?;
     let speed = speeds(setup).into_iter().rfind(|speed| *speed > 0.0).unwrap_or(0.0);
-    friction.law(speed, setup.strength.as_ref()).ok()
+    interface.law(speed).ok()
 }
 
 /// Sliding speed [m/s] of every entry, zero of those that do not slide.
@@ -120,13 +120,13 @@ pub fn area(setup: &Setup, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)>
 /// A/A_JKR over the speeds [m/s] of the table of shear strength, under the force `force` [N] (Savkoor & Briggs).
 #[must_use]
 pub fn area_in_theory(setup: &Setup, force: f64) -> Vec<(f64, f64)> {
-    let (Some(contact), Some(friction), Some(curve)) = (sheared(setup), &setup.scene.friction, &setup.strength) else {
-        return Vec::new();
-    };
-    let (least, most) = curve.range();
+    let Some(plan) = setup.round() else { return Vec::new() };
+    let interface = plan.friction.as_ref().and_then(FrictionLaw::interface);
+    let (Some(contact), Some(interface)) = (sheared(plan), interface) else { return Vec::new() };
+    let Some((least, most)) = interface.strength.as_ref().map(|curve| curve.range()) else { return Vec::new() };
     let speed = |k: i32| least * (most / least).powf(f64::from(k) / 200.0);
     let ratio = |speed: f64| {
-        let stress = friction.law(speed, Some(curve)).ok()?.stress(0.0);
+        let stress = interface.law(speed).ok()?.stress(0.0);
         let rest = contact.under_stress(force, 0.0).ok()?.contact_radius;
         Some((speed, (contact.under_stress(force, stress).ok()?.contact_radius / rest).powi(2)))
     };

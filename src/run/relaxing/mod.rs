@@ -11,11 +11,9 @@ mod cycle;
 mod instants;
 
 use super::contact::{ContactError, Drive, Event, Loop, Moment, NormalContact};
-use super::follow::{Run, follow};
-use super::{Contact, Wanted};
+use super::follow::Run;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::Energy;
-use crate::contact::adhesion::{Adhesion, Edge};
 use crate::contact::state::Normal;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::creep::Creep;
@@ -26,10 +24,9 @@ use crate::contact::viscoelastic::opening::Attraction;
 use crate::contact::viscoelastic::pressing::{Pressing, Ramp};
 use crate::material::Relaxation;
 use crate::run::named::Named;
-use crate::run::record::{ErrorEstimate, Record};
 use crate::run::unit::Unit;
-use crate::scene::plan;
-use crate::scene::setup::Setup;
+use crate::scene::law::{GRADE, HeldEdge};
+use crate::scene::plan::RoundPlan;
 use crate::scene::stage::{Extent, Path};
 use crate::shape::Profile;
 use bed::ReadBed;
@@ -395,44 +392,42 @@ impl<B: ReadBed + 'static> NormalContact for Relaxing<B> {
     }
 }
 
-/// The contact of a scene with a viscoelastic body, bodies just touching.
-///
-/// A depth in few straight pieces is followed by the continuous bed. An oscillation and a prescribed
-/// force need hundreds of pieces, each of which would leave a strip behind: there a bed of springs
-/// does it, as fine as the accuracy asks for.
-pub fn contact(setup: &Setup, relaxation: &Relaxation) -> Box<dyn NormalContact> {
-    let (spectrum, profile) = (Arc::new(Spectrum::new(relaxation)), setup.profile.clone());
-    let accuracy = setup.accuracy();
-    let attraction = attraction(setup, &spectrum);
-    let creep = attraction.is_none().then(|| Creep::new(spectrum.clone(), profile.clone()));
-    match plan::relaxing_springs(setup) {
-        Some(count) => {
-            let reach = reach(setup, &spectrum);
-            let layout = Layout::graded(profile.as_ref(), (plan::GRADE * reach, reach), count);
-            Box::new(Relaxing::new(Springs::new(spectrum, profile.clone(), layout), (profile, creep), accuracy))
-        }
-        None => {
-            let bed = Memory::new(spectrum, profile.clone());
-            let bed = attraction.into_iter().fold(bed, Memory::with);
-            Box::new(Relaxing::new(bed, (profile, creep), accuracy))
-        }
-    }
+/// The continuous bed of a scene, bodies just touching: for a depth in few straight pieces.
+pub fn continuous(plan: &RoundPlan, relaxation: &Relaxation, edge: Option<&HeldEdge>) -> Box<dyn NormalContact> {
+    let spectrum = Arc::new(Spectrum::new(relaxation));
+    let attraction = edge.map(|edge| edge.attraction(&spectrum));
+    let creep = attraction.is_none().then(|| Creep::new(spectrum.clone(), plan.profile.clone()));
+    Box::new(Relaxing::new(memory(plan, spectrum, attraction), (plan.profile.clone(), creep), plan.accuracy()))
+}
+
+/// The bed of `count` springs of a scene, bodies just touching: for an oscillation and a prescribed force, which
+/// need hundreds of straight pieces, each of which would leave a strip behind in the continuous bed.
+pub fn springs(plan: &RoundPlan, relaxation: &Relaxation, count: usize) -> Box<dyn NormalContact> {
+    let (spectrum, profile) = (Arc::new(Spectrum::new(relaxation)), plan.profile.clone());
+    let creep = Creep::new(spectrum.clone(), profile.clone());
+    let reach = reach(plan, &spectrum);
+    let layout = Layout::graded(profile.as_ref(), (GRADE * reach, reach), count);
+    let bed = Springs::new(spectrum, profile.clone(), layout);
+    Box::new(Relaxing::new(bed, (profile, Some(creep)), plan.accuracy()))
 }
 
 /// The contact of an adhesive scene with the edge followed in half the steps.
-fn refined(setup: &Setup, relaxation: &Relaxation) -> Box<dyn NormalContact> {
+pub fn refined(plan: &RoundPlan, relaxation: &Relaxation, edge: &HeldEdge) -> Box<dyn NormalContact> {
     let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = attraction(setup, &spectrum).map(Attraction::refined);
-    let bed = attraction.into_iter().fold(Memory::new(spectrum, setup.profile.clone()), Memory::with);
-    Box::new(Relaxing::new(bed, (setup.profile.clone(), None), setup.accuracy()))
+    let attraction = edge.attraction(&spectrum).refined();
+    Box::new(Relaxing::new(memory(plan, spectrum, Some(attraction)), (plan.profile.clone(), None), plan.accuracy()))
+}
+
+fn memory(plan: &RoundPlan, spectrum: Arc<Spectrum>, attraction: Option<Attraction>) -> Memory {
+    attraction.into_iter().fold(Memory::new(spectrum, plan.profile.clone()), Memory::with)
 }
 
 /// A radius [m] the contact of a scene does not outgrow: of its largest depth, or of the creep under its
 /// largest force over all its time.
-fn reach(setup: &Setup, spectrum: &Arc<Spectrum>) -> f64 {
+fn reach(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
     let (mut depth, mut force, mut time) = (0f64, 0f64, 0.0);
     let mut before = 0.0;
-    for stage in &setup.stages {
+    for stage in &plan.stages {
         time += stage.over;
         match (stage.control, stage.normal) {
             (Some(Control::Force), Path::To(to)) => force = force.max(to),
@@ -441,54 +436,15 @@ fn reach(setup: &Setup, spectrum: &Arc<Spectrum>) -> f64 {
             _ => {}
         }
     }
-    let creep = Creep::new(spectrum.clone(), setup.profile.clone()).after(force, 0.0).after(force, time);
+    let creep = Creep::new(spectrum.clone(), plan.profile.clone()).after(force, 0.0).after(force, time);
     let deepest = depth.max(creep.indentation().unwrap_or(0.0));
-    setup.profile.edge(deepest).filter(|&reach| reach > 0.0).unwrap_or_else(|| setup.profile.scale())
-}
-
-/// What holds the edge.
-fn attraction(setup: &Setup, spectrum: &Spectrum) -> Option<Attraction> {
-    let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
-    let work = jkr.work.si();
-    Some(match jkr.edge.as_ref()? {
-        Edge::Relaxed => Attraction::relaxed(work, spectrum),
-        Edge::Instantaneous => Attraction::instantaneous(work, spectrum),
-        Edge::Rate(rate) => Attraction::with_rate(work, spectrum, (rate.speed.si(), rate.exponent.si())),
-    })
-}
-
-/// The error of a run: of the sums of the bed, of its springs, of the pieces under a prescribed force.
-pub fn error_estimate(setup: &Setup, run: &Run<'_>) -> ErrorEstimate {
-    let largest = run.records.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let bed = (run.force_error / largest).max(1e-13);
-    if setup.scene.adhesion.is_some() {
-        return adhesive_estimate(setup, run, bed, largest);
-    }
-    let Some(count) = plan::relaxing_springs(setup) else {
-        let basis = "continuous bed, exact in time: every sum made anew with panels of half the width";
-        return ErrorEstimate { relative: bed, basis: basis.to_owned() };
-    };
-    let width = plan::GRADE.recip().asinh() / count as f64;
-    let basis = format!(
-        "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius lies between two springs",
-        setup.accuracy()
-    );
-    ErrorEstimate { relative: 0.25 * width * width + felt(setup, run) * setup.accuracy(), basis }
-}
-
-/// What the largest force feels of a depth off by a part of itself, 2E(0)a·d/F, where the depth is followed in
-/// chords; one where the force itself is met.
-fn felt(setup: &Setup, run: &Run<'_>) -> f64 {
-    let chords = setup.stages.iter().any(|stage| matches!(stage.normal, Path::Wave { .. }));
-    let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
-    let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
-    part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
+    plan.profile.edge(deepest).filter(|&reach| reach > 0.0).unwrap_or_else(|| plan.profile.scale())
 }
 
 /// Named results of a viscoelastic contact alone: the moduli of the last loop, and what is expected of
 /// the same contact if its edge stood still.
-pub fn results(setup: &Setup, run: &Run<'_>) -> Vec<Named> {
-    let (Some(found), Some(relaxation)) = (run.contact.last_loop(), &setup.relaxation) else {
+pub fn results(plan: &RoundPlan, run: &Run<'_>) -> Vec<Named> {
+    let (Some(found), Some(relaxation)) = (run.contact.last_loop(), plan.contact.relaxation()) else {
         return Vec::new();
     };
     let (spectrum, omega) = (Spectrum::new(relaxation), TAU * found.frequency);
@@ -511,21 +467,4 @@ pub fn remark(run: &Run<'_>) -> Option<String> {
         "storage and loss are those of the effective modulus E* from the first harmonics of the last cycle at its mean contact radius; they are compared with E*′(ω) and E*″(ω), which a contact has whose edge stands still: the edge of this one moves by {:.2} % of the radius",
         100.0 * found.swing
     ))
-}
-
-/// Adhesion: the whole history again with the opening edge followed in half the steps.
-fn adhesive_estimate(setup: &Setup, run: &Run<'_>, bed: f64, largest: f64) -> ErrorEstimate {
-    let forces = |records: &[Record]| {
-        let forces = records.iter().map(|record| record.normal.force);
-        (forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max))
-    };
-    let again = setup.relaxation.as_ref().map(|relaxation| refined(setup, relaxation));
-    let again = again.and_then(|normal| {
-        follow(setup, Contact { normal, tangential: None }, Wanted::NOTHING).ok().map(|run| forces(&run.records))
-    });
-    let (found, finer) = (forces(&run.records), again.unwrap_or((f64::NAN, f64::NAN)));
-    let off = (found.0 - finer.0).abs().max((found.1 - finer.1).abs()) / largest;
-    let pieces = if plan::is_curved(setup) { setup.accuracy() } else { 0.0 };
-    let basis = "continuous bed: its sums with panels of half the width, and the least and greatest force with the opening edge followed in half the steps";
-    ErrorEstimate { relative: bed + pieces + 2.0 * off, basis: basis.to_owned() }
 }

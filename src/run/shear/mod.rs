@@ -14,13 +14,13 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::state::Normal;
 use crate::friction::sliding::Pressed;
 use crate::friction::state::Tangential;
-use crate::friction::{Coulomb, Friction, Grip, Pose, chords};
+use crate::friction::{FrictionError, Pose, chords};
 use crate::run::record::ErrorEstimate;
-use crate::scene::setup::Setup;
+use crate::scene::law::FrictionLaw;
+use crate::scene::plan::RoundPlan;
 use crate::scene::stage::{Path, Stage};
 use peeling::Peeling;
-use sliding::{Interface, Sliding};
-use std::num::NonZeroUsize;
+use sliding::Sliding;
 
 /// A step of the history, seen after the normal contact has taken it.
 pub struct Step<'c> {
@@ -81,69 +81,59 @@ pub trait TangentialContact {
     }
 }
 
-/// The tangential part a scene needs; `None` without friction.
+/// The tangential part a scene needs.
 ///
-/// `springs` is the number of springs and the half width [m] of the bed, if the scene asks for one;
+/// `bed_radius` is the half width [m] of the bed of springs under the normal contact, if it has one;
 /// `kept` has room for the path, if it is wanted.
 ///
 /// # Errors
 /// The bed of springs is wider than the profile.
 pub fn of<'p>(
-    setup: &'p Setup,
-    springs: Option<(NonZeroUsize, f64)>,
+    plan: &RoundPlan,
+    law: &'p FrictionLaw,
+    bed_radius: f64,
     kept: Option<Vec<Pose>>,
-) -> Result<Option<Box<dyn TangentialContact + 'p>>, SimulationError> {
-    let law = match (&setup.scene.friction, sheared(setup)) {
-        (None, _) => return Ok(None),
-        (Some(Friction::Coulomb(law)), _) => law,
-        (Some(friction), Some(contact)) => return Ok(Some(Box::new(Peeling::new(contact, setup, friction)))),
-        (Some(friction), None) => return Ok(Some(Box::new(Sliding::new(Interface::new(setup, friction))))),
-    };
-    let grip = grip(setup, law);
-    if let Some(relaxation) = &setup.relaxation {
-        let bed = relaxing::Relaxing::new(setup, relaxation, grip);
-        return Ok(Some(Box::new(bed.map_err(|source| SimulationError::Refused(source.to_string()))?)));
-    }
-    let accuracy = accuracy(setup);
-    Ok(Some(match springs {
-        None => Box::new(sticking::Sticking::new((setup.profile.clone(), grip), accuracy, kept)),
-        Some(size) => {
-            let bed = springs::Springs::new((setup.profile.as_ref(), grip), size, accuracy);
-            Box::new(bed.map_err(|source| SimulationError::Refused(source.to_string()))?)
+) -> Result<Box<dyn TangentialContact + 'p>, SimulationError> {
+    let refused = |source: FrictionError| SimulationError::Refused(source.to_string());
+    Ok(match law {
+        FrictionLaw::Memory { coefficient } => {
+            Box::new(sticking::Sticking::new((plan.profile.clone(), plan.grip(*coefficient)), accuracy(plan), kept))
         }
-    }))
+        FrictionLaw::Springs { coefficient, count } => {
+            let on = (plan.profile.as_ref(), plan.grip(*coefficient));
+            Box::new(springs::Springs::new(on, (*count, bed_radius), accuracy(plan)).map_err(refused)?)
+        }
+        FrictionLaw::Viscoelastic { coefficient, count, relaxation } => {
+            let bed = relaxing::Relaxing::new(plan, relaxation, plan.grip(*coefficient), *count);
+            Box::new(bed.map_err(refused)?)
+        }
+        FrictionLaw::Sliding(interface) => Box::new(Sliding::new(plan.ground(), interface)),
+        FrictionLaw::Peeling { interface, work } => Box::new(Peeling::new(peeling::contact(plan, *work), interface)),
+    })
 }
 
 /// How closely a curved path is followed, as a part of the depth.
-fn accuracy(setup: &Setup) -> f64 {
-    setup.accuracy().clamp(1e-12, 1e-2)
+fn accuracy(plan: &RoundPlan) -> f64 {
+    plan.accuracy().clamp(1e-12, 1e-2)
 }
 
 /// The error of the tangential contact, where it is not rounding.
 #[must_use]
-pub fn error_estimate(setup: &Setup) -> Option<ErrorEstimate> {
-    let Some(Friction::Coulomb(_)) = &setup.scene.friction else { return None };
-    let bed = setup.relaxation.as_ref().map(|_| relaxing::springs(setup)).or(setup.scene.springs);
-    if let Some(springs) = bed {
-        return Some(ErrorEstimate {
-            relative: 17.0 / 16.0 / springs.get() as f64,
-            basis: format!("bed of {springs} springs: the tangential force within half a cell of its variation"),
-        });
-    }
-    let curved = |stage: &Stage| stage.control == Some(Control::Force) && stage.tangential != Path::Stay;
-    setup.stages.iter().any(curved).then(|| ErrorEstimate {
-        relative: accuracy(setup),
-        basis: "memory of friction: the depth under a force is a curve, followed by chords to this part".to_owned(),
-    })
-}
-
-/// Moduli and friction of a scene.
-#[must_use]
-pub fn grip(setup: &Setup, law: &Coulomb) -> Grip {
-    Grip {
-        normal_modulus: setup.pair.normal,
-        tangential_modulus: setup.pair.tangential,
-        coefficient: law.coefficient.si(),
+pub fn error_estimate(plan: &RoundPlan, law: &FrictionLaw) -> Option<ErrorEstimate> {
+    match law {
+        FrictionLaw::Springs { count, .. } | FrictionLaw::Viscoelastic { count, .. } => Some(ErrorEstimate {
+            relative: 17.0 / 16.0 / count.get() as f64,
+            basis: format!("bed of {count} springs: the tangential force within half a cell of its variation"),
+        }),
+        FrictionLaw::Memory { .. } => {
+            let curved = |stage: &Stage| stage.control == Some(Control::Force) && stage.tangential != Path::Stay;
+            plan.stages.iter().any(curved).then(|| ErrorEstimate {
+                relative: accuracy(plan),
+                basis: "memory of friction: the depth under a force is a curve, followed by chords to this part"
+                    .to_owned(),
+            })
+        }
+        FrictionLaw::Sliding(_) | FrictionLaw::Peeling { .. } => None,
     }
 }
 

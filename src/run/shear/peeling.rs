@@ -1,27 +1,28 @@
 //! Sliding of an adhesive contact in a run: the shear stress peels its edge.
 
 use super::{Step, TangentialContact};
-use crate::contact::adhesion::Adhesion;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::state::Normal;
+use crate::friction::FrictionError;
 use crate::friction::peeling::{Sheared, ShearedAdhesion, UNIFORM};
 use crate::friction::sliding::Pressed;
 use crate::friction::state::Tangential;
-use crate::friction::strength::StrengthCurve;
-use crate::friction::{Friction, FrictionError};
 use crate::run::contact::{ContactError, NormalContact};
-use crate::scene::setup::Setup;
+use crate::scene::law::{FrictionLaw, Interface};
+use crate::scene::plan::RoundPlan;
 
-/// The sheared adhesive contact of a scene under a uniform shear stress; `None` without adhesion of
-/// vanishing range.
+/// The sheared adhesive contact of a scene under a uniform shear stress; `None` unless it peels.
 #[must_use]
-pub fn sheared(setup: &Setup) -> Option<ShearedAdhesion> {
-    let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
-    Some(ShearedAdhesion {
-        line: EdgeLine::new(setup.ground(), jkr.work.si()),
-        ratio: UNIFORM * setup.pair.tangential / setup.pair.normal,
-    })
+pub fn sheared(plan: &RoundPlan) -> Option<ShearedAdhesion> {
+    let FrictionLaw::Peeling { work, .. } = plan.friction.as_ref()? else { return None };
+    Some(contact(plan, *work))
+}
+
+/// The sheared adhesive contact of a scene with the work of adhesion `work` [J/m²].
+pub(super) fn contact(plan: &RoundPlan, work: f64) -> ShearedAdhesion {
+    let ratio = UNIFORM * plan.pair.tangential / plan.pair.normal;
+    ShearedAdhesion { line: EdgeLine::new(plan.ground(), work), ratio }
 }
 
 /// An adhesive contact that slides under a uniform shear stress τ (Savkoor & Briggs 1977; Persson et
@@ -31,8 +32,7 @@ pub fn sheared(setup: &Setup) -> Option<ShearedAdhesion> {
 /// normal contact moves again it is let go: the tangential force is gone and the edge closes.
 pub struct Peeling<'p> {
     contact: ShearedAdhesion,
-    friction: &'p Friction,
-    curve: Option<&'p StrengthCurve>,
+    interface: &'p Interface,
     present: Option<Present>,
     slide: f64,
     stick_radius: f64,
@@ -54,9 +54,8 @@ struct Present {
 impl<'p> Peeling<'p> {
     /// Bodies that just touch.
     #[must_use]
-    pub fn new(contact: ShearedAdhesion, setup: &'p Setup, friction: &'p Friction) -> Self {
-        let curve = setup.strength.as_ref();
-        Self { contact, friction, curve, present: None, slide: 0.0, stick_radius: 0.0, dissipated: 0.0 }
+    pub fn new(contact: ShearedAdhesion, interface: &'p Interface) -> Self {
+        Self { contact, interface, present: None, slide: 0.0, stick_radius: 0.0, dissipated: 0.0 }
     }
 
     /// What holds the contact: what is prescribed, at its sheared value if it was sheared before.
@@ -73,7 +72,7 @@ impl<'p> Peeling<'p> {
     fn sheared(&self, step: &Step<'_>) -> Result<Present, FrictionError> {
         let normal = step.contact.state();
         let (rest, under) = (normal.contact_radius.unwrap_or(0.0), self.under(step, &normal));
-        let stress = self.friction.law(step.speed, self.curve)?.stress(0.0);
+        let stress = self.interface.law(step.speed)?.stress(0.0);
         let state = match under {
             (Control::Indentation, depth) => self.contact.at_depth(depth, stress, rest)?,
             (Control::Force, force) => self.contact.under_stress(force, stress)?,

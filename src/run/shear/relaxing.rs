@@ -7,14 +7,11 @@ use crate::friction::state::Tangential;
 use crate::friction::{FrictionError, Grip, RelaxingBed};
 use crate::material::Relaxation;
 use crate::run::contact::{ContactError, NormalContact};
-use crate::scene::setup::Setup;
+use crate::scene::plan::RoundPlan;
 use crate::scene::stage::Path;
 use crate::shape::Rim;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
-
-/// Springs unless the scene says otherwise.
-const SPRINGS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(999);
 
 /// A bed of viscoelastic springs with friction, driven along the depth of the normal contact.
 ///
@@ -31,34 +28,33 @@ pub struct Relaxing {
     slide: f64,
 }
 
-/// Number of springs of a scene with friction of viscoelastic bodies.
-#[must_use]
-pub fn springs(setup: &Setup) -> NonZeroUsize {
-    setup.scene.springs.unwrap_or(SPRINGS)
-}
-
 impl Relaxing {
     /// A bed just wide enough for the history of the scene, never touched.
     ///
     /// # Errors
     /// The profile ends before the bed.
     #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
-    pub fn new(setup: &Setup, relaxation: &Relaxation, grip: Grip) -> Result<Self, FrictionError> {
+    pub fn new(
+        plan: &RoundPlan,
+        relaxation: &Relaxation,
+        grip: Grip,
+        springs: NonZeroUsize,
+    ) -> Result<Self, FrictionError> {
         let spectrum = Arc::new(Spectrum::new(relaxation));
-        let (instant, springs, radius) = (spectrum.instant(), springs(setup), reach(setup));
-        let bed = RelaxingBed::new(setup.profile.as_ref(), spectrum, grip, springs, radius)?;
+        let (instant, radius) = (spectrum.instant(), reach(plan));
+        let bed = RelaxingBed::new(plan.profile.as_ref(), spectrum, grip, springs, radius)?;
         let width = radius / springs.get() as f64;
         Ok(Self { bed, instant, tangential_modulus: grip.tangential_modulus, width, slide: 0.0 })
     }
 }
 
 /// Radius [m] at the largest depth of the history: no spring further out is ever touched.
-fn reach(setup: &Setup) -> f64 {
+fn reach(plan: &RoundPlan) -> f64 {
     let depth = |path: Path| if let Path::To(to) = path { to } else { 0.0 };
     let by_depth = |control: Option<Control>| control == Some(Control::Indentation);
-    let ramps = setup.stages.iter().filter(|stage| by_depth(stage.control));
+    let ramps = plan.stages.iter().filter(|stage| by_depth(stage.control));
     let deepest = ramps.map(|stage| depth(stage.normal)).fold(0.0, f64::max);
-    let profile = setup.profile.as_ref();
+    let profile = plan.profile.as_ref();
     let edge = if deepest > 0.0 { profile.edge(deepest) } else { None };
     match profile.rim() {
         Rim::Wall(end) => edge.map_or(end, |edge| edge.min(end)),

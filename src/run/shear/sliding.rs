@@ -3,12 +3,11 @@
 use super::{Step, TangentialContact};
 use crate::contact::foundation::HalfSpace;
 use crate::contact::state::Normal;
+use crate::friction::FrictionError;
 use crate::friction::sliding::{Pressed, SlidingLaw};
 use crate::friction::state::Tangential;
-use crate::friction::strength::StrengthCurve;
-use crate::friction::{Friction, FrictionError};
 use crate::run::contact::{ContactError, NormalContact};
-use crate::scene::setup::Setup;
+use crate::scene::law::Interface;
 use crate::shape::Rim;
 
 /// A contact that slips everywhere at once, or stands.
@@ -17,33 +16,17 @@ use crate::shape::Rim;
 /// force it was left with, as far as the present load can hold it. Elastic tangential displacements are
 /// left out. Valid without adhesion.
 pub struct Sliding<'p> {
-    interface: Interface<'p>,
+    ground: HalfSpace,
+    interface: &'p Interface,
     law: Option<Box<dyn SlidingLaw>>,
     state: Tangential,
     /// Largest tangential force the present load can hold [N].
     limit: f64,
 }
 
-/// What slides on what.
-pub struct Interface<'p> {
-    ground: HalfSpace,
-    friction: &'p Friction,
-    curve: Option<&'p StrengthCurve>,
-}
-
-impl<'p> Interface<'p> {
-    /// The interface of a scene with this friction.
-    #[must_use]
-    pub fn new(setup: &'p Setup, friction: &'p Friction) -> Self {
-        Self { ground: setup.ground(), friction, curve: setup.strength.as_ref() }
-    }
-
-    fn law(&self, speed: f64) -> Result<Box<dyn SlidingLaw>, FrictionError> {
-        Ok(self.friction.law(speed, self.curve)?)
-    }
-
+impl Sliding<'_> {
     /// Friction force [N] of the whole contact; only a wall carries a load at the edge.
-    fn limit(&self, law: &dyn SlidingLaw, normal: &Normal) -> f64 {
+    fn limit_of(&self, law: &dyn SlidingLaw, normal: &Normal) -> f64 {
         let Some(a) = normal.contact_radius.filter(|&a| a > 0.0) else { return 0.0 };
         let profile = self.ground.profile();
         let edge_load = match (profile.rim(), normal.indentation) {
@@ -57,15 +40,15 @@ impl<'p> Interface<'p> {
 impl<'p> Sliding<'p> {
     /// Bodies that just touch.
     #[must_use]
-    pub fn new(interface: Interface<'p>) -> Self {
+    pub fn new(ground: HalfSpace, interface: &'p Interface) -> Self {
         let state = Tangential { stored: Some(0.0), dissipated: Some(0.0), ..Tangential::default() };
-        Self { interface, law: None, state, limit: 0.0 }
+        Self { ground, interface, law: None, state, limit: 0.0 }
     }
 
     /// Slides on from the slide it has to `to` [m].
     fn slide(&mut self, to: f64, step: &Step<'_>) -> Result<(), ContactError> {
-        let law = self.interface.law(step.speed)?;
-        self.limit = self.interface.limit(law.as_ref(), &step.contact.state());
+        let law = self.interface.law(step.speed).map_err(FrictionError::from)?;
+        self.limit = self.limit_of(law.as_ref(), &step.contact.state());
         self.law = Some(law);
         let way = to - self.state.slide;
         self.state.force = way.signum() * self.limit;
@@ -76,7 +59,7 @@ impl<'p> Sliding<'p> {
     /// Stands while the load changes.
     fn stand(&mut self, step: &Step<'_>) {
         let normal = step.contact.state();
-        self.limit = self.law.as_ref().map_or(0.0, |law| self.interface.limit(law.as_ref(), &normal));
+        self.limit = self.law.as_ref().map_or(0.0, |law| self.limit_of(law.as_ref(), &normal));
         self.state.force = self.state.force.clamp(-self.limit, self.limit);
         self.state.stick_radius = normal.contact_radius.unwrap_or(0.0);
     }

@@ -5,7 +5,8 @@ use super::{Followed, RECORDS, failed};
 use crate::drive::impact::{Passage, Projectile};
 use crate::run::contact::NormalContact;
 use crate::run::{SimulationError, Wanted, direct, fields};
-use crate::scene::setup::Setup;
+use crate::scene::law::ElasticAdhesion;
+use crate::scene::plan::ImpactPlan;
 use std::num::NonZeroUsize;
 
 /// Radii at which the largest pressure is looked for.
@@ -15,19 +16,24 @@ const LOOKS: u32 = 32;
 ///
 /// # Errors
 /// The contact would leave its profile, or cannot be followed.
-pub fn follow(setup: &Setup, impact: Projectile, wanted: Option<Wanted>) -> Result<Followed, SimulationError> {
-    let contact = direct(setup)?;
-    let passage = Passage::new(&contact, impact, setup.accuracy()).map_err(failed)?;
+pub fn follow(
+    plan: &ImpactPlan,
+    adhesion: ElasticAdhesion,
+    impact: Projectile,
+    wanted: Option<Wanted>,
+) -> Result<Followed, SimulationError> {
+    let contact = direct(plan.ground(), adhesion)?;
+    let passage = Passage::new(&contact, impact, plan.accuracy()).map_err(failed)?;
     let deepest = passage.deepest();
     let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(|contact| peak(contact)));
     let row = ImpactRow { speed: impact.speed, rebound, oblique: None, peak_pressure };
-    let records = setup.scene.steps.map_or(RECORDS, NonZeroUsize::get);
+    let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { passage.moments(records) } else { Vec::new() };
     let time = moments.iter().max_by(|x, y| x.depth.total_cmp(&y.depth)).map_or(0.0, |moment| moment.time);
     let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
     let field = field.and_then(|contact| fields::field((contact, None), "greatest depth".to_owned(), time));
     let stressed = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses));
-    let stresses = stressed.and_then(|contact| fields::stresses(setup, &contact.state()));
+    let stresses = stressed.and_then(|contact| fields::stresses(plan, &plan.ground(), &contact.state()));
     Ok(Followed { row, moments, field, stresses, bytes: passage.bytes() })
 }
 

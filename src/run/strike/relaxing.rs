@@ -2,14 +2,13 @@
 
 use super::table::ImpactRow;
 use super::{Followed, RECORDS, failed};
-use crate::contact::adhesion::{Adhesion, Edge};
 use crate::contact::viscoelastic::Spectrum;
-use crate::contact::viscoelastic::opening::Attraction;
 use crate::drive::impact::{Flight, Projectile, StruckHalfSpace};
 use crate::material::Relaxation;
 use crate::run::record::{Field, FieldRow};
 use crate::run::{SimulationError, Wanted};
-use crate::scene::setup::Setup;
+use crate::scene::law::HeldEdge;
+use crate::scene::plan::ImpactPlan;
 use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -22,30 +21,20 @@ const RADII: u32 = 64;
 /// # Errors
 /// The contact would outgrow the profile, or comes to no end.
 pub fn follow(
-    setup: &Setup,
-    relaxation: &Relaxation,
+    plan: &ImpactPlan,
+    (relaxation, edge): (&Relaxation, Option<&HeldEdge>),
     (impact, wanted): (Projectile, Option<Wanted>),
 ) -> Result<Followed, SimulationError> {
     let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = setup.scene.adhesion.as_ref().and_then(|adhesion| attraction(adhesion, &spectrum));
-    let driven = StruckHalfSpace { spectrum, profile: setup.profile.clone(), attraction };
-    let flight = driven.flight(&impact, setup.accuracy()).map_err(failed)?;
+    let attraction = edge.map(|edge| edge.attraction(&spectrum));
+    let driven = StruckHalfSpace { spectrum, profile: plan.profile.clone(), attraction };
+    let flight = driven.flight(&impact, plan.accuracy()).map_err(failed)?;
     let peak_pressure = flight.peak_pressure();
     let row = ImpactRow { speed: impact.speed, rebound: flight.rebound(), oblique: None, peak_pressure };
-    let records = setup.scene.steps.map_or(RECORDS, NonZeroUsize::get);
+    let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { flight.moments(records) } else { Vec::new() };
     let field = wanted.is_some_and(|wanted| wanted.fields).then(|| field(&flight)).flatten();
     Ok(Followed { row, moments, field, stresses: None, bytes: flight.bytes() })
-}
-
-/// What holds the edge; a scene with another law is refused before it comes here.
-fn attraction(adhesion: &Adhesion, spectrum: &Spectrum) -> Option<Attraction> {
-    let Adhesion::Jkr(jkr) = adhesion else { return None };
-    match jkr.edge.as_ref()? {
-        Edge::Relaxed => Some(Attraction::relaxed(jkr.work.si(), spectrum)),
-        Edge::Instantaneous => Some(Attraction::instantaneous(jkr.work.si(), spectrum)),
-        Edge::Rate(_) => None,
-    }
 }
 
 /// The pressure at the greatest depth.

@@ -5,11 +5,11 @@ use crate::friction::oblique::{BallRebound, Regime};
 use crate::run::named::Named;
 use crate::run::record::{Field, Record};
 use crate::run::unit::Unit;
-use crate::scene::setup::Setup;
+use crate::scene::plan::ImpactPlan;
 
 /// The results of a scene, in a fixed order; records and pressure are those of the fastest impact.
 #[must_use]
-pub fn named(setup: &Setup, rows: &[ImpactRow], records: &[Record], field: Option<&Field>) -> Vec<Named> {
+pub fn named(plan: &ImpactPlan, rows: &[ImpactRow], records: &[Record], field: Option<&Field>) -> Vec<Named> {
     let mut results = match rows {
         [one] => single(one),
         many => curve(many),
@@ -20,7 +20,7 @@ pub fn named(setup: &Setup, rows: &[ImpactRow], records: &[Record], field: Optio
     if let Some(intensity) = field.and_then(|field| field.stress_intensity) {
         add("largest_stress_intensity", Unit::PASCAL_ROOT_METRE, intensity);
     }
-    if setup.scene.adhesion.is_some() {
+    if plan.law.adheres() {
         let least = records.iter().map(|record| record.normal.force).fold(0.0, f64::min);
         add("pull_off_force", Unit::NEWTON, least);
     }
@@ -32,7 +32,7 @@ pub fn named(setup: &Setup, rows: &[ImpactRow], records: &[Record], field: Optio
         add("final_indentation", Unit::METRE, last.normal.indentation.unwrap_or(0.0));
         add("final_force", Unit::NEWTON, last.normal.force);
         add("final_stored_elastic", Unit::JOULE, last.normal.stored.elastic);
-        if setup.scene.adhesion.is_some() {
+        if plan.law.adheres() {
             add("final_stored_surface", Unit::JOULE, last.normal.stored.surface);
         }
     }

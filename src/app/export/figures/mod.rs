@@ -34,7 +34,7 @@ pub fn figures(setup: &Setup, outcome: &Outcome) -> Figure {
 
 /// What suits a scene that asks for nothing.
 fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
-    if setup.surface.is_some() {
+    if setup.surface().is_some() {
         return rough::SUITING.to_vec();
     }
     if setup.scene.shape.is_plane() {
@@ -54,14 +54,14 @@ fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
     if !outcome.fields.is_empty() {
         plots.push(Plot::Pressure);
     }
-    if setup.scene.friction.is_none() && !matches!(setup.profile.rim(), Rim::Wall(_)) {
+    if setup.scene.friction.is_none() && setup.profile().is_some_and(|profile| !matches!(profile.rim(), Rim::Wall(_))) {
         plots.push(Plot::Shape);
     }
     plots
 }
 
 fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
-    if let Some(surface) = &setup.surface {
+    if let Some(surface) = setup.surface() {
         return rough::panels(plot, setup, surface, outcome);
     }
     let records = &outcome.records;
@@ -75,14 +75,14 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
         Plot::Pressure => vec![fields::pressure(setup, outcome)],
         Plot::Stress => vec![fields::stress(outcome)],
         Plot::Energy => vec![energy(records)],
-        Plot::Shape => vec![shape::profile(setup, outcome)],
+        Plot::Shape => setup.profile().map(|profile| shape::profile(profile, outcome)).into_iter().collect(),
         Plot::Friction => vec![friction::loops(setup, records)],
         Plot::Stick => vec![friction::stick(records)],
         Plot::Shear => friction::stress(setup, outcome).into_iter().collect(),
         Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
         Plot::Coefficient => friction::coefficient(setup, records).into_iter().collect(),
         Plot::Area => friction::area(setup, outcome).into_iter().collect(),
-        Plot::Moduli => setup.relaxation.as_ref().map(shape::moduli).into_iter().collect(),
+        Plot::Moduli => setup.relaxation().map(shape::moduli).into_iter().collect(),
         Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
     }
 }
@@ -102,7 +102,7 @@ fn oblique(setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
 fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
     let column = if setup.scene.shape.is_plane() { LINE_FORCE } else { FORCE };
     let mut panels = vec![against_depth(setup, records, &column, axis_of(&column))];
-    if setup.relaxation.is_some() {
+    if setup.relaxation().is_some() {
         panels.extend([FORCE, INDENTATION].iter().map(|column| against_time(records, column)));
         panels.extend(last_loop(setup, records));
     }
@@ -113,7 +113,7 @@ fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
 fn radius(setup: &Setup, records: &[Record]) -> Vec<Panel> {
     let column = if setup.scene.shape.is_plane() { HALF_WIDTH } else { CONTACT_RADIUS };
     let by_depth = against_depth(setup, records, &column, axis_of(&column).from(0.0));
-    let over_time = setup.relaxation.as_ref().map(|_| against_time(records, &column));
+    let over_time = setup.relaxation().map(|_| against_time(records, &column));
     std::iter::once(by_depth).chain(over_time).collect()
 }
 

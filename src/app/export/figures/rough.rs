@@ -85,8 +85,8 @@ fn line(setup: &Setup, surface: &Surface) -> Panel {
     let line = RoughLine::new(&surface.rings, seed);
     let places = line.places(surface.points);
     let heights = line.heights(surface.points).unwrap_or_default();
-    let profile = setup.profile.as_ref();
-    let gap = |(x, z): (&f64, &f64)| (*x, profile.reduced(x.abs()) + z);
+    let base = |x: f64| setup.profile().map_or(0.0, |base| base.reduced(x));
+    let gap = |(x, z): (&f64, &f64)| (*x, base(x.abs()) + z);
     let points = places.iter().zip(&heights).map(gap).filter(|point| point.1.is_finite()).collect();
     let panel = Panel::new(Axis::linear("place x", "m"), Axis::linear("height g + z", "m"));
     panel.with(Series::new("", points)).note(format!("Equivalent line of seed {seed}."))

@@ -4,15 +4,13 @@ use crate::app::figure::{Axis, Panel, Series};
 use crate::contact::viscoelastic::Spectrum;
 use crate::material::Relaxation;
 use crate::run::record::Outcome;
-use crate::scene::setup::Setup;
-use crate::shape::Rim;
+use crate::shape::{Profile, Rim};
 use std::f64::consts::TAU;
 
 const POINTS: usize = 400;
 
 /// f(r) and g(x) out to a little beyond the largest contact.
-pub fn profile(setup: &Setup, outcome: &Outcome) -> Panel {
-    let profile = setup.profile.as_ref();
+pub fn profile(profile: &dyn Profile, outcome: &Outcome) -> Panel {
     let largest = outcome.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let wanted = if largest > 0.0 { 1.25 * largest } else { profile.scale() };
     let reach = match profile.rim() {

@@ -1,0 +1,380 @@
+//! The laws of a round contact as decided: who computes it, why, and from what.
+
+use super::parts::Piece;
+use crate::contact::adhesion::Edge;
+use crate::contact::direct::QuasiStatic;
+use crate::contact::viscoelastic::Spectrum;
+use crate::contact::viscoelastic::opening::Attraction;
+use crate::friction::peeling::ShearedAdhesion;
+use crate::friction::sliding::SlidingLaw;
+use crate::friction::state::Tangential;
+use crate::friction::{CoulombBed, Friction, StrengthCurve, TangentialMemory, strength};
+use crate::material::Relaxation;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+/// Attraction between elastic bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ElasticAdhesion {
+    /// None.
+    None,
+    /// Of vanishing range.
+    Vanishing {
+        /// Work of adhesion w [J/m²].
+        work: f64,
+    },
+    /// Of finite range.
+    Finite {
+        /// Work of adhesion w [J/m²].
+        work: f64,
+        /// Attractive stress σ₀ [Pa].
+        stress: f64,
+    },
+}
+
+impl ElasticAdhesion {
+    /// Work of adhesion [J/m²] of an edge where the attraction has no range, zero without one; `None` for an
+    /// attraction across the gap.
+    #[must_use]
+    pub fn work_at_edge(self) -> Option<f64> {
+        match self {
+            Self::None => Some(0.0),
+            Self::Vanishing { work } => Some(work),
+            Self::Finite { .. } => None,
+        }
+    }
+
+    fn pieces(self) -> Vec<Piece> {
+        match self {
+            Self::None => Vec::new(),
+            Self::Vanishing { .. } => vec![Piece::VanishingRange],
+            Self::Finite { .. } => vec![Piece::FiniteRange],
+        }
+    }
+}
+
+/// An adhesive edge of viscoelastic bodies.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldEdge {
+    /// Work of adhesion w [J/m²].
+    pub work: f64,
+    /// What holds it as it opens.
+    pub edge: Edge,
+}
+
+impl HeldEdge {
+    /// The attraction at the edge of bodies with this spectrum.
+    #[must_use]
+    pub fn attraction(&self, spectrum: &Spectrum) -> Attraction {
+        match &self.edge {
+            Edge::Relaxed => Attraction::relaxed(self.work, spectrum),
+            Edge::Instantaneous => Attraction::instantaneous(self.work, spectrum),
+            Edge::Rate(rate) => Attraction::with_rate(self.work, spectrum, (rate.speed.si(), rate.exponent.si())),
+        }
+    }
+}
+
+/// Springs are equally wide up to this part of the largest contact, and in geometric progression beyond.
+pub const GRADE: f64 = 1.0 / 32.0;
+
+/// Where a number of springs comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpringCount {
+    /// The scene asks for it.
+    Asked(NonZeroUsize),
+    /// The accuracy needs it.
+    Needed(usize),
+}
+
+impl SpringCount {
+    /// −1/4 ≤ error·(a/Δx)² ≤ 1/8 and Δx/a = arsinh(1/[`GRADE`])/N: N for half the accuracy.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped before")]
+    pub(super) fn of_accuracy(accuracy: f64) -> Self {
+        let needed = GRADE.recip().asinh() / (2.0 * accuracy).sqrt();
+        Self::Needed(needed.ceil().clamp(256.0, 262_144.0) as usize)
+    }
+
+    /// The number.
+    #[must_use]
+    pub fn get(self) -> usize {
+        match self {
+            Self::Asked(count) => count.get(),
+            Self::Needed(count) => count,
+        }
+    }
+}
+
+/// Who computes the normal contact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ContactLaw {
+    /// The direct path of elastic bodies.
+    Direct(ElasticAdhesion),
+    /// The classical bed of elastic springs.
+    Springs {
+        /// Number of springs.
+        count: NonZeroUsize,
+        /// Work of adhesion w [J/m²] at the edge, if the bodies adhere.
+        work: Option<f64>,
+    },
+    /// The continuous bed of viscoelastic bodies.
+    Continuous {
+        /// E*(t).
+        relaxation: Arc<Relaxation>,
+        /// Adhesive edge.
+        edge: Option<HeldEdge>,
+    },
+    /// The bed of viscoelastic springs.
+    ViscoelasticSprings {
+        /// E*(t).
+        relaxation: Arc<Relaxation>,
+        /// Number of springs.
+        count: SpringCount,
+    },
+}
+
+/// A solver in words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Solver {
+    /// Its name.
+    pub name: &'static str,
+    /// Why it was taken.
+    pub reason: String,
+}
+
+impl Solver {
+    /// A solver that is always taken for the same reason.
+    #[must_use]
+    pub fn new(name: &'static str, reason: impl Into<String>) -> Self {
+        Self { name, reason: reason.into() }
+    }
+}
+
+impl ContactLaw {
+    /// The solver; `friction` acts beside it.
+    #[must_use]
+    pub fn solver(&self, friction: Option<&FrictionLaw>) -> Solver {
+        match self {
+            Self::Direct(_) => Solver::new("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated"),
+            Self::Springs { count, .. } => Solver::new("springs", format!("`springs: {count}` asks for the classical bed")),
+            Self::Continuous { .. } => Solver::new("continuous bed", match friction {
+                Some(_) => "the bodies remember: strips of springs with a common past for the normal contact, and beside it a bed of springs for the tangential one; exact in time",
+                None => "the bodies remember: strips of springs with a common past, exact in time for a depth that goes in straight pieces; no spring is allocated",
+            }),
+            Self::ViscoelasticSprings { count, .. } => Solver::new("viscoelastic springs", match count {
+                SpringCount::Asked(count) => format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released"),
+                SpringCount::Needed(_) => "a prescribed force or an oscillation takes hundreds of straight pieces of the depth: springs as fine as the accuracy asks for; exact in time, work is done only for springs touched or released".to_owned(),
+            }),
+        }
+    }
+
+    /// What it uses.
+    pub(super) fn pieces(&self) -> Vec<Piece> {
+        match self {
+            Self::Direct(adhesion) => adhesion.pieces(),
+            Self::Springs { work: Some(_), .. } => vec![Piece::VanishingRange, Piece::Springs],
+            Self::Springs { work: None, .. } => vec![Piece::Springs],
+            Self::Continuous { edge: Some(_), .. } => vec![Piece::VanishingRange, Piece::Prony],
+            Self::Continuous { edge: None, .. } => vec![Piece::Prony],
+            Self::ViscoelasticSprings { .. } => vec![Piece::Prony, Piece::Springs],
+        }
+    }
+
+    /// Number of springs.
+    #[must_use]
+    pub fn springs(&self) -> usize {
+        match self {
+            Self::Direct(_) | Self::Continuous { .. } => 0,
+            Self::Springs { count, .. } => count.get(),
+            Self::ViscoelasticSprings { count, .. } => count.get(),
+        }
+    }
+
+    /// Bytes of state, as far as they are known before the run.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<QuasiStatic>() + 16 * self.springs()
+    }
+
+    /// E*(t) of bodies that relax.
+    #[must_use]
+    pub fn relaxation(&self) -> Option<&Arc<Relaxation>> {
+        match self {
+            Self::Direct(_) | Self::Springs { .. } => None,
+            Self::Continuous { relaxation, .. } | Self::ViscoelasticSprings { relaxation, .. } => Some(relaxation),
+        }
+    }
+
+    /// What holds the edge of bodies that relax.
+    #[must_use]
+    pub fn held_edge(&self) -> Option<&HeldEdge> {
+        match self {
+            Self::Continuous { edge, .. } => edge.as_ref(),
+            Self::Direct(_) | Self::Springs { .. } | Self::ViscoelasticSprings { .. } => None,
+        }
+    }
+
+    /// Whether the bodies adhere.
+    #[must_use]
+    pub fn adheres(&self) -> bool {
+        match self {
+            Self::Direct(adhesion) => *adhesion != ElasticAdhesion::None,
+            Self::Springs { work, .. } => work.is_some(),
+            Self::Continuous { edge, .. } => edge.is_some(),
+            Self::ViscoelasticSprings { .. } => false,
+        }
+    }
+}
+
+/// Who computes an impact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ImpactLaw {
+    /// Elastic bodies: the energy of the direct path.
+    Elastic(ElasticAdhesion),
+    /// Viscoelastic bodies: the continuous bed is driven.
+    Viscoelastic {
+        /// E*(t).
+        relaxation: Arc<Relaxation>,
+        /// Adhesive edge.
+        edge: Option<HeldEdge>,
+    },
+}
+
+impl ImpactLaw {
+    /// The solver.
+    #[must_use]
+    pub fn solver(&self) -> Solver {
+        match self {
+            Self::Elastic(_) => Solver::new(
+                "energy of the direct path",
+                "elastic bodies give back what they take, so that the speed follows from the energy at each depth, jumps of an adhesive contact included; the time is an integral over the depth, no step is taken",
+            ),
+            Self::Viscoelastic { edge, .. } => Solver::new(
+                "driven continuous bed",
+                format!(
+                    "the bodies remember: m d̈ = −F in steps of high order; the contact grows once and shrinks once, its force follows from the memory integrals of the motion; no spring is allocated{}",
+                    if edge.is_some() {
+                        "; a closing edge attaches at geometric touch, an opening one holds by the law of the scene"
+                    } else {
+                        ""
+                    }
+                ),
+            ),
+        }
+    }
+
+    pub(super) fn pieces(&self) -> Vec<Piece> {
+        match self {
+            Self::Elastic(adhesion) => adhesion.pieces(),
+            Self::Viscoelastic { edge: Some(_), .. } => vec![Piece::VanishingRange, Piece::Prony],
+            Self::Viscoelastic { edge: None, .. } => vec![Piece::Prony],
+        }
+    }
+
+    /// Whether the bodies adhere.
+    #[must_use]
+    pub fn adheres(&self) -> bool {
+        match self {
+            Self::Elastic(adhesion) => *adhesion != ElasticAdhesion::None,
+            Self::Viscoelastic { edge, .. } => edge.is_some(),
+        }
+    }
+}
+
+/// A friction that slips as a whole, with its table read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Interface {
+    /// The law.
+    pub friction: Friction,
+    /// Shear strength over the sliding speed, if the law names a table.
+    pub strength: Option<Arc<StrengthCurve>>,
+}
+
+impl Interface {
+    /// The law at the sliding speed `speed` [m/s].
+    ///
+    /// # Errors
+    /// The speed lies outside the table.
+    pub fn law(&self, speed: f64) -> Result<Box<dyn SlidingLaw>, strength::OutsideTable> {
+        self.friction.law(speed, self.strength.as_deref())
+    }
+}
+
+/// Who computes the tangential contact.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FrictionLaw {
+    /// Coulomb friction by the memory of turning points.
+    Memory {
+        /// Coefficient of friction μ.
+        coefficient: f64,
+    },
+    /// Coulomb friction by springs.
+    Springs {
+        /// Coefficient of friction μ.
+        coefficient: f64,
+        /// Number of springs.
+        count: NonZeroUsize,
+    },
+    /// Coulomb friction of viscoelastic bodies, by springs.
+    Viscoelastic {
+        /// Coefficient of friction μ.
+        coefficient: f64,
+        /// Number of springs.
+        count: NonZeroUsize,
+        /// E*(t).
+        relaxation: Arc<Relaxation>,
+    },
+    /// Gross sliding under a law that acts on the pressure.
+    Sliding(Interface),
+    /// Sliding of an adhesive contact.
+    Peeling {
+        /// What slides on what.
+        interface: Interface,
+        /// Work of adhesion w [J/m²].
+        work: f64,
+    },
+}
+
+impl FrictionLaw {
+    pub(super) fn piece(&self) -> Piece {
+        match self {
+            Self::Memory { .. } => Piece::TurningPoints,
+            Self::Springs { .. } => Piece::FrictionSprings,
+            Self::Viscoelastic { .. } => Piece::ViscoelasticFriction,
+            Self::Sliding(_) => Piece::Sliding,
+            Self::Peeling { .. } => Piece::Peeling,
+        }
+    }
+
+    /// Bytes of state, as far as they are known before the run.
+    pub(super) fn bytes(&self) -> usize {
+        match self {
+            // With as many turning points as fit into the first growths of the list.
+            Self::Memory { .. } => size_of::<TangentialMemory>() + 8 * TangentialMemory::BYTES_PER_TURN,
+            // Depth and slip in the bed; place, depth, slip, loss and way in the map.
+            Self::Springs { count, .. } => size_of::<CoulombBed>() + (16 + 40) * count.get(),
+            // Known from the run.
+            Self::Viscoelastic { .. } => 0,
+            Self::Sliding(_) => size_of::<Tangential>(),
+            Self::Peeling { .. } => size_of::<ShearedAdhesion>() + size_of::<Tangential>(),
+        }
+    }
+
+    /// Coefficient of Coulomb friction.
+    #[must_use]
+    pub fn coulomb(&self) -> Option<f64> {
+        match self {
+            Self::Memory { coefficient }
+            | Self::Springs { coefficient, .. }
+            | Self::Viscoelastic { coefficient, .. } => Some(*coefficient),
+            Self::Sliding(_) | Self::Peeling { .. } => None,
+        }
+    }
+
+    /// What slides as a whole.
+    #[must_use]
+    pub fn interface(&self) -> Option<&Interface> {
+        match self {
+            Self::Memory { .. } | Self::Springs { .. } | Self::Viscoelastic { .. } => None,
+            Self::Sliding(interface) | Self::Peeling { interface, .. } => Some(interface),
+        }
+    }
+}
