@@ -9,7 +9,7 @@ use springbed::contact::direct::QuasiStatic;
 use springbed::contact::foundation::HalfSpace;
 use springbed::input::quantity::Length;
 use springbed::run::{Wanted, run};
-use springbed::scene::setup::Setup;
+use springbed::scene::plan::Plan;
 use springbed::shape::Paraboloid;
 use std::hint::black_box;
 use std::path::Path;
@@ -51,7 +51,7 @@ fn one_state(c: &mut Criterion) {
 }
 
 /// A scene of the library: 500 records in, 500 out.
-fn scene(radius: usize, steps: usize) -> Setup {
+fn scene(radius: usize, steps: usize) -> Plan {
     let text = format!(
         "(shape: Paraboloid(radius: {:e}), bodies: (Elastic(young: 4.8e6, poisson: 0.5), Rigid), \
          adhesion: Jkr(work: 0.042), steps: {steps}, \
@@ -68,7 +68,7 @@ fn one_curve(c: &mut Criterion) {
 
 /// 10 000 curves of 100 records on one and on two threads.
 fn many_scenes(c: &mut Criterion) {
-    let scenes: Vec<Setup> = (0..10_000).map(|radius| scene(radius, 50)).collect();
+    let scenes: Vec<Plan> = (0..10_000).map(|radius| scene(radius, 50)).collect();
     let mut group = c.benchmark_group("scenes");
     group.sample_size(10).throughput(Throughput::Elements(10_000));
     for threads in [1, 2] {
@@ -79,7 +79,7 @@ fn many_scenes(c: &mut Criterion) {
     }
 }
 
-fn pull_off(setup: &Setup) -> f64 {
+fn pull_off(setup: &Plan) -> f64 {
     let outcome = run(setup, Wanted::NOTHING).unwrap();
     outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::min)
 }

@@ -4,7 +4,7 @@ use super::export;
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Plot;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 
 /// One kind of output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, clap::ValueEnum)]
@@ -44,7 +44,7 @@ pub enum RunError {
 ///
 /// # Errors
 /// The computation failed.
-pub fn compute(setup: &Setup, formats: &[Format]) -> Result<Outcome, RunError> {
+pub fn compute(setup: &Plan, formats: &[Format]) -> Result<Outcome, RunError> {
     compute_watched(setup, formats, &|_| ())
 }
 
@@ -52,7 +52,7 @@ pub fn compute(setup: &Setup, formats: &[Format]) -> Result<Outcome, RunError> {
 ///
 /// # Errors
 /// The computation failed.
-pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, RunError> {
+pub fn compute_watched(setup: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, RunError> {
     let plotted = |plot| setup.scene.plots.as_ref().is_some_and(|plots| plots.contains(&plot));
     let figure = formats.contains(&Format::Svg);
     let wanted = Wanted {
@@ -69,7 +69,7 @@ pub fn compute_watched(setup: &Setup, formats: &[Format], done: &(dyn Fn(f64) + 
 ///
 /// # Errors
 /// A file could not be put together.
-pub fn products(setup: &Setup, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
+pub fn products(setup: &Plan, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
     let mut products = Vec::new();
     if formats.contains(&Format::Csv) {
         products.push(Product { ending: ".csv".to_owned(), content: export::csv(&outcome.record_table())? });

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::read::read_text;
 use super::table_file::TableFiles;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 use crate::text::Notation;
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ pub struct SceneFile {
     /// The file.
     pub path: PathBuf,
     /// The scene with its tables read.
-    pub setup: Setup,
+    pub setup: Plan,
 }
 
 /// Largest scene file: a history of a million entries has a third of it.
@@ -41,7 +41,7 @@ impl SceneFile {
 ///
 /// # Errors
 /// Everything that is wrong with it, in the order of the text.
-pub fn setup(path: &Path, text: &str) -> Result<Setup, Vec<Fault>> {
+pub fn setup(path: &Path, text: &str) -> Result<Plan, Vec<Fault>> {
     let json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
     let notation = if json { Notation::Json } else { Notation::Ron };
     let setup = notation.setup(text, &TableFiles::beside(path));

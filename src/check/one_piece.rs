@@ -3,8 +3,8 @@
 use super::theory::{Connection, PlaneContact, WavyParabola, Westergaard, exact_ranges};
 use crate::run::record::Outcome;
 use crate::scene::history::Entry;
+use crate::scene::plan::Plan;
 use crate::scene::reach;
-use crate::scene::setup::Setup;
 use crate::shape::{PlaneWave, PlaneWavy, Profile, Rim, Shape};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -19,7 +19,7 @@ const RANGES: usize = 4;
 
 /// What is known about the contact of a scene staying in one piece; empty for rough shapes, whose contact never does.
 #[must_use]
-pub fn in_words(setup: &Setup, outcome: &Outcome) -> Vec<String> {
+pub fn in_words(setup: &Plan, outcome: &Outcome) -> Vec<String> {
     if setup.surface().is_some() {
         return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
     }
@@ -37,7 +37,7 @@ pub fn in_words(setup: &Setup, outcome: &Outcome) -> Vec<String> {
 }
 
 /// When a wave is in full contact.
-fn flattened(setup: &Setup, wave: &PlaneWave) -> String {
+fn flattened(setup: &Plan, wave: &PlaneWave) -> String {
     let (modulus, amplitude, wavelength) = (setup.pair.normal, wave.amplitude.si(), wave.wavelength.si());
     let full = Westergaard { modulus, amplitude, wavelength }.full_contact_pressure();
     let force = full * wavelength * wave.width();
@@ -45,7 +45,7 @@ fn flattened(setup: &Setup, wave: &PlaneWave) -> String {
 }
 
 /// Loads of a wavy section at which its contact is in one piece, up to that of the scene.
-fn sealed(setup: &Setup, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
+fn sealed(setup: &Plan, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
     let largest = largest_force(setup, outcome) / wavy.width();
     let slope = |x: f64| wavy.ripple_slope(x);
     let parabola = WavyParabola { modulus: setup.pair.normal, radius: wavy.radius.si(), slope: &slope };
@@ -63,7 +63,7 @@ fn sealed(setup: &Setup, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
 }
 
 /// The largest force of the scene [N], whether its contact was in one piece or not.
-pub(super) fn largest_force(setup: &Setup, outcome: &Outcome) -> f64 {
+pub(super) fn largest_force(setup: &Plan, outcome: &Outcome) -> f64 {
     let found = outcome.records.iter().map(|record| record.normal.force);
     let pressed = setup.scene.history.iter().map(|entry| match entry {
         Entry::Press(press) => press.to.si(),
@@ -130,7 +130,7 @@ fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
 }
 
 /// The same profile as a cylinder on a half-plane: the sufficient condition of Kudish et al. and the least loads.
-fn plane(setup: &Setup, profile: &dyn Profile, limit: f64) -> Vec<String> {
+fn plane(setup: &Plan, profile: &dyn Profile, limit: f64) -> Vec<String> {
     let Some(radius) = mean_curvature_radius(&setup.scene.shape, profile, limit) else { return Vec::new() };
     let slope = |x: f64| deviation_slope((&setup.scene.shape, profile), (radius, 1e-5 * limit), x);
     let parabola = WavyParabola { modulus: setup.pair.normal, radius, slope: &slope };

@@ -6,7 +6,7 @@ use crate::contact::elliptic;
 use crate::contact::state::Normal;
 use crate::contact::stress::Loading;
 use crate::material::Body;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -20,7 +20,7 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 
 /// The physics a user must know about the records of a scene.
 #[must_use]
-pub fn of(setup: &Setup, records: &[Record]) -> Vec<String> {
+pub fn of(setup: &Plan, records: &[Record]) -> Vec<String> {
     if let Some(surface) = setup.surface() {
         return steep_waves(surface.roughness().rms_slope).into_iter().collect();
     }
@@ -43,14 +43,14 @@ pub fn of(setup: &Setup, records: &[Record]) -> Vec<String> {
 
 /// The error of an ellipsoid's effective radius.
 #[must_use]
-pub fn error_of_shape(setup: &Setup) -> Option<ErrorEstimate> {
+pub fn error_of_shape(setup: &Plan) -> Option<ErrorEstimate> {
     let relative = mean_radius_error(setup)?.abs();
     let basis = "effective radius of the ellipsoid, against the elliptic Hertz contact".to_owned();
     Some(ErrorEstimate { relative, basis })
 }
 
 /// Relative error of the force of an ellipsoid that stands as a paraboloid; `None` of other shapes and below rounding.
-fn mean_radius_error(setup: &Setup) -> Option<f64> {
+fn mean_radius_error(setup: &Plan) -> Option<f64> {
     let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
     let error = elliptic::mean_radius_error([ellipsoid.radius_x.si(), ellipsoid.radius_y.si()]);
     error.ok().filter(|error| error.abs() > 1e-6)
@@ -86,7 +86,7 @@ fn steep(profile: &dyn Profile, a: f64) -> Option<String> {
 }
 
 /// A paraboloid stands for a ball only while a ≪ R: the difference of the forces at equal a.
-fn not_a_ball(setup: &Setup, a: f64) -> Option<String> {
+fn not_a_ball(setup: &Plan, a: f64) -> Option<String> {
     let Shape::Paraboloid(paraboloid) = &setup.scene.shape else { return None };
     let part = a / paraboloid.radius.si();
     if part >= 1.0 {
@@ -104,7 +104,7 @@ fn not_a_ball(setup: &Setup, a: f64) -> Option<String> {
 }
 
 /// The contact of an ellipsoid is an ellipse: what its effective radius costs.
-fn two_radii(setup: &Setup) -> Option<String> {
+fn two_radii(setup: &Plan) -> Option<String> {
     let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
     Some(format!(
         "the ellipsoid stands as a paraboloid of the effective radius {:.4e} m: its force at a given indentation is {:.2} % too small (elliptic Hertz contact)",
@@ -114,7 +114,7 @@ fn two_radii(setup: &Setup) -> Option<String> {
 }
 
 /// With adhesion the contact is taken to be connected even where the waves would part.
-fn connected(setup: &Setup, a: f64) -> Option<String> {
+fn connected(setup: &Plan, a: f64) -> Option<String> {
     let limit = setup.profile()?.first_fall().filter(|&limit| a > limit)?;
     Some(format!(
         "beyond the radius {limit:.3e} m the one-dimensional profile falls: the contact is assumed to stay connected, which only adhesion can bring about (Guduru 2007)"
@@ -122,7 +122,7 @@ fn connected(setup: &Setup, a: f64) -> Option<String> {
 }
 
 /// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} with an atomic range z₀; JKR needs more than 5.
-fn tabor(setup: &Setup) -> Option<String> {
+fn tabor(setup: &Plan) -> Option<String> {
     let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
     let radius = setup.scene.shape.tip_radius()?;
     let parameter = (radius * (jkr.work.si() / setup.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
@@ -133,7 +133,7 @@ fn tabor(setup: &Setup) -> Option<String> {
     })
 }
 
-fn coupled(setup: &Setup) -> Option<String> {
+fn coupled(setup: &Plan) -> Option<String> {
     let beta = setup.pair.coupling;
     (setup.scene.friction.is_some() && beta.abs() > 1e-9).then(|| {
         format!(
@@ -144,7 +144,7 @@ fn coupled(setup: &Setup) -> Option<String> {
 
 /// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress. Two equal bodies
 /// yield together.
-fn first_yield(setup: &Setup, a: f64, largest: &Normal) -> Vec<String> {
+fn first_yield(setup: &Plan, a: f64, largest: &Normal) -> Vec<String> {
     let (one, other) = &setup.scene.bodies;
     let both = [("body 1: ", one), ("body 2: ", other)];
     let of = |(name, body): (&str, &Body)| yielding(setup, a, largest, body).map(|what| format!("{name}{what}"));
@@ -154,7 +154,7 @@ fn first_yield(setup: &Setup, a: f64, largest: &Normal) -> Vec<String> {
     both.into_iter().filter_map(of).collect()
 }
 
-fn yielding(setup: &Setup, a: f64, largest: &Normal, body: &Body) -> Option<String> {
+fn yielding(setup: &Plan, a: f64, largest: &Normal, body: &Body) -> Option<String> {
     let Body::Elastic(elastic) = body else { return None };
     let limit = elastic.yield_stress?.si();
     let modulus = setup.pair.normal;

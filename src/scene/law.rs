@@ -1,6 +1,6 @@
 //! The laws of a round contact as decided: who computes it, why, and from what.
 
-use super::parts::Piece;
+use super::parts::{Piece, Solver};
 use crate::contact::adhesion::Edge;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::viscoelastic::Spectrum;
@@ -130,23 +130,6 @@ pub enum ContactLaw {
         /// Number of springs.
         count: SpringCount,
     },
-}
-
-/// A solver in words.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Solver {
-    /// Its name.
-    pub name: &'static str,
-    /// Why it was taken.
-    pub reason: String,
-}
-
-impl Solver {
-    /// A solver that is always taken for the same reason.
-    #[must_use]
-    pub fn new(name: &'static str, reason: impl Into<String>) -> Self {
-        Self { name, reason: reason.into() }
-    }
 }
 
 impl ContactLaw {

@@ -2,13 +2,14 @@
 
 pub mod history;
 mod limits;
+mod read;
 mod resolve;
+mod words;
 pub mod law;
 pub mod parts;
 pub mod plan;
 pub mod reach;
 pub mod rules;
-pub mod setup;
 pub mod stage;
 pub mod surface;
 

@@ -1,7 +1,8 @@
 //! A scene decided: who computes it, and from what.
 
-use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, ImpactLaw, Solver};
-use super::resolve::Read;
+use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, ImpactLaw};
+use super::parts::Solver;
+use super::read::Read;
 use super::surface::Surface;
 use crate::contact::foundation::HalfSpace;
 use crate::friction::Grip;

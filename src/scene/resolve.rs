@@ -2,33 +2,22 @@
 
 use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount};
 use super::plan::{CappedCoulomb, ImpactPlan, Plan, PlanePlan, RoughPlan, RoundPlan, SceneSettings, Section, Shared};
-use super::rules::Draft;
-use super::surface::{self, Surface};
+use super::read::{Geometry, Read};
+use super::rules::{self, Draft};
 use super::{Scene, limits, reach};
 use crate::contact::adhesion::{Adhesion, Range};
 use crate::friction::oblique::{Ball, SOLID};
-use crate::friction::{Friction, Slip, Strength, StrengthCurve};
+use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
-use crate::material::{self, Joined, Relaxation};
-use crate::scene::history::{Entry, EntryTraits, Impact, Motion};
-use crate::shape::{Family, PlaneWave, PlaneWavy, Profile, RoughShape, Shape};
+use crate::material::Relaxation;
+use crate::scene::history::{EntryTraits, Impact};
+use crate::shape::{Profile, Shape};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 /// Springs of the friction of viscoelastic bodies unless the scene says otherwise.
 const FRICTION_SPRINGS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(999);
-
-/// The parts of a scene with their tables read; a part is missing where it cannot be read.
-#[derive(Debug)]
-pub(super) struct Read {
-    joined: Option<Joined>,
-    relaxation: Option<Arc<Relaxation>>,
-    geometry: Option<Geometry>,
-    strength: Option<Arc<StrengthCurve>>,
-    /// One per history entry: the table it names.
-    motions: Vec<Option<Motion>>,
-}
 
 impl Scene {
     /// The scene with its tables read and decided, or everything that is wrong with it.
@@ -55,77 +44,6 @@ impl Plan {
     }
 }
 
-impl Read {
-    fn of(scene: &Scene, tables: &dyn Tables, problems: &mut Vec<Problem>) -> Self {
-        let joined = material::joined(&scene.bodies, tables).map_err(|found| problems.extend(found)).ok().flatten();
-        Self {
-            relaxation: joined.as_ref().and_then(|joined| joined.relaxation.clone()).map(Arc::new),
-            joined,
-            geometry: Geometry::of(&scene.shape, tables).map_err(|found| problems.extend(found)).ok(),
-            strength: strength(scene.friction.as_ref(), tables).map_err(|found| problems.push(found)).ok().flatten(),
-            motions: motions(&scene.history, tables, problems),
-        }
-    }
-}
-
-/// What is pressed, ready for evaluation.
-#[derive(Debug)]
-enum Geometry {
-    Round(Arc<dyn Profile>),
-    /// Roughness, on a smooth profile if not on a flat.
-    Rough(Arc<Surface>, Option<Arc<dyn Profile>>),
-    Wave(PlaneWave),
-    Wavy(PlaneWavy),
-}
-
-impl Geometry {
-    fn of(shape: &Shape, tables: &dyn Tables) -> Result<Self, Vec<Problem>> {
-        let rough = |surface, base| Self::Rough(Arc::new(surface), base);
-        Ok(match shape.family() {
-            Family::Round => Self::Round(profile(shape, tables)?),
-            Family::Line(line) => rough(surface::of_line(line, tables)?, base(line, tables)?),
-            Family::Map(path, pixel) => rough(surface::of_map(path, pixel, tables)?, None),
-            Family::Wave(wave) => Self::Wave(wave.clone()),
-            Family::Wavy(wavy) => Self::Wavy(wavy.clone()),
-        })
-    }
-
-    /// The smooth profile over a radius.
-    fn profile(&self) -> Option<&dyn Profile> {
-        match self {
-            Self::Round(profile) => Some(profile.as_ref()),
-            Self::Rough(_, base) => base.as_deref(),
-            Self::Wave(_) | Self::Wavy(_) => None,
-        }
-    }
-}
-
-fn profile(shape: &Shape, tables: &dyn Tables) -> Result<Arc<dyn Profile>, Vec<Problem>> {
-    shape.profile(tables).map_err(|error| vec![Problem::new("shape", error.to_string())])
-}
-
-/// The smooth shape under a rough line.
-fn base(line: &RoughShape, tables: &dyn Tables) -> Result<Option<Arc<dyn Profile>>, Vec<Problem>> {
-    line.base.as_deref().map(|base| profile(base, tables)).transpose()
-}
-
-/// The table of the shear strength, if the friction names one.
-fn strength(friction: Option<&Friction>, tables: &dyn Tables) -> Result<Option<Arc<StrengthCurve>>, Problem> {
-    let Some(Friction::Pressure(law)) = friction else { return Ok(None) };
-    let Strength::Table(path) = &law.shear else { return Ok(None) };
-    let curve = StrengthCurve::read(path, tables);
-    curve.map(Arc::new).map(Some).map_err(|error| Problem::new("friction.shear", error.to_string()))
-}
-
-fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<Motion>> {
-    let mut read = |(index, entry): (usize, &Entry)| {
-        let Entry::Table(path) = entry else { return None };
-        let motion = Motion::read(path, tables);
-        motion.map_err(|error| problems.push(Problem::new(format!("history[{index}]"), error.to_string()))).ok()
-    };
-    history.iter().enumerate().map(&mut read).collect()
-}
-
 /// The decision, if nothing is wrong with the parts of the scene by themselves or held against each other.
 fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<Plan, Vec<Problem>> {
     let entries = entries(&scene, &read);
@@ -140,7 +58,7 @@ fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<
         bodies: read.joined.as_ref(),
         strength: read.strength.as_deref(),
     };
-    problems.extend(draft.problems());
+    problems.extend(rules::problems(&draft));
     let impact = draft.entries.iter().find_map(|entry| entry.impact.cloned());
     let stages = draft.entries.into_iter().flat_map(|entry| entry.stages).collect();
     match (&read.joined, &read.geometry) {

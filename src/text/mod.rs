@@ -16,7 +16,7 @@ pub use position::Position;
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::scene::Scene;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 
 /// What is wrong with a text, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -53,7 +53,7 @@ impl Notation {
     ///
     /// # Errors
     /// The first fault of the notation, or else all that is wrong with the scene, in the order of the text.
-    pub fn setup(self, text: &str, tables: &dyn Tables) -> Result<Setup, Vec<TextError>> {
+    pub fn setup(self, text: &str, tables: &dyn Tables) -> Result<Plan, Vec<TextError>> {
         let scene = match self {
             Self::Ron => Scene::from_ron(text),
             Self::Json => Scene::from_json(text),

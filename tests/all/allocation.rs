@@ -9,7 +9,7 @@ use springbed::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
 use springbed::run::{self, Wanted};
 use springbed::scene::Scene;
 use springbed::scene::history::{Entry, Indent, Slide};
-use springbed::scene::setup::Setup;
+use springbed::scene::plan::Plan;
 use springbed::shape::{Paraboloid, Shape};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -69,12 +69,12 @@ fn elastic() -> Scene {
     }
 }
 
-fn ready(scene: Scene) -> Setup {
+fn ready(scene: Scene) -> Plan {
     scene.resolve(&InMemory::default()).unwrap()
 }
 
 /// Bytes taken in all, and in the largest piece, while a scene is run.
-fn run(setup: &Setup, wanted: Wanted) -> (usize, usize) {
+fn run(setup: &Plan, wanted: Wanted) -> (usize, usize) {
     // What is made once for the whole program is not the scene's.
     run::run(setup, wanted).unwrap();
     TAKEN.set(0);

@@ -8,7 +8,7 @@ use crate::app::scene_file::SceneFile;
 use crate::check::{one_piece, theory};
 use crate::contact::adhesion::{Edge, Range};
 use crate::run::record::Outcome;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -23,7 +23,7 @@ pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failur
     console.result(&text)
 }
 
-fn text(setup: &Setup, outcome: &Outcome) -> String {
+fn text(setup: &Plan, outcome: &Outcome) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: &str| {
         let _ = writeln!(text, "{name:<16}{value}");
@@ -60,7 +60,7 @@ fn text(setup: &Setup, outcome: &Outcome) -> String {
 }
 
 /// What holds the edge of a viscoelastic contact.
-fn edge(setup: &Setup) -> Option<String> {
+fn edge(setup: &Plan) -> Option<String> {
     match setup.scene.adhesion.as_ref()?.traits().range {
         Range::Vanishing(edge) => edge.map(Edge::in_words),
         Range::Finite => None,
@@ -68,14 +68,14 @@ fn edge(setup: &Setup) -> Option<String> {
 }
 
 /// What theories of rough contact say of the largest force of the scene.
-fn theories(setup: &Setup, outcome: &Outcome) -> Vec<String> {
+fn theories(setup: &Plan, outcome: &Outcome) -> Vec<String> {
     let states = outcome.records.iter().map(|record| &record.normal);
     let largest = states.max_by(|one, other| one.force.total_cmp(&other.force));
     largest.map_or_else(Vec::new, |state| theory::in_words(setup, state.force, state.stiffness))
 }
 
 /// Effective moduli by name [Pa].
-fn moduli(setup: &Setup) -> Vec<(&'static str, f64)> {
+fn moduli(setup: &Plan) -> Vec<(&'static str, f64)> {
     let mut rows = vec![("G*", setup.pair.tangential)];
     match setup.relaxation() {
         None => rows.insert(0, ("E*", setup.pair.normal)),
@@ -87,7 +87,7 @@ fn moduli(setup: &Setup) -> Vec<(&'static str, f64)> {
     rows
 }
 
-fn json(setup: &Setup, outcome: &Outcome) -> Result<String, Failure> {
+fn json(setup: &Plan, outcome: &Outcome) -> Result<String, Failure> {
     let value = serde_json::json!({
         "title": setup.scene.title,
         "pair": setup.pair,

@@ -10,8 +10,8 @@ use crate::numerics::extremum;
 use crate::run::record::Record;
 use crate::run::{self, NormalContact, SimulationError, Wanted};
 use crate::scene::law::ElasticAdhesion;
+use crate::scene::plan::Plan;
 use crate::scene::plan::SceneSettings;
-use crate::scene::setup::Setup;
 use crate::shape::Shape;
 use std::num::NonZeroUsize;
 
@@ -21,7 +21,7 @@ const PLACES: u32 = 64;
 /// What is to be computed.
 pub(super) struct Scenario<'s> {
     /// The scene, without springs.
-    pub(super) setup: &'s Setup,
+    pub(super) setup: &'s Plan,
     /// The state of the largest force, by the direct path.
     pub(super) most: State,
     /// Where that state has its largest pressure [m]; `None` where it is singular or not known.
@@ -32,7 +32,7 @@ pub(super) struct Scenario<'s> {
 
 impl<'s> Scenario<'s> {
     /// The state of a record, replayed if it follows from its indentation.
-    pub(super) fn of(setup: &'s Setup, most: &Record) -> Self {
+    pub(super) fn of(setup: &'s Plan, most: &Record) -> Self {
         let recorded = state_of(most);
         let mut scenario = Self { setup, most: recorded, peak_at: None, replayed: false };
         if setup.relaxation().is_some() {
@@ -125,13 +125,13 @@ impl<'s> Scenario<'s> {
 }
 
 /// What a scene on the direct path is made of.
-fn direct(setup: &Setup) -> Result<(HalfSpace, ElasticAdhesion), SimulationError> {
+fn direct(setup: &Plan) -> Result<(HalfSpace, ElasticAdhesion), SimulationError> {
     let parts = setup.ground().zip(setup.direct());
     parts.ok_or_else(|| SimulationError::Refused("the direct path computes elastic round contacts".to_owned()))
 }
 
 /// The contact pressed to an indentation [m] from first touch.
-fn pressed(setup: &Setup, to: f64) -> Result<QuasiStatic, SimulationError> {
+fn pressed(setup: &Plan, to: f64) -> Result<QuasiStatic, SimulationError> {
     let (ground, adhesion) = direct(setup)?;
     let mut contact = run::direct(ground, adhesion)?;
     let pressed = contact.advance(Control::Indentation, to, 0.0);

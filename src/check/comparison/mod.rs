@@ -11,8 +11,8 @@ mod rough_full;
 
 use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
+use crate::scene::plan::Plan;
 use crate::scene::plan::SceneSettings;
-use crate::scene::setup::Setup;
 use serde::Serialize;
 use std::time::Instant;
 
@@ -152,7 +152,7 @@ struct Measured {
 ///
 /// # Errors
 /// The scene cannot be run, or the bodies never press on each other.
-pub fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
+pub fn compare(setup: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
     if setup.scene.shape.is_plane() {
         return plane::compare(setup, done);
     }
@@ -213,7 +213,7 @@ fn row((method, springs, grid): Fineness, measured: &Measured) -> Row {
 }
 
 /// What the half-space leaves out of the scene.
-fn notes(setup: &Setup, scenario: &methods::Scenario<'_>) -> Vec<String> {
+fn notes(setup: &Plan, scenario: &methods::Scenario<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     let mut left_out = |what: &str| {
         notes.push(format!(

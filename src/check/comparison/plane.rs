@@ -5,8 +5,8 @@ use crate::check::one_piece::largest_force;
 #[cfg(feature = "half-space")]
 use crate::halfspace::{PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, Settings, solve_plane};
 use crate::run::{self, Wanted};
+use crate::scene::plan::Plan;
 use crate::scene::plan::SceneSettings;
-use crate::scene::setup::Setup;
 #[cfg(feature = "half-space")]
 use crate::shape::Shape;
 use std::num::NonZeroUsize;
@@ -16,7 +16,7 @@ use std::num::NonZeroUsize;
 const STRIPS: [usize; 6] = [128, 512, 2048, 8192, 32768, 131_072];
 
 /// Compares the methods under the largest force of a plane scene; `done` is told the share behind.
-pub(super) fn compare(setup: &Setup, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
+pub(super) fn compare(setup: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
     let outcome = run::run(setup, Wanted::NOTHING)?;
     let force = largest_force(setup, &outcome);
     if force <= 0.0 {
@@ -58,7 +58,7 @@ fn fill_in(row: &mut Row, right: &State) {
 }
 
 /// The state under the force by the closed form, in one record.
-fn direct(setup: &Setup, force: f64) -> Option<Measured> {
+fn direct(setup: &Plan, force: f64) -> Option<Measured> {
     let setup = setup.with(SceneSettings { steps: NonZeroUsize::new(1), ..setup.settings() }).ok()?;
     let fields = Wanted { fields: true, ..Wanted::NOTHING };
     let outcome = run::run(&setup, fields).ok()?;
@@ -72,12 +72,12 @@ fn direct(setup: &Setup, force: f64) -> Option<Measured> {
 }
 
 #[cfg(not(feature = "half-space"))]
-fn half_plane(_: &Setup, _: f64, _: &dyn Fn(f64)) -> Vec<Row> {
+fn half_plane(_: &Plan, _: f64, _: &dyn Fn(f64)) -> Vec<Row> {
     Vec::new()
 }
 
 #[cfg(feature = "half-space")]
-fn half_plane(setup: &Setup, force: f64, done: &dyn Fn(f64)) -> Vec<Row> {
+fn half_plane(setup: &Plan, force: f64, done: &dyn Fn(f64)) -> Vec<Row> {
     let mut rows = Vec::new();
     for (k, strips) in STRIPS.into_iter().enumerate() {
         let (solution, time) = timed(|| solved(setup, force, strips));
@@ -109,7 +109,7 @@ fn state(solution: &PlaneSolution, force: f64) -> State {
 
 /// The half-plane under a force [N]; `None` if the solver refuses.
 #[cfg(feature = "half-space")]
-fn solved(setup: &Setup, force: f64, strips: usize) -> Option<PlaneSolution> {
+fn solved(setup: &Plan, force: f64, strips: usize) -> Option<PlaneSolution> {
     let modulus = setup.pair.normal;
     let (window, boundary, width, height): (f64, _, f64, Box<dyn Fn(f64) -> f64>) = match &setup.scene.shape {
         Shape::PlaneWave(wave) => {

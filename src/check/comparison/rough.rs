@@ -4,7 +4,7 @@
 use super::rough_full::grids;
 use super::{Comparison, Fineness, Measured, Method, Row, State, row, timed};
 use crate::check::theory;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 use crate::scene::surface::Surface;
 use crate::shape::rough::{RoughBed, RoughError, RoughLine};
 
@@ -17,7 +17,7 @@ const BELOW: f64 = 0.9;
 
 /// What is compared: the state under a force.
 pub(super) struct Rough<'s> {
-    pub(super) setup: &'s Setup,
+    pub(super) setup: &'s Plan,
     pub(super) surface: &'s Surface,
     /// Normal force [N].
     pub(super) force: f64,

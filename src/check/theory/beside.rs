@@ -2,7 +2,7 @@
 
 use super::{GreenwoodWilliamson, SummitStatistics, area_fraction, contact_conductance, plasticity_index};
 use crate::material::Body;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 use crate::shape::Shape;
 use crate::shape::rough::Roughness;
 
@@ -13,7 +13,7 @@ const HARDNESS: f64 = 2.8;
 ///
 /// Empty without roughness. The area theories ask for a nominally flat surface; on a ball they say nothing.
 #[must_use]
-pub fn in_words(setup: &Setup, force: f64, stiffness: f64) -> Vec<String> {
+pub fn in_words(setup: &Plan, force: f64, stiffness: f64) -> Vec<String> {
     let Some(surface) = setup.surface() else { return Vec::new() };
     let (roughness, modulus) = (surface.roughness(), setup.pair.normal);
     let mut lines = Vec::new();

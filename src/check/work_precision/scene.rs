@@ -5,8 +5,8 @@ use crate::input::quantity::Accuracy;
 use crate::run::named::{Finding, Named};
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
+use crate::scene::plan::Plan;
 use crate::scene::plan::SceneSettings;
-use crate::scene::setup::Setup;
 use std::num::NonZeroUsize;
 
 /// Accuracy of the reference.
@@ -18,13 +18,13 @@ const FINEST: f64 = 1e-8;
 ///
 /// # Errors
 /// The scene cannot be run.
-pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
+pub fn study(setup: &Plan, effort: Effort) -> Result<Study, SimulationError> {
     let own = refined(setup, None, FINEST)?;
     let outcome = run::run(&own, Wanted::NOTHING)?;
     let exact = numbers(&outcome);
     let direct = outcome.plan.solver == "direct";
     let accuracies: &[f64] = if direct { &[1e-6] } else { &[1e-2, 1e-3, 1e-4, 1e-5, 1e-6] };
-    let method = |name, setting, setup: Setup| {
+    let method = |name, setting, setup: Plan| {
         let exact = exact.clone();
         Method::new(name, setting, move || {
             let (setup, exact) = (setup.clone(), exact.clone());
@@ -58,7 +58,7 @@ pub fn study(setup: &Setup, effort: Effort) -> Result<Study, SimulationError> {
 }
 
 /// The scene with other springs and another accuracy.
-fn refined(setup: &Setup, springs: Option<NonZeroUsize>, accuracy: f64) -> Result<Setup, SimulationError> {
+fn refined(setup: &Plan, springs: Option<NonZeroUsize>, accuracy: f64) -> Result<Plan, SimulationError> {
     Ok(setup.with(SceneSettings { springs, accuracy: Accuracy::new(accuracy).ok(), ..setup.settings() })?)
 }
 

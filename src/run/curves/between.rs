@@ -3,7 +3,7 @@
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::state::Normal;
 use crate::run::record::Record;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 
 /// Change of the contact radius, over the largest radius, from which a straight line is seen as one.
 const COARSE: f64 = 0.02;
@@ -15,7 +15,7 @@ const MOST: f64 = 50.0;
 /// Near first touch and near pull-off a contact moves far in a short piece of depth, a ∝ √d. Only for
 /// elastic contacts without range of attraction, where a state follows from its radius in closed form.
 #[must_use]
-pub fn filled(setup: &Setup, records: &[Record]) -> Vec<Record> {
+pub fn filled(setup: &Plan, records: &[Record]) -> Vec<Record> {
     let Some(line) = line(setup) else { return records.to_vec() };
     let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
     let largest = records.iter().map(radius).fold(0.0, f64::max);
@@ -31,7 +31,7 @@ pub fn filled(setup: &Setup, records: &[Record]) -> Vec<Record> {
 }
 
 /// The equilibrium curve of the scene, if its states are those of the direct path.
-fn line(setup: &Setup) -> Option<EdgeLine> {
+fn line(setup: &Plan) -> Option<EdgeLine> {
     Some(EdgeLine::new(setup.ground()?, setup.direct()?.work_at_edge()?))
 }
 

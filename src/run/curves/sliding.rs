@@ -8,7 +8,7 @@ use crate::run::record::Record;
 use crate::run::sheared;
 use crate::scene::history::Entry;
 use crate::scene::law::FrictionLaw;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 
 /// Deviation of d ln F_x/d ln F from one up to which Amontons' law counts as holding.
 const AMONTONS: f64 = 0.01;
@@ -48,7 +48,7 @@ fn way(states: &[Tangential]) -> Option<(Way, &[Tangential])> {
 
 /// μF of Coulomb friction [N], if the load stays while the body slides and the force comes near it.
 #[must_use]
-pub fn limit(setup: &Setup, records: &[Record]) -> Option<f64> {
+pub fn limit(setup: &Plan, records: &[Record]) -> Option<f64> {
     let coefficient = setup.round()?.friction.as_ref()?.coulomb()?;
     let slides = |pair: &&[Record]| match (pair[0].tangential, pair[1].tangential) {
         (Some(before), Some(after)) => (after.slide - before.slide).abs() > 0.0,
@@ -72,7 +72,7 @@ pub fn slid(record: &Record) -> Option<(f64, f64)> {
 /// Coefficient of friction of the last slide's law, from six decades below the greatest load to two above it, as
 /// far as the profile goes; empty without a law.
 #[must_use]
-pub fn coefficient(setup: &Setup, records: &[Record]) -> Vec<SlidingPoint> {
+pub fn coefficient(setup: &Plan, records: &[Record]) -> Vec<SlidingPoint> {
     let (Some(ground), Some(law)) = (setup.ground(), law_of_last_slide(setup)) else { return Vec::new() };
     let line = EdgeLine::new(ground, 0.0);
     let contact = ShearedAdhesion { line, ratio: setup.pair.tangential / setup.pair.normal };
@@ -90,14 +90,14 @@ pub fn amontons(curve: &[SlidingPoint]) -> Option<(Option<f64>, Option<f64>)> {
     Some((Some(low).filter(|low| *low > first), Some(high).filter(|high| *high < last)))
 }
 
-fn law_of_last_slide(setup: &Setup) -> Option<Box<dyn SlidingLaw>> {
+fn law_of_last_slide(setup: &Plan) -> Option<Box<dyn SlidingLaw>> {
     let interface = setup.round()?.friction.as_ref()?.interface()?;
     let speed = speeds(setup).into_iter().rfind(|speed| *speed > 0.0).unwrap_or(0.0);
     interface.law(speed).ok()
 }
 
 /// Sliding speed [m/s] of every entry, zero of those that do not slide.
-fn speeds(setup: &Setup) -> Vec<f64> {
+fn speeds(setup: &Plan) -> Vec<f64> {
     let mut at = 0.0;
     let mut speed = |entry: &Entry| {
         let Entry::Slide(slide) = entry else { return 0.0 };
@@ -110,7 +110,7 @@ fn speeds(setup: &Setup) -> Vec<f64> {
 /// A/A_JKR of the records of a sheared adhesive contact that slide, over the sliding speed [m/s], and the force
 /// [N] of the last of them; `None` if none does.
 #[must_use]
-pub fn area(setup: &Setup, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)> {
+pub fn area(setup: &Plan, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)> {
     let speeds = speeds(setup);
     let point = |record: &Record| Some((*speeds.get(record.entry)?, record.tangential?.area_ratio?));
     let force = records.iter().rev().find(|record| point(record).is_some())?.normal.force;
@@ -119,7 +119,7 @@ pub fn area(setup: &Setup, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)>
 
 /// A/A_JKR over the speeds [m/s] of the table of shear strength, under the force `force` [N] (Savkoor & Briggs).
 #[must_use]
-pub fn area_in_theory(setup: &Setup, force: f64) -> Vec<(f64, f64)> {
+pub fn area_in_theory(setup: &Plan, force: f64) -> Vec<(f64, f64)> {
     let Some(plan) = setup.round() else { return Vec::new() };
     let interface = plan.friction.as_ref().and_then(FrictionLaw::interface);
     let (Some(contact), Some(interface)) = (sheared(plan), interface) else { return Vec::new() };

@@ -1,6 +1,6 @@
 //! How deep, and how fast, a history goes.
 
-use super::Draft;
+use super::draft::Draft;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;

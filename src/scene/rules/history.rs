@@ -1,6 +1,6 @@
 //! Entries of the history against the other parts, and against each other.
 
-use super::Draft;
+use super::draft::Draft;
 use super::parts::cannot_be_on;
 use crate::contact::adhesion::{Edge, Range};
 use crate::friction::Slip;

@@ -1,51 +1,21 @@
 //! Which parts of a scene cannot be computed together: one table, every problem at once.
 
 mod depth;
+mod draft;
 mod history;
 mod parts;
 mod plots;
 
-use crate::friction::{Friction, StrengthCurve};
+pub use draft::Draft;
+
 use crate::input::problem::Problem;
-use crate::material::{Joined, Relaxation};
-use crate::scene::Scene;
 use crate::scene::history::EntryTraits;
-use crate::scene::reach::Bound;
-use crate::shape::Profile;
 use Part::{Adhesion, Bodies, Friction as Rubbing, History, Plots, Shape, Springs};
 
-/// A scene whose parts are read but not yet held against each other.
-#[derive(Debug)]
-pub struct Draft<'s> {
-    /// The scene as written.
-    pub scene: &'s Scene,
-    /// Its history.
-    pub entries: Vec<EntryTraits<'s>>,
-    /// Its profile over a radius; `None` where the shape has none or its table cannot be read.
-    pub profile: Option<&'s dyn Profile>,
-    /// How deep the profile can be pressed.
-    pub bounds: Vec<Bound>,
-    /// Its bodies; `None` where they make no pair.
-    pub bodies: Option<&'s Joined>,
-    /// The table of its friction.
-    pub strength: Option<&'s StrengthCurve>,
-}
-
-impl Draft<'_> {
-    /// What is wrong with it, in the order of the table.
-    #[must_use]
-    pub fn problems(&self) -> Vec<Problem> {
-        RULES.iter().flat_map(|rule| rule.problems(self)).collect()
-    }
-
-    fn relaxation(&self) -> Option<&Relaxation> {
-        self.bodies?.relaxation.as_ref()
-    }
-
-    /// The friction, unless the history is an impact, which has its own rules.
-    fn rubbing(&self) -> Option<&Friction> {
-        self.scene.friction.as_ref().filter(|_| self.entries.iter().all(|entry| entry.impact.is_none()))
-    }
+/// What is wrong with a draft, in the order of the table.
+#[must_use]
+pub fn problems(draft: &Draft<'_>) -> Vec<Problem> {
+    RULES.iter().flat_map(|rule| rule.problems(draft)).collect()
 }
 
 /// What a scene is made of.

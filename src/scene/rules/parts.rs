@@ -1,6 +1,6 @@
 //! Bodies, shape, adhesion, friction and springs against each other.
 
-use super::Draft;
+use super::draft::Draft;
 use crate::contact::adhesion::{Adhesion, Edge, Range};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;

@@ -1,6 +1,6 @@
 //! Figures against the parts they show.
 
-use super::Draft;
+use super::draft::Draft;
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::{Plot, Scene};

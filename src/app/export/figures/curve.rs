@@ -5,7 +5,7 @@ use crate::run::curves::between::filled;
 use crate::run::curves::branches::{Branch, Direction, branches, jumps};
 use crate::run::record::{INDENTATION, Record, TIME};
 use crate::run::table::{Column, Filled};
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 
 /// The axis of a quantity of the records.
 pub fn axis_of(column: &Column<Record>) -> Axis {
@@ -65,7 +65,7 @@ fn time_axis(records: &[Record]) -> Axis {
 }
 
 /// A quantity against the indentation, approaches first: a label has the same look in all panels.
-pub fn against_depth(setup: &Setup, records: &[Record], column: &Column<Record>, axis: Axis) -> Panel {
+pub fn against_depth(setup: &Plan, records: &[Record], column: &Column<Record>, axis: Axis) -> Panel {
     let mut found = branches(records);
     found.sort_by_key(|branch| branch.direction);
     let drawn = |branch: &Branch<'_>| {

@@ -4,10 +4,10 @@ use super::curve::{point, points};
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::run::record::{Field, FieldRow, Outcome};
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 
 /// Pressure profiles over the radius or, in a plane contact, the place; at most four: the largest contact and the last ones.
-pub fn pressure(setup: &Setup, outcome: &Outcome) -> Panel {
+pub fn pressure(setup: &Plan, outcome: &Outcome) -> Panel {
     let across = if setup.scene.shape.is_plane() { "place x" } else { "radius r" };
     let shown = shown(&outcome.fields);
     let pressures = Pressures::of(&shown);

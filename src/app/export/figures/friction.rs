@@ -11,10 +11,10 @@ use crate::run::record::{
     CONTACT_RADIUS, Field, FieldRow, Outcome, Record, SLIDE, STICK_RADIUS, TANGENTIAL_FORCE, TIME,
 };
 use crate::scene::Plot;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 
 /// What suits a scene with friction that asks for nothing.
-pub fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
+pub fn suiting(setup: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match (&setup.scene.friction, &setup.scene.adhesion) {
         (Some(Friction::Coulomb(_)), _) => {
             let fretting = outcome.table("fretting").map(|_| Plot::Fretting);
@@ -26,7 +26,7 @@ pub fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
 }
 
 /// Tangential force against displacement, forwards and backwards.
-pub fn loops(setup: &Setup, records: &[Record]) -> Panel {
+pub fn loops(setup: &Plan, records: &[Record]) -> Panel {
     let states: Vec<Tangential> = records.iter().filter_map(|record| record.tangential).collect();
     let panel = sliding::ways(&states).into_iter().map(|(way, states)| {
         let label = match way {
@@ -52,7 +52,7 @@ pub fn stick(records: &[Record]) -> Panel {
 }
 
 /// Shear stress over the radius at the ends of the last entries, with the limit the pressure sets.
-pub fn stress(setup: &Setup, outcome: &Outcome) -> Option<Panel> {
+pub fn stress(setup: &Plan, outcome: &Outcome) -> Option<Panel> {
     let rubs = |field: &&&Field| field.rows.iter().any(|row| row.shear.is_some_and(|tau| tau.abs() > 0.0));
     let all = shown(&outcome.fields);
     let fields: Vec<&&Field> = all.iter().filter(rubs).take(3).collect();
@@ -80,7 +80,7 @@ pub fn fretting(outcome: &Outcome) -> Option<Panel> {
 }
 
 /// Coefficient of friction over the load, and where Amontons' law holds.
-pub fn coefficient(setup: &Setup, records: &[Record]) -> Option<Panel> {
+pub fn coefficient(setup: &Plan, records: &[Record]) -> Option<Panel> {
     setup.scene.friction.as_ref()?;
     let curve = sliding::coefficient(setup, records);
     let slid = records.iter().filter_map(sliding::slid).collect();
@@ -101,7 +101,7 @@ fn amontons(panel: Panel, curve: &[SlidingPoint]) -> Panel {
 }
 
 /// A/A_JKR of a sheared adhesive contact: over the sliding speed if there are several, else over time.
-pub fn area(setup: &Setup, outcome: &Outcome) -> Option<Panel> {
+pub fn area(setup: &Plan, outcome: &Outcome) -> Option<Panel> {
     let hertz = outcome.number("hertz_area_ratio")?;
     let (points, force) = sliding::area(setup, &outcome.records)?;
     let ratio = Axis::linear("area of contact over area at rest A/A₀", "1").from((hertz - 0.02).max(0.0)).to(1.02);

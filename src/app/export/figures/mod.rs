@@ -14,7 +14,7 @@ use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::Plot;
 use crate::scene::history::Entry;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 use crate::shape::Rim;
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
@@ -26,14 +26,14 @@ const HALF_WIDTH: Column<Record> = Column { label: "half width a", ..CONTACT_RAD
 
 /// The figure of a scene: one panel per plot wanted.
 #[must_use]
-pub fn figures(setup: &Setup, outcome: &Outcome) -> Figure {
+pub fn figures(setup: &Plan, outcome: &Outcome) -> Figure {
     let wanted = setup.scene.plots.clone().unwrap_or_else(|| suiting(setup, outcome));
     let panels = wanted.iter().flat_map(|plot| panels(*plot, setup, outcome)).chain(oblique(setup, outcome));
     panels.fold(Figure::new(setup.scene.title.clone()), Figure::with)
 }
 
 /// What suits a scene that asks for nothing.
-fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
+fn suiting(setup: &Plan, outcome: &Outcome) -> Vec<Plot> {
     if setup.surface().is_some() {
         return rough::SUITING.to_vec();
     }
@@ -60,7 +60,7 @@ fn suiting(setup: &Setup, outcome: &Outcome) -> Vec<Plot> {
     plots
 }
 
-fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
+fn panels(plot: Plot, setup: &Plan, outcome: &Outcome) -> Vec<Panel> {
     if let Some(surface) = setup.surface() {
         return rough::panels(plot, setup, surface, outcome);
     }
@@ -88,7 +88,7 @@ fn panels(plot: Plot, setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
 }
 
 /// The angles of every oblique impact.
-fn oblique(setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
+fn oblique(setup: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let angle = setup.scene.history.iter().find_map(|entry| match entry {
         Entry::Impact(impact) => Some(impact.incidence()),
         _ => None,
@@ -99,7 +99,7 @@ fn oblique(setup: &Setup, outcome: &Outcome) -> Vec<Panel> {
 }
 
 /// Force against indentation, and against time where the bodies remember.
-fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
+fn force(setup: &Plan, records: &[Record]) -> Vec<Panel> {
     let column = if setup.scene.shape.is_plane() { LINE_FORCE } else { FORCE };
     let mut panels = vec![against_depth(setup, records, &column, axis_of(&column))];
     if setup.relaxation().is_some() {
@@ -110,7 +110,7 @@ fn force(setup: &Setup, records: &[Record]) -> Vec<Panel> {
 }
 
 /// Contact radius against indentation, and against time where the bodies remember.
-fn radius(setup: &Setup, records: &[Record]) -> Vec<Panel> {
+fn radius(setup: &Plan, records: &[Record]) -> Vec<Panel> {
     let column = if setup.scene.shape.is_plane() { HALF_WIDTH } else { CONTACT_RADIUS };
     let by_depth = against_depth(setup, records, &column, axis_of(&column).from(0.0));
     let over_time = setup.relaxation().map(|_| against_time(records, &column));
@@ -118,7 +118,7 @@ fn radius(setup: &Setup, records: &[Record]) -> Vec<Panel> {
 }
 
 /// Force against indentation in the last oscillation alone, where nothing else hides it.
-fn last_loop(setup: &Setup, records: &[Record]) -> Option<Panel> {
+fn last_loop(setup: &Plan, records: &[Record]) -> Option<Panel> {
     let entry = setup.scene.history.iter().rposition(|entry| matches!(entry, Entry::Oscillate(_)))?;
     let inside: Vec<Record> = records.iter().filter(|record| record.entry == entry).copied().collect();
     let series = Series::new("", of_records(&inside, &INDENTATION, &FORCE)).arrow();

@@ -5,7 +5,7 @@ use crate::app::figure::{Axis, Guide, Line, Panel, Series};
 use crate::run::record::{FORCE, INDENTATION, Outcome, Record, STIFFNESS};
 use crate::run::table::{Column, Table};
 use crate::scene::Plot;
-use crate::scene::setup::Setup;
+use crate::scene::plan::Plan;
 use crate::scene::surface::Surface;
 use crate::shape::Shape;
 use crate::shape::rough::{RoughLine, SpectrumSource};
@@ -14,7 +14,7 @@ use crate::shape::rough::{RoughLine, SpectrumSource};
 pub const SUITING: [Plot; 2] = [Plot::Force, Plot::Shape];
 
 /// Panels of a rough shape.
-pub fn panels(plot: Plot, setup: &Setup, surface: &Surface, outcome: &Outcome) -> Vec<Panel> {
+pub fn panels(plot: Plot, setup: &Plan, surface: &Surface, outcome: &Outcome) -> Vec<Panel> {
     match plot {
         Plot::Force => vec![force(outcome), stiffness(setup, outcome)],
         Plot::Shape => vec![line(setup, surface)],
@@ -29,7 +29,7 @@ fn force(outcome: &Outcome) -> Panel {
     panel.note("Indentation counts from first touch.")
 }
 
-fn stiffness(setup: &Setup, outcome: &Outcome) -> Panel {
+fn stiffness(setup: &Plan, outcome: &Outcome) -> Panel {
     let panel = banded(outcome, &FORCE, &STIFFNESS);
     let panel = Panel { x: log(panel.x), y: log(panel.y), ..panel };
     let panel = match hurst(setup) {
@@ -71,7 +71,7 @@ fn moved(table: &Table, x: &Column<Record>, y: &Column<Record>) -> Option<[Vec<(
 }
 
 /// Hurst exponent of a nominally flat self-affine surface.
-fn hurst(setup: &Setup) -> Option<f64> {
+fn hurst(setup: &Plan) -> Option<f64> {
     let Shape::RoughLine(line) = &setup.scene.shape else { return None };
     match (&line.base, &line.spectrum) {
         (None, SpectrumSource::SelfAffine(spectrum)) => Some(spectrum.hurst.si()),
@@ -80,7 +80,7 @@ fn hurst(setup: &Setup) -> Option<f64> {
 }
 
 /// The rough line on its base.
-fn line(setup: &Setup, surface: &Surface) -> Panel {
+fn line(setup: &Plan, surface: &Surface) -> Panel {
     let seed = surface.seeds.first().copied().unwrap_or(1);
     let line = RoughLine::new(&surface.rings, seed);
     let places = line.places(surface.points);

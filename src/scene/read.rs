@@ -1,0 +1,93 @@
+//! The tables of a scene, read.
+
+use super::Scene;
+use super::surface::{self, Surface};
+use crate::friction::{Friction, Strength, StrengthCurve};
+use crate::input::problem::Problem;
+use crate::input::table::Tables;
+use crate::material::{self, Joined, Relaxation};
+use crate::scene::history::{Entry, Motion};
+use crate::shape::{Family, PlaneWave, PlaneWavy, Profile, RoughShape, Shape};
+use std::sync::Arc;
+
+/// The parts of a scene with their tables read; a part is missing where it cannot be read.
+#[derive(Debug)]
+pub(super) struct Read {
+    pub(super) joined: Option<Joined>,
+    pub(super) relaxation: Option<Arc<Relaxation>>,
+    pub(super) geometry: Option<Geometry>,
+    pub(super) strength: Option<Arc<StrengthCurve>>,
+    /// One per history entry: the table it names.
+    pub(super) motions: Vec<Option<Motion>>,
+}
+
+impl Read {
+    pub(super) fn of(scene: &Scene, tables: &dyn Tables, problems: &mut Vec<Problem>) -> Self {
+        let joined = material::joined(&scene.bodies, tables).map_err(|found| problems.extend(found)).ok().flatten();
+        Self {
+            relaxation: joined.as_ref().and_then(|joined| joined.relaxation.clone()).map(Arc::new),
+            joined,
+            geometry: Geometry::of(&scene.shape, tables).map_err(|found| problems.extend(found)).ok(),
+            strength: strength(scene.friction.as_ref(), tables).map_err(|found| problems.push(found)).ok().flatten(),
+            motions: motions(&scene.history, tables, problems),
+        }
+    }
+}
+
+/// What is pressed, ready for evaluation.
+#[derive(Debug)]
+pub(super) enum Geometry {
+    Round(Arc<dyn Profile>),
+    /// Roughness, on a smooth profile if not on a flat.
+    Rough(Arc<Surface>, Option<Arc<dyn Profile>>),
+    Wave(PlaneWave),
+    Wavy(PlaneWavy),
+}
+
+impl Geometry {
+    fn of(shape: &Shape, tables: &dyn Tables) -> Result<Self, Vec<Problem>> {
+        let rough = |surface, base| Self::Rough(Arc::new(surface), base);
+        Ok(match shape.family() {
+            Family::Round => Self::Round(profile(shape, tables)?),
+            Family::Line(line) => rough(surface::of_line(line, tables)?, base(line, tables)?),
+            Family::Map(path, pixel) => rough(surface::of_map(path, pixel, tables)?, None),
+            Family::Wave(wave) => Self::Wave(wave.clone()),
+            Family::Wavy(wavy) => Self::Wavy(wavy.clone()),
+        })
+    }
+
+    /// The smooth profile over a radius.
+    pub(super) fn profile(&self) -> Option<&dyn Profile> {
+        match self {
+            Self::Round(profile) => Some(profile.as_ref()),
+            Self::Rough(_, base) => base.as_deref(),
+            Self::Wave(_) | Self::Wavy(_) => None,
+        }
+    }
+}
+
+fn profile(shape: &Shape, tables: &dyn Tables) -> Result<Arc<dyn Profile>, Vec<Problem>> {
+    shape.profile(tables).map_err(|error| vec![Problem::new("shape", error.to_string())])
+}
+
+/// The smooth shape under a rough line.
+fn base(line: &RoughShape, tables: &dyn Tables) -> Result<Option<Arc<dyn Profile>>, Vec<Problem>> {
+    line.base.as_deref().map(|base| profile(base, tables)).transpose()
+}
+
+/// The table of the shear strength, if the friction names one.
+fn strength(friction: Option<&Friction>, tables: &dyn Tables) -> Result<Option<Arc<StrengthCurve>>, Problem> {
+    let Some(Friction::Pressure(law)) = friction else { return Ok(None) };
+    let Strength::Table(path) = &law.shear else { return Ok(None) };
+    let curve = StrengthCurve::read(path, tables);
+    curve.map(Arc::new).map(Some).map_err(|error| Problem::new("friction.shear", error.to_string()))
+}
+
+fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<Motion>> {
+    let mut read = |(index, entry): (usize, &Entry)| {
+        let Entry::Table(path) = entry else { return None };
+        let motion = Motion::read(path, tables);
+        motion.map_err(|error| problems.push(Problem::new(format!("history[{index}]"), error.to_string()))).ok()
+    };
+    history.iter().enumerate().map(&mut read).collect()
+}

@@ -1,3 +1,0 @@
-//! Name of a plan while the callers move to it.
-
-pub use super::plan::Plan as Setup;
