@@ -2,6 +2,7 @@
 //! the pressure of the spring bed: `cargo run --release --example halfspace_start -- 128 256 512`.
 use ndarray::Array2;
 use springbed::contact::foundation::HalfSpace;
+use springbed::contact::model::Loading;
 use springbed::contact::springs::SpringBed;
 use springbed::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start, solve};
 use springbed::input::quantity::{Length, QuantityError};
@@ -43,6 +44,7 @@ fn bed_pressure(depth: f64, reach: f64) -> Result<Vec<(f64, f64)>, QuantityError
     let ball = Paraboloid { radius: Length::new(1.0)? };
     let mut bed = SpringBed::new(HalfSpace::new(Arc::new(ball.clone()), 1.0), (4096, reach), 0.0);
     bed.indent(depth);
+    let loads = bed.spring_loads();
     let radii = (0..=4096).map(|k| reach * f64::from(k) / 4096.0);
-    Ok(radii.map(|r| (r, bed.pressure(r).max(0.0))).collect())
+    Ok(radii.map(|r| (r, loads.pressure(r).unwrap_or(0.0).max(0.0))).collect())
 }

@@ -1,10 +1,9 @@
 //! The rough bed held against the full half-space: where they agree and where they do not.
 
 use super::theory::{StiffnessLaw, area_fraction, stiffness_exponent};
+use crate::contact::rough::RoughBed;
 use crate::halfspace::{self, Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start};
-use crate::shape::rough::{
-    Rings, RoughBed, RoughError, RoughLine, RoughnessSpectrum, Scatter, ensemble, rough_surface,
-};
+use crate::shape::rough::{Rings, RoughError, RoughLine, RoughnessSpectrum, Scatter, ensemble, rough_surface};
 use std::f64::consts::TAU;
 
 /// A study of self-affine squares of side L, of full-band roughness: longest wave L, shortest `pixels_per_wave` pixels.

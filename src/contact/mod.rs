@@ -3,8 +3,13 @@
 pub mod adhesion;
 pub mod direct;
 pub mod elliptic;
+mod elastic;
 pub mod foundation;
+pub mod error;
+pub mod model;
 pub mod plane;
+pub mod rough;
+pub mod spring_loads;
 pub mod springs;
 pub mod state;
 pub mod stress;

@@ -4,11 +4,11 @@
 //! half-space at x = (i + ½)h, with the stiffness E*h (Popov & Heß 2015, eq. 3.1). Springs join and part one by one; between two such events the force
 //! is linear in the depth, so the work is known exactly and the energy ledger closes.
 
-use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::foundation::{Foundation, HalfSpace};
+use crate::contact::spring_loads::{Loaded, SpringLoads};
 use crate::shape::{Profile, Rim};
 use ndarray::Array1;
-use std::f64::consts::{FRAC_1_PI, PI};
+use std::f64::consts::PI;
 
 /// How the contact radius and the force at the edge are read off the bed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +39,8 @@ pub struct SpringBed<F = HalfSpace> {
     deflection: f64,
     wall: bool,
     indentation: f64,
+    /// A pull keeps the bodies apart.
+    parted: bool,
     work: f64,
 }
 
@@ -74,6 +76,7 @@ impl<F: Foundation> SpringBed<F> {
             deflection: 0.0,
             wall,
             indentation: 0.0,
+            parted: false,
             work: 0.0,
         }
     }
@@ -83,6 +86,12 @@ impl<F: Foundation> SpringBed<F> {
     pub fn with_edge(mut self, location: EdgeLocation) -> Self {
         self.location = location;
         self
+    }
+
+    /// Whether a pull keeps the bodies apart.
+    #[must_use]
+    pub fn is_parted(&self) -> bool {
+        self.parted
     }
 
     /// Number of springs.
@@ -99,6 +108,7 @@ impl<F: Foundation> SpringBed<F> {
 
     /// Moves to the depth `to` [m]: springs join and part one by one on the way.
     pub fn indent(&mut self, to: f64) {
+        self.parted = false;
         while let Some(depth) = self.next_to_part().filter(|&depth| depth > to) {
             self.move_to(depth.min(self.indentation));
             self.part();
@@ -156,6 +166,7 @@ impl<F: Foundation> SpringBed<F> {
             self.move_under((held, to));
         }
         self.settle();
+        self.parted = self.attached == 0 && to < 0.0;
         self.attached > 0
     }
 
@@ -302,58 +313,21 @@ impl<F: Foundation> SpringBed<F> {
     pub fn stiffness(&self) -> f64 {
         self.ground.stiffness(self.contact_radius())
     }
-
-    /// Follows `control` to the value `to`; `false` if the bodies parted under a prescribed force.
-    pub fn follow(&mut self, control: Control, to: f64) -> bool {
-        match control {
-            Control::Indentation => {
-                self.indent(to);
-                true
-            }
-            Control::Force => self.press(to),
-        }
-    }
 }
 
 impl SpringBed {
-    /// Pressure p(r) [Pa]: the inverse transform of the loads joined by straight lines.
+    /// Loads of the springs in contact, as a value.
     #[must_use]
-    pub fn pressure(&self, r: f64) -> f64 {
-        let a = self.contact_radius();
-        if r >= a {
-            return 0.0;
-        }
-        // On the axis itself the transform is the limit of a small radius.
-        let r = r.max(1e-6 * self.spacing);
-        let edge = (a, self.ground.modulus() * self.edge_deflection());
-        let mut sum = 0.0;
-        let mut last: Option<(f64, f64)> = None;
-        for (x, q) in self.loads().filter(|load| load.0 < a).chain([edge]) {
-            if let Some((x0, q0)) = last.filter(|_| x > r) {
-                let slope = (q - q0) / (x - x0);
-                sum -= slope * ((x / r).acosh() - (x0 / r).max(1.0).acosh());
-            }
-            last = Some((x, q));
-        }
-        FRAC_1_PI * (sum + edge.1 / ((a - r) * (a + r)).sqrt())
-    }
-
-    /// Displacement of the surface outside the contact [m], by the sum over the springs.
-    #[must_use]
-    pub fn surface(&self, r: f64) -> f64 {
-        let kernel = |(x, q): (f64, f64)| q / ((r - x) * (r + x)).sqrt();
-        2.0 * FRAC_1_PI * self.spacing / self.ground.modulus()
-            * self.loads().filter(|load| load.0 < r).map(kernel).sum::<f64>()
-    }
-
-    /// Loads of the springs in contact per length, q = E*(d − g) [N/m], with their places [m].
-    pub fn loads(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub fn spring_loads(&self) -> SpringLoads<'_> {
         let half = 0.5 * self.spacing;
-        self.reduced.iter().take(self.attached).scan(half, |x, g| {
-            let place = *x;
-            *x += self.spacing;
-            Some((place, self.ground.modulus() * (self.indentation - g)))
-        })
+        let spring = |i: usize| {
+            let displacement = self.indentation - self.reduced[i];
+            let (place, load) = (half + i as f64 * self.spacing, self.ground.modulus() * displacement);
+            Loaded { place, load, weight: 2.0 * self.spacing, displacement }
+        };
+        let edge = self.ground.modulus() * self.edge_deflection();
+        SpringLoads::new(self.ground.profile(), self.indentation, self.attached, spring)
+            .with_edge(self.contact_radius(), edge)
     }
 }
 

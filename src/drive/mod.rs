@@ -1,3 +1,530 @@
-//! Ways to move a contact.
+//! Ways to move a contact: by depth, by force, on a sine, until it parts, by the impact of a mass.
+//!
+//! A stage is led through a contact of any kind. Of a contact whose state depends on the present alone every
+//! record is one straight piece. One that remembers goes through straight pieces chosen before a record is
+//! looked at: one for a ramp or a hold, chords of the sine for an oscillation, pieces found by an error
+//! estimate for a prescribed force. Records and events cut a piece without bending it.
 
+mod chords;
+pub mod course;
+mod cycle;
+pub mod force;
 pub mod impact;
+mod instants;
+
+pub use cycle::Loop;
+
+use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::error::ContactError;
+use crate::contact::model::{ContactModel, Pull, Straight};
+use crate::contact::state::{Normal, Tangential};
+use crate::contact::viscoelastic::creep::Creep;
+use chords::Chords;
+use course::{Course, Extent, Path};
+use cycle::Cycle;
+use force::{ForceDrive, Ramp, ahead, depth_of};
+use instants::{Watch, looks};
+
+/// Something that happens between two records, with the state on both sides.
+#[derive(Debug, Clone, Copy)]
+pub struct Occurrence {
+    /// Time since the beginning of the stage [s].
+    pub time: f64,
+    /// State just before.
+    pub before: Normal,
+    /// State just after.
+    pub after: Normal,
+    /// State of the tangential contact.
+    pub tangential: Option<Tangential>,
+}
+
+/// A contact being led through the stages of a history.
+#[derive(Debug, Clone)]
+pub struct Driver {
+    accuracy: f64,
+    /// Exact creep, as long as the contact has only grown under a prescribed force.
+    creep: Option<Creep>,
+    /// Largest force so far [N], against which errors are measured.
+    largest: f64,
+    /// A pull has parted the bodies.
+    parted: bool,
+    cycle: Cycle,
+    stage: Stage,
+}
+
+/// The stage a contact is in.
+#[derive(Debug, Clone)]
+struct Stage {
+    course: Course,
+    /// What is prescribed, and the tangential displacement [m], at its beginning.
+    from: f64,
+    slide: f64,
+    /// Time since its beginning [s].
+    now: f64,
+    way: Way,
+    leg: Option<Leg>,
+    /// Force in the middle of the last chord [N].
+    middle: Option<f64>,
+}
+
+/// The rest of a stage.
+#[derive(Debug, Clone)]
+enum Way {
+    /// From record to record.
+    Records,
+    /// At constant speed to this depth [m].
+    Straight(f64),
+    /// Chords of a sine.
+    Chords(Chords),
+    /// Under a prescribed force.
+    Force(ForceDrive),
+    /// Nothing is left.
+    Done,
+}
+
+/// A straight piece of the depth within a stage.
+#[derive(Debug, Clone)]
+struct Leg {
+    from: f64,
+    to: f64,
+    speed: f64,
+    begin: f64,
+    end: f64,
+    watch: Option<Watch>,
+}
+
+impl Leg {
+    /// Depth [m] at the time `t` [s] of the stage.
+    fn depth(&self, t: f64) -> f64 {
+        if t >= self.end { self.to } else { self.from + self.speed * (t - self.begin) }
+    }
+}
+
+impl Stage {
+    /// Tangential displacement [m] at the time `t` [s].
+    fn slide_at(&self, t: f64) -> f64 {
+        let over = self.course.over;
+        self.course.tangential.at(self.slide, if over > 0.0 { t / over } else { 1.0 }, over)
+    }
+
+    /// Sliding speed [m/s] of a stage that slides steadily.
+    fn sliding_speed(&self) -> f64 {
+        if let Path::To(to) = self.course.tangential { (to - self.slide).abs() / self.course.over } else { 0.0 }
+    }
+}
+
+impl Driver {
+    /// A driver of a contact that just touches, to the relative accuracy `accuracy`.
+    #[must_use]
+    pub fn new(contact: &dyn ContactModel, accuracy: f64) -> Self {
+        let course = Course {
+            control: Control::Indentation,
+            normal: Path::Stay,
+            tangential: Path::Stay,
+            over: 0.0,
+            extent: Extent::Entry,
+        };
+        let stage = Stage { course, from: 0.0, slide: 0.0, now: 0.0, way: Way::Done, leg: None, middle: None };
+        Self { accuracy, creep: contact.creep(), largest: 0.0, parted: false, cycle: Cycle::default(), stage }
+    }
+
+    /// Begins a stage.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    pub fn begin(&mut self, contact: &mut dyn ContactModel, course: Course, slide: f64) -> Result<(), ContactError> {
+        let present = self.corrected(contact, contact.state());
+        self.largest = self.largest.max(present.force.abs());
+        let from = prescribed(&present, course.control);
+        self.stage = Stage { course, from, slide, now: 0.0, way: Way::Records, leg: None, middle: None };
+        if contact.memory().is_none() {
+            return Ok(());
+        }
+        match course.control {
+            Control::Force => self.begin_force(contact)?,
+            Control::Indentation => self.begin_depth(contact)?,
+        }
+        self.stage.leg = self.next_leg(contact)?;
+        Ok(())
+    }
+
+    fn begin_depth(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+        (self.creep, self.parted) = (None, false);
+        let (course, depth) = (self.stage.course, depth_of(contact));
+        self.stage.way = match course.normal {
+            Path::Wave(wave) => Way::Chords(Chords::new(depth, wave, course.over, self.accuracy)),
+            Path::To(to) if course.over <= 0.0 => {
+                contact.follow(&Straight::between(depth, to, 0.0))?;
+                Way::Done
+            }
+            Path::To(to) => Way::Straight(to),
+            Path::Stay | Path::UntilParted { .. } => Way::Straight(depth),
+        };
+        Ok(())
+    }
+
+    fn begin_force(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+        let (course, from) = (self.stage.course, self.stage.from);
+        let to = if let Path::To(to) = course.normal { to } else { from };
+        self.creep = self.creep.take().filter(|creep| to >= creep.force());
+        self.largest = self.largest.max(from.abs()).max(to.abs());
+        let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
+        let duration = if course.over > 0.0 { course.over } else { instant };
+        let ramp = Ramp { from, rate: (to - from) / duration, accuracy: self.accuracy, scale: self.largest };
+        let along = self.creep.take();
+        self.creep = along.as_ref().map(|creep| creep.after(to, course.over));
+        self.stage.way = Way::Force(ForceDrive::new(ramp, duration, along));
+        if course.over <= 0.0 {
+            while let Some(leg) = self.next_leg(contact)? {
+                contact.follow(&ahead(contact, leg.speed, leg.end - leg.begin))?;
+                self.stage.leg = Some(leg);
+            }
+            (self.stage.way, self.stage.leg) = (Way::Done, None);
+        }
+        Ok(())
+    }
+
+    /// What is prescribed at the part `part` of the stage: depth [m] or force [N].
+    #[must_use]
+    pub fn prescribed_at(&self, part: f64) -> f64 {
+        self.stage.course.normal.at(self.stage.from, part, self.stage.course.over)
+    }
+
+    /// Leads the contact on to the part `part` of the stage; what happens on the way.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    pub fn advance(&mut self, contact: &mut dyn ContactModel, part: f64) -> Result<Vec<Occurrence>, ContactError> {
+        let mut occurrences = Vec::new();
+        let until = part * self.stage.course.over;
+        if let Way::Records = self.stage.way {
+            self.step(contact, part, &mut occurrences)?;
+        } else {
+            self.walk(contact, until, &mut occurrences)?;
+        }
+        self.stage.now = until;
+        contact.settle()?;
+        Ok(occurrences)
+    }
+
+    /// One straight piece to the next record.
+    fn step(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        part: f64,
+        occurrences: &mut Vec<Occurrence>,
+    ) -> Result<(), ContactError> {
+        let stage = &self.stage;
+        let Course { control, normal, tangential, over, .. } = stage.course;
+        let (to, slide) = (normal.at(stage.from, part, over), tangential.at(stage.slide, part, over));
+        let from = prescribed(&contact.state(), control);
+        let (duration, sliding_speed) = (part * over - stage.now, stage.sliding_speed());
+        let before = contact.tangential();
+        let events = match control {
+            Control::Indentation => {
+                let piece = Straight { slide, sliding_speed, ..Straight::between(from, to, duration) };
+                contact.follow(&piece)?
+            }
+            Control::Force => {
+                let pull = Pull { force: to, slide, sliding_speed, duration };
+                contact.press(&pull).unwrap_or_else(|| Ok(Vec::new()))?
+            }
+        };
+        let time = |at: f64| if (to - from).abs() > 0.0 { ((at - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+        occurrences.extend(events.iter().map(|event| Occurrence {
+            time: stage.now + time(event.at) * duration,
+            before: event.before,
+            after: event.after,
+            tangential: event.tangential.or(before),
+        }));
+        Ok(())
+    }
+
+    /// Through the legs of the stage up to the time `until` [s].
+    fn walk(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        until: f64,
+        occurrences: &mut Vec<Occurrence>,
+    ) -> Result<(), ContactError> {
+        while let Some(mut leg) = self.stage.leg.take() {
+            let stop = until.min(leg.end);
+            self.walk_leg(contact, &mut leg, stop, occurrences)?;
+            if until < leg.end {
+                self.stage.leg = Some(leg);
+                break;
+            }
+            self.stage.now = leg.end;
+            self.stage.leg = self.next_leg(contact)?;
+        }
+        if let Way::Force(force) = &self.stage.way
+            && force.parted()
+            && !self.parted
+        {
+            occurrences.push(self.let_go(contact, force.now()));
+            self.parted = true;
+        }
+        Ok(())
+    }
+
+    /// Along a leg up to the time `until` [s], from look to look.
+    fn walk_leg(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        leg: &mut Leg,
+        until: f64,
+        occurrences: &mut Vec<Occurrence>,
+    ) -> Result<(), ContactError> {
+        loop {
+            let look = leg.watch.as_ref().and_then(Watch::next_stop).map(|stop| leg.begin + stop);
+            let stop = look.unwrap_or(until).min(until);
+            while let Some(instant) = leg.watch.as_mut().and_then(|watch| watch.take_until(stop - leg.begin)) {
+                self.move_to(contact, leg, leg.begin + instant.just_before.unwrap_or(instant.time))?;
+                let before = self.state(contact);
+                self.move_to(contact, leg, leg.begin + instant.time)?;
+                let (time, after) = (leg.begin + instant.time, self.state(contact));
+                occurrences.push(Occurrence { time, before, after, tangential: contact.tangential() });
+            }
+            self.move_to(contact, leg, stop)?;
+            match (look.is_some_and(|look| look <= stop), &mut leg.watch) {
+                (true, Some(watch)) => watch.stop(contact)?,
+                _ => return Ok(()),
+            }
+        }
+    }
+
+    /// On along a leg to the time `time` [s].
+    fn move_to(&mut self, contact: &mut dyn ContactModel, leg: &Leg, time: f64) -> Result<(), ContactError> {
+        let duration = time - self.stage.now;
+        if duration > 0.0 {
+            let (slide, sliding_speed) = (self.stage.slide_at(time), self.stage.sliding_speed());
+            contact.follow(&Straight { to: leg.depth(time), speed: leg.speed, slide, sliding_speed, duration })?;
+            self.stage.now = time;
+        }
+        Ok(())
+    }
+
+    /// The next leg of the stage, with a watch over what happens on it.
+    fn next_leg(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Leg>, ContactError> {
+        let begin = self.stage.now;
+        let depth = depth_of(contact);
+        let (to, end) = match &mut self.stage.way {
+            Way::Records | Way::Done => return Ok(None),
+            &mut Way::Straight(to) => {
+                self.stage.way = Way::Done;
+                (to, self.stage.course.over)
+            }
+            Way::Chords(chords) => match chords.next() {
+                Some(chord) => chord,
+                None => return Ok(None),
+            },
+            Way::Force(force) => match force.next(contact)? {
+                Some(stretch) => {
+                    let to = depth + stretch.speed * (stretch.until - begin);
+                    let (speed, end) = (stretch.speed, stretch.until);
+                    return Ok(Some(Leg { from: depth, to, speed, begin, end, watch: None }));
+                }
+                None => return Ok(None),
+            },
+        };
+        let speed = (to - depth) / (end - begin);
+        let mut leg = Leg { from: depth, to, speed, begin, end, watch: None };
+        leg.watch = self.watch(contact, &leg)?;
+        Ok(Some(leg))
+    }
+
+    /// The watch over a leg that begins here.
+    fn watch(&mut self, contact: &mut dyn ContactModel, leg: &Leg) -> Result<Option<Watch>, ContactError> {
+        let duration = leg.end - leg.begin;
+        let Some(spectrum) = contact.memory().filter(|_| duration > 0.0) else { return Ok(None) };
+        let Way::Chords(chords) = &self.stage.way else {
+            let times = match self.stage.course.extent {
+                Extent::Row => vec![0.5 * duration, duration],
+                Extent::Entry => looks(duration, 1e20 * spectrum.instant()),
+            };
+            return Watch::new(contact, leg.speed, times).map(Some);
+        };
+        let mut watch = Watch::new(contact, leg.speed, vec![0.5 * duration, duration])?;
+        self.cycle.watch(contact, chords, (leg.speed, duration))?;
+        // The force of a path with corners turns at the corners more often than between them.
+        let here = contact.state().force;
+        let middle = watch.first_force_ahead().unwrap_or(here);
+        let before = self.stage.middle.replace(middle);
+        if before.is_some_and(|before| (here - before) * (here - middle) > 0.0) {
+            watch.note_beginning();
+        }
+        Ok(Some(watch))
+    }
+
+    /// The bodies part under a pull, and the indenter is taken away.
+    fn let_go(&self, contact: &mut dyn ContactModel, time: f64) -> Occurrence {
+        let before = contact.state();
+        contact.leave();
+        let after = Normal { indentation: None, ..contact.state() };
+        Occurrence { time, before, after, tangential: contact.tangential() }
+    }
+
+    /// Present state, with depth and force exact where the creep is.
+    #[must_use]
+    pub fn state(&self, contact: &dyn ContactModel) -> Normal {
+        self.corrected(contact, contact.sheared())
+    }
+
+    fn corrected(&self, contact: &dyn ContactModel, state: Normal) -> Normal {
+        if self.parted {
+            return Normal { indentation: None, ..state };
+        }
+        let (Way::Force(force), Some(spectrum)) = (&self.stage.way, contact.memory()) else { return state };
+        let creep = force.exact(self.stage.now);
+        let Some((indentation, contact_radius)) = creep.and_then(|creep| creep.indented()) else { return state };
+        Normal {
+            indentation: Some(indentation),
+            force: force.prescribed(self.stage.now),
+            contact_radius: Some(contact_radius),
+            stiffness: 2.0 * spectrum.instantaneous() * contact_radius,
+            ..state
+        }
+    }
+
+    /// Depth [m] at which a retraction from here at the speed `speed` [m/s] parts the bodies.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    pub fn last_depth(&self, contact: &mut dyn ContactModel, speed: f64) -> Result<f64, ContactError> {
+        if let Some(depth) = contact.last_depth() {
+            return depth;
+        }
+        let start = depth_of(contact);
+        let mut held =
+            |time: f64| Ok::<_, ContactError>(contact.look(&ahead(contact, -speed, time))?.contact_radius > 0.0);
+        let mut high = start.abs().max(1e-300) / speed;
+        while held(high)? {
+            high *= 2.0;
+        }
+        let mut low = 0.0;
+        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+            let middle = 0.5 * (low + high);
+            *(if held(middle)? { &mut low } else { &mut high }) = middle;
+        }
+        Ok(start - speed * low)
+    }
+
+    /// Parts the bodies at the last depth of a retraction at the speed `speed` [m/s]; the state after.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    pub fn part(&mut self, contact: &mut dyn ContactModel, speed: f64) -> Result<Normal, ContactError> {
+        let depth = depth_of(contact);
+        if contact.memory().is_none() {
+            let jumps = contact.follow(&Straight::between(depth, depth.next_down(), 0.0))?;
+            let after = jumps.last().map_or_else(|| contact.state(), |jump| jump.after);
+            return Ok(Normal { indentation: Some(depth), ..after });
+        }
+        // On at the same speed for as short a time as it takes.
+        let mut duration = f64::EPSILON * self.stage.now;
+        while contact.look(&ahead(contact, -speed, duration))?.contact_radius > 0.0 && duration < self.stage.now {
+            duration *= 2.0;
+        }
+        contact.follow(&ahead(contact, -speed, duration))?;
+        let back = f64::MIN_POSITIVE.max(duration * f64::EPSILON);
+        contact.follow(&Straight::between(depth_of(contact), depth, back))?;
+        Ok(self.state(contact))
+    }
+
+    /// The last cycle of the last oscillation of a contact that remembers.
+    #[must_use]
+    pub fn last_loop(&self) -> Option<Loop> {
+        self.cycle.moduli()
+    }
+}
+
+/// Value of what is prescribed; a body that has come free starts again from first touch.
+fn prescribed(state: &Normal, control: Control) -> f64 {
+    match control {
+        Control::Indentation => state.indentation.unwrap_or(0.0),
+        Control::Force => state.force,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::course::Wave;
+    use super::*;
+    use crate::contact::viscoelastic::Spectrum;
+    use crate::contact::viscoelastic::continuous::ContinuousContact;
+    use crate::contact::viscoelastic::growing::GrowingBed;
+    use crate::contact::viscoelastic::layout::Layout;
+    use crate::contact::viscoelastic::memory::Memory;
+    use crate::input::quantity::Length;
+    use crate::material::Relaxation;
+    use crate::shape::{FlatPunch, Paraboloid, Profile};
+    use std::f64::consts::TAU;
+    use std::sync::Arc;
+
+    fn by_depth(normal: Path, over: f64) -> Course {
+        let (control, tangential) = (Control::Indentation, Path::Stay);
+        Course { control, normal, tangential, over, extent: Extent::Entry }
+    }
+
+    /// A flat punch is linear: F = F₀ + 2bA(E′ sin ωt + E″ cos ωt) once the start is forgotten.
+    #[test]
+    fn oscillation_gives_storage_and_loss() {
+        let terms = vec![(3.0, 0.05), (2.0, 0.4)];
+        let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms, viscosity: 0.02 }));
+        let punch: Arc<dyn Profile> = Arc::new(FlatPunch { radius: Length::new(0.5).unwrap() });
+        let layout = Layout::uniform(punch.as_ref(), 0.5, 10);
+        let mut bed = GrowingBed::new(spectrum.clone(), punch, layout);
+        let mut driver = Driver::new(&bed, 1e-7);
+        for course in [by_depth(Path::To(1.0), 1.0), by_depth(Path::Stay, 100.0)] {
+            driver.begin(&mut bed, course, 0.0).unwrap();
+            driver.advance(&mut bed, 1.0).unwrap();
+        }
+        let wave = Wave { amplitude: 0.01, frequency: 1.0 };
+        driver.begin(&mut bed, by_depth(Path::Wave(wave), 10.0), 0.0).unwrap();
+        for k in 1..=400 {
+            let t = f64::from(k) / 40.0;
+            driver.advance(&mut bed, t / 10.0).unwrap();
+            let part = 0.01 * (spectrum.storage(TAU) * (TAU * t).sin() + spectrum.loss(TAU) * (TAU * t).cos());
+            let off = driver.state(&bed).force - 1.0 - part;
+            // Chords: 1e-7 of the depth, and of the speed the root of it where there is a dashpot.
+            assert!(k <= 360 || off.abs() < 1e-6 + 0.02 * 0.01 * TAU * 1e-3, "{t}: {off}");
+        }
+        let found = driver.last_loop().unwrap();
+        assert!((found.storage / spectrum.storage(TAU) - 1.0).abs() < 1e-3, "{found:?}");
+    }
+
+    /// A ramp cut anywhere into entries, and however many records there are: the same contact, to rounding.
+    #[test]
+    fn neither_cuts_nor_records_change_a_contact() {
+        let terms = vec![(3.0, 0.3), (2.0, 5.0)];
+        let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms, viscosity: 0.0 }));
+        let ball: Arc<dyn Profile> = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
+        let layout = Layout::graded(ball.as_ref(), (1e-3, 0.1), 500);
+        let springs = GrowingBed::new(spectrum.clone(), ball.clone(), layout);
+        let continuous = ContinuousContact::new(Memory::new(spectrum, ball));
+        let contacts: [Box<dyn ContactModel>; 2] = [Box::new(springs), Box::new(continuous)];
+        for contact in contacts {
+            let led = |cuts: u32, records: u32| {
+                let (mut contact, mut driver) = (contact.copy(), Driver::new(contact.as_ref(), 1e-6));
+                for (from, to) in [(0.0, 0.01), (0.01, 0.004), (0.004, 0.009)] {
+                    for cut in 1..=cuts {
+                        let depth = from + (to - from) * f64::from(cut) / f64::from(cuts);
+                        let over = 1.0 / f64::from(cuts);
+                        driver.begin(contact.as_mut(), by_depth(Path::To(depth), over), 0.0).unwrap();
+                        for k in 1..=records {
+                            driver.advance(contact.as_mut(), f64::from(k) / f64::from(records)).unwrap();
+                        }
+                    }
+                }
+                contact.state()
+            };
+            let once = led(1, 1);
+            for (cuts, records) in [(1, 97), (7, 1), (5, 13)] {
+                let often = led(cuts, records);
+                assert!((often.force / once.force - 1.0).abs() < 1e-12, "{cuts} {records}: {often:?} {once:?}");
+                let (a, b) = (often.contact_radius.unwrap(), once.contact_radius.unwrap());
+                assert!((a / b - 1.0).abs() < 1e-12, "{cuts} {records}: {often:?} {once:?}");
+            }
+        }
+    }
+}

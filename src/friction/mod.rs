@@ -1,24 +1,25 @@
 //! Tangential contact: stick, slip, dissipation, adhesion under shear, sliding, oblique impact.
 
 pub mod bed;
+pub mod contact;
 mod driven;
 pub mod fretting;
 pub mod peeling;
-pub mod relaxing;
+pub mod viscoelastic;
 pub mod sliding;
 pub mod oblique;
 mod load;
 mod slipped;
 pub mod strength;
-pub mod state;
 pub mod turning;
 
+pub use crate::contact::error::FrictionError;
 pub use bed::CoulombBed;
 pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
-pub use relaxing::RelaxingBed;
 pub use strength::{Strength, StrengthCurve};
 pub use turning::{Grip, Pose, TangentialMemory, TangentialState};
+pub use viscoelastic::ViscoelasticBed;
 
 use crate::input::quantity::{Modulus, Ratio};
 use serde::{Deserialize, Serialize};
@@ -90,62 +91,4 @@ pub struct PressureLaw {
     pub shear: Strength,
     /// Slope β.
     pub slope: Ratio,
-}
-
-/// Why a tangential state does not exist.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum FrictionError {
-    /// The indentation asks for a contact beyond the end of the profile.
-    #[error("the profile ends before the indentation {depth:e} m is reached")]
-    BeyondProfile {
-        /// Indentation [m].
-        depth: f64,
-    },
-    /// A bed asks for springs beyond the end of the profile.
-    #[error("the profile ends before the radius {radius:e} m of the bed")]
-    BeyondRadius {
-        /// Radius [m].
-        radius: f64,
-    },
-    /// No slide carries the tangential force asked for.
-    #[error("a tangential force of {force:e} N is not below the limit of {limit:e} N: the contact slips as a whole")]
-    GrossSlip {
-        /// Tangential force asked for [N].
-        force: f64,
-        /// μF [N].
-        limit: f64,
-    },
-    /// The profile ends before the normal force is reached.
-    #[error("the profile ends before the normal force {force:e} N is reached")]
-    ForceBeyondProfile {
-        /// Normal force [N].
-        force: f64,
-    },
-    /// An adhesive contact parts under the normal force alone.
-    #[error("the bodies part under the normal force {force:e} N")]
-    Parted {
-        /// Normal force [N].
-        force: f64,
-    },
-    /// A ball does not move towards the surface.
-    #[error("the normal speed before the impact is {speed:e} m/s: it must be above zero")]
-    NoApproach {
-        /// Normal speed [m/s].
-        speed: f64,
-    },
-    /// A sliding speed outside the table of shear strength.
-    #[error(transparent)]
-    OutsideTable(#[from] strength::OutsideTable),
-    /// The tangential load has peeled an adhesive contact that nothing presses.
-    #[error("at the indentation {depth:e} m the tangential load peels the adhesive contact: the bodies part")]
-    PeeledAt {
-        /// Indentation [m].
-        depth: f64,
-    },
-    /// The tangential load has peeled the adhesive contact.
-    #[error("under the normal force {force:e} N the tangential load peels the adhesive contact")]
-    Peeled {
-        /// Normal force [N].
-        force: f64,
-    },
 }

@@ -1,8 +1,9 @@
 //! Gross sliding under laws of soft matter, which act on the pressure p(r).
 
 use super::peeling::{ShearedAdhesion, TangentialLoad};
-use super::strength::{OutsideTable, Strength, StrengthCurve};
+use super::strength::{Strength, StrengthCurve};
 use super::{Coulomb, CoulombOrowan, Friction, FrictionError};
+use crate::contact::error::OutsideTable;
 use crate::contact::foundation::HalfSpace;
 use crate::numerics::quadrature::panel_with_root_ends;
 use crate::numerics::root::brent;
@@ -12,7 +13,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 const SAMPLES: u32 = 64;
 
 /// Shear stress of a sliding interface as a function of the local pressure.
-pub trait SlidingLaw {
+pub trait SlidingLaw: Send + Sync {
     /// τ(p) [Pa] at the pressure `p` [Pa], negative in tension. Never negative.
     fn stress(&self, p: f64) -> f64;
 

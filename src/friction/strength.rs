@@ -1,5 +1,6 @@
 //! Shear strength of a sliding interface: a number, or a table over the sliding speed.
 
+use crate::contact::error::OutsideTable;
 use crate::input::quantity::{Speed, Stress};
 use crate::input::table::{TableError, Tables};
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -62,20 +63,6 @@ pub struct StrengthCurve {
     speeds: Vec<f64>,
     /// Strengths [Pa].
     strengths: Vec<f64>,
-}
-
-/// A speed that a table of shear strength does not hold.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error(
-    "slides at {speed:e} m/s, outside the table of shear strength: expected a speed from {least:e} to {most:e} m/s"
-)]
-pub struct OutsideTable {
-    /// Speed asked for [m/s].
-    pub speed: f64,
-    /// Least speed of the table [m/s].
-    pub least: f64,
-    /// Greatest speed of the table [m/s].
-    pub most: f64,
 }
 
 const COLUMNS: [&str; 2] = ["speed_m_per_s", "shear_pa"];

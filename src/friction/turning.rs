@@ -16,6 +16,7 @@
 use super::FrictionError;
 use super::load::{LinearProduct, LoadCurve, SpringDepth};
 use super::slipped::{Node, SlideStep, slip_work};
+pub use crate::contact::model::Pose;
 use crate::shape::Profile;
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -37,15 +38,6 @@ impl Grip {
     pub fn reach(&self) -> f64 {
         self.coefficient * (self.normal_modulus / self.tangential_modulus)
     }
-}
-
-/// Where the indenter is: indentation and tangential displacement [m].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Pose {
-    /// Indentation d [m]; not above zero where the bodies are apart.
-    pub indentation: f64,
-    /// Tangential displacement u_x [m].
-    pub slide: f64,
 }
 
 /// Tangential state of a contact.

@@ -1,8 +1,9 @@
 //! The error of each solver, and where it comes from.
 
+use super::compose;
 use super::conditioning::moved_edge;
 use super::follow::{Run, follow};
-use super::{Contact, Wanted, relaxing, shear};
+use super::{Wanted, viscoelastic};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::springs::reach_for;
 use crate::contact::state::Normal;
@@ -18,9 +19,9 @@ const ROUNDING: f64 = 1e-11;
 
 /// The error of the normal contact or of the tangential one, whichever is larger.
 #[must_use]
-pub fn estimate(plan: &RoundPlan, run: &Run<'_>) -> ErrorEstimate {
+pub fn estimate(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
     let normal = normal_error(plan, run);
-    let tangential = plan.friction.as_ref().and_then(|law| shear::error_estimate(plan, law));
+    let tangential = plan.friction.as_ref().and_then(|law| compose::friction_error(plan, law));
     tangential.filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
 }
 
@@ -28,7 +29,7 @@ fn of(relative: f64, basis: &str) -> ErrorEstimate {
     ErrorEstimate { relative, basis: basis.to_owned() }
 }
 
-fn normal_error(plan: &RoundPlan, run: &Run<'_>) -> ErrorEstimate {
+fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
     match &plan.contact {
         ContactLaw::Direct(ElasticAdhesion::Finite { .. }) => {
             of(1e-10, "direct path with roots within roots: rounding, against Maugis' equations over twelve decades")
@@ -74,16 +75,16 @@ fn springs_error(plan: &RoundPlan, (springs, work): (NonZeroUsize, f64), records
 }
 
 /// The largest force of a run [N], above zero.
-fn largest_force(run: &Run<'_>) -> f64 {
+fn largest_force(run: &Run) -> f64 {
     run.records.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max)
 }
 
 /// The error of the sums of the continuous bed.
-fn sums(run: &Run<'_>) -> f64 {
+fn sums(run: &Run) -> f64 {
     (run.force_error / largest_force(run)).max(1e-13)
 }
 
-fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run<'_>, count: usize) -> ErrorEstimate {
+fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run, count: usize) -> ErrorEstimate {
     let width = GRADE.recip().asinh() / count as f64;
     let basis = format!(
         "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius lies between two springs",
@@ -94,21 +95,22 @@ fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run<'_>, count: usize) -> 
 
 /// What the largest force feels of a depth off by a part of itself, 2E(0)a·d/F, where the depth is followed in
 /// chords; one where the force itself is met.
-fn felt(plan: &RoundPlan, run: &Run<'_>) -> f64 {
-    let chords = plan.stages.iter().any(|stage| matches!(stage.normal, Path::Wave { .. }));
+fn felt(plan: &RoundPlan, run: &Run) -> f64 {
+    let chords = plan.stages.iter().any(|stage| matches!(stage.normal, Path::Wave(_)));
     let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
     let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
 }
 
 /// Adhesion: the whole history again with the opening edge followed in half the steps.
-fn adhesive_error(plan: &RoundPlan, run: &Run<'_>, (relaxation, edge): (&Relaxation, &HeldEdge)) -> ErrorEstimate {
+fn adhesive_error(plan: &RoundPlan, run: &Run, (relaxation, edge): (&Relaxation, &HeldEdge)) -> ErrorEstimate {
     let forces = |records: &[Record]| {
         let forces = records.iter().map(|record| record.normal.force);
         (forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max))
     };
-    let again = Contact { normal: relaxing::refined(plan, relaxation, edge), tangential: None };
-    let again = follow(&plan.stages, again, Wanted::NOTHING).ok().map(|run| forces(&run.records));
+    let again = follow(plan, viscoelastic::refined(plan, relaxation, edge), Wanted::NOTHING)
+        .ok()
+        .map(|run| forces(&run.records));
     let (found, finer) = (forces(&run.records), again.unwrap_or((f64::NAN, f64::NAN)));
     let off = (found.0 - finer.0).abs().max((found.1 - finer.1).abs()) / largest_force(run);
     let pieces = if plan.is_curved() { plan.accuracy() } else { 0.0 };

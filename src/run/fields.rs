@@ -1,10 +1,9 @@
 //! Fields over the radius and under the axis.
 
-use super::contact::NormalContact;
-use super::shear::TangentialContact;
 use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
 use crate::contact::stress::Loading;
 use crate::contact::stress::StressRow;
@@ -20,42 +19,25 @@ const OUTSIDE: usize = 64;
 /// Depths below the surface.
 const DEPTHS: usize = 96;
 
-/// A normal contact and what rubs in it.
-type Parts<'c> = (&'c dyn NormalContact, Option<&'c (dyn TangentialContact + 'c)>);
-
 /// Pressure, shear stress and surface of a contact; `None` where the bodies are apart.
 #[must_use]
-pub fn field((contact, tangential): Parts<'_>, label: String, time: f64) -> Option<Field> {
-    if !contact.joined() {
-        return None;
-    }
-    let pressed = tangential.and_then(TangentialContact::pressed);
-    let (a, reach) = match &pressed {
-        Some(pressed) => (pressed.contact_radius, pressed.contact_radius),
-        None => (contact.state().contact_radius?, contact.reach()),
-    };
-    let mut radii = radii(a, reach);
-    radii.extend(about_stick(tangential, a));
+pub fn field(contact: &dyn ContactModel, label: String, time: f64) -> Option<Field> {
+    let loading = contact.loading()?;
+    let a = loading.contact_radius();
+    let mut radii = radii(a, loading.reach());
+    radii.extend(about_stick(contact.tangential().map(|state| state.stick_radius), a));
     radii.sort_by(f64::total_cmp);
-    let shear = tangential.map_or_else(|| vec![None; radii.len()], |part| part.stress(contact, &radii));
-    let row = |(radius, shear): (f64, Option<f64>)| {
-        let (pressure, displacement) = match &pressed {
-            Some(pressed) => (pressed.pressure_at(radius), Some(pressed.surface_at(radius))),
-            None => (contact.pressure(radius), contact.surface(radius)),
-        };
+    let row = |(&radius, shear): (&f64, Option<f64>)| {
+        let (pressure, displacement) = (loading.pressure(radius), loading.surface(radius));
         FieldRow { radius, pressure, displacement, shear }
     };
-    let rows = radii.into_iter().zip(shear).map(row).collect();
-    let stress_intensity = match &pressed {
-        Some(pressed) => pressed.stress_intensity(),
-        None => contact.stress_intensity(),
-    };
-    Some(Field { label, time, contact_radius: a, stress_intensity, rows })
+    let rows = radii.iter().zip(loading.shear(&radii)).map(row).collect();
+    Some(Field { label, time, contact_radius: a, stress_intensity: loading.stress_intensity(), rows })
 }
 
 /// Radii on both sides of the border of stick, where the shear stress has a corner.
-fn about_stick(tangential: Option<&dyn TangentialContact>, a: f64) -> Vec<f64> {
-    let border = tangential.map(|part| part.state().stick_radius).filter(|&c| c > 0.0 && c < a);
+fn about_stick(stick_radius: Option<f64>, a: f64) -> Vec<f64> {
+    let border = stick_radius.filter(|&c| c > 0.0 && c < a);
     let beside = |c: f64| [-2e-2, -8e-3, -2e-3, -2e-4, 2e-4].map(|part| (1.0 + part) * c);
     border.map_or_else(Vec::new, |c| beside(c).into_iter().filter(|&r| r < a).collect())
 }

@@ -1,72 +1,51 @@
 //! A history followed stage by stage, record by record.
 
-use super::contact::{ContactError, Drive, Moment, NormalContact};
 use super::record::{Field, Record};
-use super::shear::{Step, TangentialContact};
 use super::table::Table;
-use super::{Contact, SimulationError, Wanted, fields};
+use super::{SimulationError, Wanted, fields};
 use crate::contact::adhesion::equilibrium::Control;
-use crate::contact::state::Normal;
-use crate::scene::plan::RoundPlan;
-use crate::scene::stage::{Path, Stage};
-
-/// Where a step leads: the prescribed quantity, the tangential displacement [m], and the time as the
-/// beginning of the stage and what has passed since [s].
-#[derive(Debug, Clone, Copy)]
-struct Aim {
-    prescribed: f64,
-    slide: f64,
-    since: (f64, f64),
-}
-
-impl Aim {
-    fn time(&self) -> f64 {
-        self.since.0 + self.since.1
-    }
-}
+use crate::contact::error::ContactError;
+use crate::contact::model::{ContactModel, Effort, Pose};
+use crate::contact::state::{Normal, Tangential};
+use crate::drive::course::{Course, Path};
+use crate::drive::{Driver, Loop};
+use crate::scene::plan::{RoundPlan, Shared};
+use crate::scene::stage::Stage;
 
 /// A history being followed.
-pub(super) struct Run<'p> {
-    pub(super) contact: Box<dyn NormalContact + 'p>,
-    pub(super) tangential: Option<Box<dyn TangentialContact + 'p>>,
-    pub(super) control: Control,
-    pub(super) slide: f64,
-    /// Sliding speed of the present stage [m/s].
-    pub(super) speed: f64,
-    pub(super) time: f64,
-    pub(super) entry: usize,
+pub(super) struct Run {
+    contact: Box<dyn ContactModel>,
+    driver: Driver,
+    control: Control,
+    slide: f64,
+    time: f64,
+    entry: usize,
     pub(super) records: Vec<Record>,
     pub(super) fields: Vec<Field>,
-    /// The largest indentation [m] and the field there; `None` until the way back begins.
-    pub(super) deepest: Option<(f64, Field)>,
-    pub(super) wanted: Wanted,
+    /// The field at the largest indentation; `None` until the way back begins.
+    deepest: Option<Deepest>,
+    wanted: Wanted,
     pub(super) notes: Vec<String>,
-    pub(super) loaded: Option<Normal>,
+    loaded: Option<Normal>,
     /// Largest error of the force at the ends of the stages [N].
     pub(super) force_error: f64,
-    /// Largest state [bytes].
-    pub(super) bytes: usize,
+    /// Largest state at the ends of the stages.
+    pub(super) effort: Effort,
 }
 
-pub(super) fn follow<'p>(stages: &[Stage], contact: Contact<'p>, wanted: Wanted) -> Result<Run<'p>, SimulationError> {
-    let mut run = Run {
-        contact: contact.normal,
-        tangential: contact.tangential,
-        control: Control::Indentation,
-        slide: 0.0,
-        speed: 0.0,
-        time: 0.0,
-        entry: 0,
-        records: Vec::new(),
-        fields: Vec::new(),
-        deepest: None,
-        wanted,
-        notes: Vec::new(),
-        loaded: None,
-        force_error: 0.0,
-        bytes: 0,
-    };
-    run.push(run.contact.state(), 0.0);
+/// The field at a depth [m].
+struct Deepest {
+    depth: f64,
+    field: Field,
+}
+
+/// Follows the history of a scene with a contact that just touches.
+///
+/// # Errors
+/// The contact would leave its profile, or cannot be followed.
+pub(super) fn follow(plan: &Shared, contact: Box<dyn ContactModel>, wanted: Wanted) -> Result<Run, SimulationError> {
+    let stages = &plan.stages;
+    let mut run = Run::new(contact, plan.accuracy(), wanted);
     for (number, stage) in stages.iter().enumerate() {
         run.follow_stage(stage).map_err(|source| SimulationError::Contact { entry: stage.entry, source })?;
         let ends_entry = stages.get(number + 1).is_none_or(|next| next.entry != stage.entry);
@@ -75,123 +54,123 @@ pub(super) fn follow<'p>(stages: &[Stage], contact: Contact<'p>, wanted: Wanted)
         }
     }
     run.look_deepest();
-    fields::with_deepest(&mut run.fields, run.deepest.take().map(|(_, field)| field));
+    let deepest = run.deepest.take().map(|deepest| deepest.field);
+    fields::with_deepest(&mut run.fields, deepest);
     Ok(run)
 }
 
-impl Run<'_> {
+impl Run {
+    fn new(contact: Box<dyn ContactModel>, accuracy: f64, wanted: Wanted) -> Self {
+        let mut run = Self {
+            driver: Driver::new(contact.as_ref(), accuracy),
+            contact,
+            control: Control::Indentation,
+            slide: 0.0,
+            time: 0.0,
+            entry: 0,
+            records: Vec::new(),
+            fields: Vec::new(),
+            deepest: None,
+            wanted,
+            notes: Vec::new(),
+            loaded: None,
+            force_error: 0.0,
+            effort: Effort::default(),
+        };
+        run.record();
+        run
+    }
+
+    /// Leads the contact through a stage: the drive moves it from record to record and says what happens on the way.
     fn follow_stage(&mut self, stage: &Stage) -> Result<(), ContactError> {
         self.entry = stage.entry;
         self.control = stage.control.unwrap_or(self.control);
-        let (from, slide, start) = (self.prescribed(), self.slide, self.time);
-        let (normal, over) = self.resolved(stage)?;
-        self.speed = if let Path::To(to) = stage.tangential { (to - slide).abs() / over } else { 0.0 };
-        self.contact.begin(&Drive { control: self.control, path: normal, over, extent: stage.extent })?;
+        let start = self.time;
+        let Some(course) = self.course(stage)? else {
+            self.record();
+            return Ok(());
+        };
+        self.driver.begin(self.contact.as_mut(), course, self.slide)?;
         for part in stage.parts() {
-            let aim = Aim {
-                prescribed: normal.at(from, (part, over)),
-                slide: stage.tangential.at(slide, (part, over)),
-                since: (start, part * over),
-            };
-            self.advance(aim)?;
+            self.advance(&course, part, start)?;
         }
+        self.slide = course.tangential.at(self.slide, 1.0, course.over);
         self.observe();
-        if let Path::UntilParted { .. } = stage.normal {
-            self.part()?;
+        if let Path::UntilParted { speed } = stage.normal {
+            let parted = self.driver.part(self.contact.as_mut(), speed)?;
+            self.push(parted, self.contact.tangential(), self.time);
         }
         Ok(())
     }
 
-    /// The path and duration of a stage; a retraction becomes a ramp to the depth where the bodies part.
-    fn resolved(&mut self, stage: &Stage) -> Result<(Path, f64), ContactError> {
-        let Path::UntilParted { speed } = stage.normal else { return Ok((stage.normal, stage.over)) };
-        if !self.contact.joined() {
-            self.notes
-                .push(format!("history[{}]: the bodies have parted already; there is nothing to retract", stage.entry));
-            return Ok((Path::Stay, 0.0));
+    /// What is prescribed in a stage; a retraction becomes a ramp to the depth where the bodies part.
+    fn course(&mut self, stage: &Stage) -> Result<Option<Course>, ContactError> {
+        let (mut normal, mut over) = (stage.normal, stage.over);
+        if let Path::UntilParted { speed } = stage.normal {
+            if !self.contact.joined() {
+                let entry = stage.entry;
+                self.notes
+                    .push(format!("history[{entry}]: the bodies have parted already; there is nothing to retract"));
+                return Ok(None);
+            }
+            let to = self.driver.last_depth(self.contact.as_mut(), speed)?;
+            let from = self.contact.state().indentation.unwrap_or(0.0);
+            (normal, over) = (Path::To(to), (from - to).abs() / speed);
         }
-        let to = self.contact.last_depth(speed)?;
-        Ok((Path::To(to), (self.prescribed() - to).abs() / speed))
+        Ok(Some(Course { control: self.control, normal, tangential: stage.tangential, over, extent: stage.extent }))
     }
 
-    /// Present value of what is prescribed; a body that has come free starts again from first touch.
-    fn prescribed(&self) -> f64 {
-        let state = self.contact.state();
-        match self.control {
-            Control::Indentation => state.indentation.unwrap_or(0.0),
-            Control::Force => state.force,
-        }
-    }
-
-    /// Moves on straight lines to `to`.
-    ///
-    /// The order: the normal contact goes first, for nothing it does depends on friction (the bodies are
-    /// taken as elastically similar); its jumps are recorded; the tangential contact follows along
-    /// the depths the normal one has gone through; the record of both is last.
-    fn advance(&mut self, to: Aim) -> Result<(), ContactError> {
-        let (from, since) = (self.prescribed(), self.time);
-        let (value, over) = (to.prescribed, to.time() - since);
+    /// To the part `part` of a stage that began at the time `start` [s], with what happens on the way.
+    fn advance(&mut self, course: &Course, part: f64, start: f64) -> Result<(), ContactError> {
         let was_joined = self.contact.joined();
-        if value < from {
+        if self.goes_back(course, part) {
             self.look_deepest();
         }
-        if (value - from).abs() > 0.0 {
-            self.tangential.iter_mut().for_each(|tangential| tangential.let_go());
+        for event in self.driver.advance(self.contact.as_mut(), part)? {
+            self.push(event.before, event.tangential, start + event.time);
+            self.push(event.after, event.tangential, start + event.time);
         }
-        for event in self.contact.advance(self.control, value, to.since.1)? {
-            let at = match event.at {
-                Moment::Time(elapsed) => to.since.0 + elapsed,
-                Moment::Value(passed) if (value - from).abs() > 0.0 => {
-                    since + ((passed - from) / (value - from)).clamp(0.0, 1.0) * over
-                }
-                Moment::Value(_) => since,
-            };
-            self.push(event.before, at);
-            self.push(event.after, at);
-        }
-        if was_joined && !self.contact.joined() && self.control == Control::Force && value < 0.0 {
+        let time = start + part * course.over;
+        if was_joined
+            && !self.contact.joined()
+            && self.control == Control::Force
+            && self.driver.prescribed_at(part) < 0.0
+        {
             self.notes.push(format!(
-                "history[{}]: the prescribed force passes pull-off at t = {:e} s: the bodies part and stay apart",
+                "history[{}]: the prescribed force passes pull-off at t = {time:e} s: the bodies part and stay apart",
                 self.entry,
-                to.time()
             ));
         }
-        self.shear(from, to, over)?;
-        self.push(self.contact.state(), to.time());
+        self.time = time;
+        self.record();
         Ok(())
     }
 
-    /// The tangential part of a step; where it begins suddenly, that is a record too.
-    fn shear(&mut self, from: f64, to: Aim, over: f64) -> Result<(), ContactError> {
-        let slide = (std::mem::replace(&mut self.slide, to.slide), to.slide);
-        let Some(tangential) = &mut self.tangential else { return Ok(()) };
-        let prescribed = (from, to.prescribed);
-        let step =
-            Step { contact: self.contact.as_ref(), control: self.control, prescribed, slide, speed: self.speed, over };
-        let Some(onset) = tangential.advance(&step)? else { return Ok(()) };
-        let normal = tangential.normal(self.contact.state());
-        self.records.push(Record { entry: self.entry, time: self.time, normal, tangential: Some(onset) });
-        Ok(())
-    }
-
-    /// The instant in which a retracted contact parts: a hair below the last stable depth.
-    fn part(&mut self) -> Result<(), ContactError> {
-        for event in self.contact.part()? {
-            self.push(event.after, self.time);
-        }
-        Ok(())
+    /// Whether what is prescribed falls on the way to the part `part` of the stage.
+    fn goes_back(&self, course: &Course, part: f64) -> bool {
+        let present = self.driver.state(self.contact.as_ref());
+        let now = match course.control {
+            Control::Indentation => present.indentation.unwrap_or(0.0),
+            Control::Force => present.force,
+        };
+        self.driver.prescribed_at(part) < now
     }
 
     /// Notes the error and the size of the contact at the end of a stage.
     fn observe(&mut self) {
-        let error = self.contact.force_error().unwrap_or(0.0);
-        self.force_error = self.force_error.max(error);
-        self.bytes = self.bytes.max(self.contact.bytes());
+        let effort = self.contact.effort();
+        self.force_error = self.force_error.max(effort.force_error.unwrap_or(0.0));
+        self.effort.bytes = self.effort.bytes.max(effort.bytes);
+        self.effort.springs = effort.springs;
     }
 
-    fn push(&mut self, normal: Normal, time: f64) {
-        let tangential = self.tangential.as_ref().map(|tangential| tangential.state());
-        let normal = self.tangential.as_ref().map_or(normal, |tangential| tangential.normal(normal));
+    /// The present state as a record.
+    fn record(&mut self) {
+        let state = self.driver.state(self.contact.as_ref());
+        self.push(state, self.contact.tangential(), self.time);
+    }
+
+    fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
         let record = Record { entry: self.entry, time, normal, tangential };
         if self.records.last() != Some(&record) {
             self.records.push(record);
@@ -203,16 +182,27 @@ impl Run<'_> {
     }
 
     fn field(&self, label: String) -> Option<Field> {
-        fields::field((self.contact.as_ref(), self.tangential.as_deref()), label, self.time)
+        fields::field(self.contact.as_ref(), label, self.time)
     }
 
     /// Keeps the field of the present state if no state before was as deep.
     fn look_deepest(&mut self) {
-        let Some(depth) = self.contact.state().indentation.filter(|_| self.wanted.fields) else { return };
-        if self.deepest.as_ref().is_none_or(|(most, _)| depth > *most) {
+        let present = self.driver.state(self.contact.as_ref());
+        let Some(depth) = present.indentation.filter(|_| self.wanted.fields) else { return };
+        if self.deepest.as_ref().is_none_or(|deepest| depth > deepest.depth) {
             let field = self.field(format!("largest depth (entry {})", self.entry + 1));
-            self.deepest = field.map(|field| (depth, field)).or(self.deepest.take());
+            self.deepest = field.map(|field| Deepest { depth, field }).or(self.deepest.take());
         }
+    }
+
+    /// The straight steps the tangential contact has taken, if they were kept.
+    pub(super) fn path(&self) -> &[Pose] {
+        self.contact.path()
+    }
+
+    /// What the last loop of an oscillation says of the material.
+    pub(super) fn last_loop(&self) -> Option<Loop> {
+        self.driver.last_loop()
     }
 
     pub(super) fn stresses(&self, plan: &RoundPlan) -> Option<Table> {

@@ -17,7 +17,7 @@ pub fn is_fretting(plan: &RoundPlan) -> bool {
     let to_and_fro = |stage: &Stage| match stage.tangential {
         Path::Stay | Path::UntilParted { .. } => false,
         Path::To(_) => stage.extent == Extent::Row,
-        Path::Wave { .. } => true,
+        Path::Wave(_) => true,
     };
     coefficient(plan).is_some() && plan.stages.iter().any(to_and_fro)
 }

@@ -4,7 +4,7 @@ use super::named::{Finding, Named};
 use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::state::Normal;
-use crate::friction::state::Tangential;
+use crate::contact::state::Tangential;
 use crate::scene::parts::Parts;
 use serde::Serialize;
 

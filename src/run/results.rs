@@ -1,9 +1,9 @@
 //! Named results of a run.
 
+use super::compose;
 use super::curves::sliding;
-use super::shear;
+use crate::contact::state::Tangential;
 use crate::friction::peeling::TangentialLoad;
-use crate::friction::state::Tangential;
 use crate::run::named::Named;
 use crate::run::record::{Field, Record};
 use crate::run::unit::Unit;
@@ -95,7 +95,7 @@ fn peeled(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
     let last = records.iter().rev().find_map(ratio);
     let sheared = records.iter().filter(|record| ratio(record).is_some());
     let least = sheared.min_by(|x, y| ratio(x).unwrap_or(1.0).total_cmp(&ratio(y).unwrap_or(1.0)));
-    let (Some(contact), Some(last), Some(least)) = (shear::sheared(plan), last, least) else { return Vec::new() };
+    let (Some(contact), Some(last), Some(least)) = (compose::sheared(plan), last, least) else { return Vec::new() };
     let (force, radius) = (least.normal.force, least.normal.contact_radius.unwrap_or(0.0));
     let rest = contact.under(force, TangentialLoad::Force(0.0)).map(|state| state.contact_radius);
     let hertz = if let (Ok(plain), Ok(rest)) = (contact.plain_radius(force), rest) {
@@ -116,7 +116,7 @@ fn peeled(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
 
 /// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.
 fn per_cycle(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
-    let entry = plan.stages.iter().rev().find(|stage| matches!(stage.tangential, Path::Wave { .. }))?.entry;
+    let entry = plan.stages.iter().rev().find(|stage| matches!(stage.tangential, Path::Wave(_)))?.entry;
     let shaken = records.iter().filter(|record| record.entry == entry).filter_map(|record| record.tangential);
     let shaken: Vec<Tangential> = shaken.collect();
     let turns = |three: &&[Tangential]| (three[1].slide - three[0].slide) * (three[2].slide - three[1].slide) < 0.0;

@@ -3,12 +3,12 @@
 use super::parts::{Piece, Solver};
 use crate::contact::adhesion::Edge;
 use crate::contact::direct::QuasiStatic;
+use crate::contact::state::Tangential;
 use crate::contact::viscoelastic::Spectrum;
-use crate::contact::viscoelastic::opening::Attraction;
+use crate::contact::viscoelastic::attraction::Attraction;
+pub use crate::friction::contact::Interface;
 use crate::friction::peeling::ShearedAdhesion;
-use crate::friction::sliding::SlidingLaw;
-use crate::friction::state::Tangential;
-use crate::friction::{CoulombBed, Friction, StrengthCurve, TangentialMemory, strength};
+use crate::friction::{CoulombBed, TangentialMemory};
 use crate::material::Relaxation;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -259,25 +259,6 @@ impl ImpactLaw {
             Self::Elastic(adhesion) => *adhesion != ElasticAdhesion::None,
             Self::Viscoelastic { edge, .. } => edge.is_some(),
         }
-    }
-}
-
-/// A friction that slips as a whole, with its table read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Interface {
-    /// The law.
-    pub friction: Friction,
-    /// Shear strength over the sliding speed, if the law names a table.
-    pub strength: Option<Arc<StrengthCurve>>,
-}
-
-impl Interface {
-    /// The law at the sliding speed `speed` [m/s].
-    ///
-    /// # Errors
-    /// The speed lies outside the table.
-    pub fn law(&self, speed: f64) -> Result<Box<dyn SlidingLaw>, strength::OutsideTable> {
-        self.friction.law(speed, self.strength.as_deref())
     }
 }
 

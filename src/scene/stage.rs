@@ -1,59 +1,7 @@
 //! A history as a row of stages: what is prescribed, from when to when, and where records stand.
 
 use crate::contact::adhesion::equilibrium::Control;
-use std::f64::consts::PI;
-
-/// How a prescribed quantity moves during a stage.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Path {
-    /// Linearly to this value.
-    To(f64),
-    /// Stays.
-    Stay,
-    /// amplitude·sin(2π·frequency·t) about the present value.
-    Wave {
-        /// Amplitude [m].
-        amplitude: f64,
-        /// Frequency [Hz].
-        frequency: f64,
-    },
-    /// Back at this speed [m/s] until the bodies part.
-    UntilParted {
-        /// Speed [m/s].
-        speed: f64,
-    },
-}
-
-impl Path {
-    /// The value that starts at `from` at the part `part` of a stage that lasts `over` [s].
-    #[must_use]
-    pub fn at(self, from: f64, (part, over): (f64, f64)) -> f64 {
-        match self {
-            Self::To(to) if part >= 1.0 => to,
-            Self::To(to) => from + part * (to - from),
-            Self::Stay | Self::UntilParted { .. } => from,
-            Self::Wave { amplitude, frequency } => {
-                from + amplitude * (2.0 * PI * (part * over * frequency).fract()).sin()
-            }
-        }
-    }
-
-    /// The parts of a stage of `over` [s] at which the path turns.
-    fn turns(self, over: f64) -> Vec<f64> {
-        let Self::Wave { frequency, .. } = self else { return Vec::new() };
-        let turn = |j: u32| (0.5 * f64::from(j) + 0.25) / (frequency * over);
-        (0..u32::MAX).map(turn).take_while(|part| *part < 1.0).collect()
-    }
-}
-
-/// How much of a history a stage is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Extent {
-    /// A whole entry.
-    Entry,
-    /// One row of a table.
-    Row,
-}
+pub use crate::drive::course::{Extent, Path, Wave};
 
 /// A part of the history in which everything moves along one path.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,7 +44,7 @@ impl Stage {
     /// Whether depth or slide is a curve in time: under a prescribed force, and in a wave.
     #[must_use]
     pub fn is_curved(&self) -> bool {
-        let wave = |path| matches!(path, Path::Wave { .. });
+        let wave = |path| matches!(path, Path::Wave(_));
         self.control == Some(Control::Force) || wave(self.normal) || wave(self.tangential)
     }
 

@@ -2,13 +2,13 @@
 
 use super::{Fineness, Measured, Method, State, state_of, timed};
 use crate::contact::adhesion::Adhesion;
-use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::model::{ContactModel, Loading, Straight};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::numerics::extremum;
 use crate::run::record::Record;
-use crate::run::{self, NormalContact, SimulationError, Wanted};
+use crate::run::{self, SimulationError, Wanted};
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::Plan;
 use crate::scene::plan::SceneSettings;
@@ -88,7 +88,7 @@ impl<'s> Scenario<'s> {
         Ok(State {
             force_n: normal.force,
             contact_radius_m: normal.contact_radius,
-            peak_pressure_pa: self.peak_at.and_then(|r| NormalContact::pressure(&contact, r)),
+            peak_pressure_pa: self.peak_at.and_then(|r| Loading::pressure(&&contact, r)),
             ..self.most
         })
     }
@@ -109,7 +109,7 @@ impl<'s> Scenario<'s> {
         Ok(State {
             force_n: bed.force(),
             contact_radius_m: Some(bed.contact_radius()),
-            peak_pressure_pa: self.peak_at.map(|r| bed.pressure(r)),
+            peak_pressure_pa: self.peak_at.and_then(|r| bed.spring_loads().pressure(r)),
             ..self.most
         })
     }
@@ -134,7 +134,7 @@ fn direct(setup: &Plan) -> Result<(HalfSpace, ElasticAdhesion), SimulationError>
 fn pressed(setup: &Plan, to: f64) -> Result<QuasiStatic, SimulationError> {
     let (ground, adhesion) = direct(setup)?;
     let mut contact = run::direct(ground, adhesion)?;
-    let pressed = contact.advance(Control::Indentation, to, 0.0);
+    let pressed = contact.follow(&Straight::between(0.0, to, 0.0));
     pressed.map_err(|source| SimulationError::Contact { entry: 0, source })?;
     Ok(contact)
 }
@@ -149,10 +149,10 @@ fn is_sharp(shape: &Shape) -> bool {
 }
 
 /// Where the pressure is largest [m].
-fn peak_at(contact: &dyn NormalContact) -> Option<f64> {
+fn peak_at(contact: &QuasiStatic) -> Option<f64> {
     let a = contact.state().contact_radius?;
     let place = |k: u32| a * f64::from(k) / f64::from(PLACES);
-    let pressure = |r: f64| contact.pressure(r).unwrap_or(f64::NAN);
+    let pressure = |r: f64| contact.pressure(r);
     let best = (0..PLACES).max_by(|&i, &j| pressure(place(i)).total_cmp(&pressure(place(j))))?;
     if best == 0 {
         return pressure(0.0).is_finite().then_some(0.0);

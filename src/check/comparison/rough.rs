@@ -4,9 +4,10 @@
 use super::rough_full::grids;
 use super::{Comparison, Fineness, Measured, Method, Row, State, row, timed};
 use crate::check::theory;
+use crate::contact::rough::RoughBed;
 use crate::scene::plan::Plan;
 use crate::scene::surface::Surface;
-use crate::shape::rough::{RoughBed, RoughError, RoughLine};
+use crate::shape::rough::{RoughError, RoughLine};
 
 /// Springs of the line.
 const POINTS: [usize; 5] = [1024, 4096, 16384, 65536, 262_144];

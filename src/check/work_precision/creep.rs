@@ -2,9 +2,10 @@
 
 use super::{Answer, Effort, Method, Setting, Study};
 use crate::contact::viscoelastic::Spectrum;
+use crate::contact::viscoelastic::continuous::ContinuousContact;
 use crate::contact::viscoelastic::creep::Creep;
-use crate::contact::viscoelastic::drive::{Ramp, press};
 use crate::contact::viscoelastic::memory::Memory;
+use crate::drive::force::{Ramp, press};
 use crate::input::quantity::Length;
 use crate::material::Relaxation;
 use crate::shape::Paraboloid;
@@ -33,7 +34,7 @@ pub(super) fn ball(effort: Effort) -> Option<Study> {
     for digits in 1..=finest {
         let (spectrum, profile) = (spectrum.clone(), profile.clone());
         methods.push(Method::new("continuous bed, force met by steps", Setting::FREE, move || {
-            let bed = Memory::new(spectrum.clone(), profile.clone());
+            let bed = ContinuousContact::new(Memory::new(spectrum.clone(), profile.clone()));
             Some(move || driven(bed.clone(), 10f64.powi(-digits)))
         }));
     }
@@ -73,9 +74,9 @@ fn integral(spectrum: &Arc<Spectrum>, profile: &Arc<Paraboloid>) -> Option<Answe
     Some(Answer { values: values?, bytes: size_of::<Creep>(), ..Answer::default() })
 }
 
-fn driven(mut bed: Memory, accuracy: f64) -> Option<Answer> {
+fn driven(mut bed: ContinuousContact, accuracy: f64) -> Option<Answer> {
     press(&mut bed, &Ramp { from: 0.0, rate: FORCE / RISE, accuracy, scale: FORCE }, &[RISE]).ok()?;
     let states = press(&mut bed, &Ramp { from: FORCE, rate: 0.0, accuracy, scale: FORCE }, &RECORDS).ok()?;
-    let values = states.iter().map(|state| state.contact_radius).collect();
+    let values = states.iter().filter_map(|state| state.contact_radius).collect();
     Some(Answer { values, bytes: 0, ..Answer::default() })
 }

@@ -5,6 +5,7 @@ use crate::check::closed_forms::{self, Contact};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::model::Loading;
 use crate::contact::springs::{EdgeLocation, SpringBed};
 use crate::input::quantity::{Length, Positive};
 use crate::shape::{Cone, Paraboloid, Profile};
@@ -92,7 +93,7 @@ fn springs(mut bed: SpringBed, pressure: bool) -> Option<Answer> {
     Some(Answer {
         values: vec![bed.force()],
         radius: Some(bed.contact_radius()),
-        pressure: pressure.then(|| bed.pressure(0.0)),
+        pressure: if pressure { bed.spring_loads().pressure(0.0) } else { None },
         bytes: bed.bytes(),
         iterations: None,
     })

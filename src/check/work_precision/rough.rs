@@ -1,8 +1,9 @@
 //! A rough line on a ball.
 
 use super::{Answer, Effort, Method, Setting, Study};
+use crate::contact::rough::RoughBed;
 use crate::input::quantity::{Hurst, Length};
-use crate::shape::rough::{Rings, RoughBed, RoughLine, SelfAffine};
+use crate::shape::rough::{Rings, RoughLine, SelfAffine};
 
 /// Springs of the reference.
 const FINEST: usize = 1 << 21;

@@ -59,6 +59,13 @@ impl Creep {
         let sum = self.force * self.spectrum.glass_compliance() + self.retarded.iter().sum::<f64>() + self.flow;
         depth_of_load(self.profile.as_ref(), 0.5 * sum)
     }
+
+    /// Indentation and contact radius [m]; `None` if the contact would outgrow the profile.
+    #[must_use]
+    pub fn indented(&self) -> Option<(f64, f64)> {
+        let depth = self.indentation()?;
+        Some((depth, self.profile.edge(depth).filter(|_| depth > 0.0).unwrap_or(0.0)))
+    }
 }
 
 /// The indentation d at which ∫₀^a (d − g) dx = `load` [m²] without adhesion.

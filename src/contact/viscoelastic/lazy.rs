@@ -11,6 +11,7 @@ use super::layout::Layout;
 use super::ledger::{Ledger, impulse};
 use super::spring::{Free, Motion, Piece, Spring, decay};
 use super::totals::Totals;
+use crate::contact::model::Straight;
 use crate::shape::Profile;
 use std::sync::Arc;
 
@@ -128,21 +129,6 @@ impl Lazy {
         }
     }
 
-    /// A bed of springs in given states, the indenter at the depth `depth` [m].
-    ///
-    /// `at` gives the spring at a distance from the axis; the pressed ones come first.
-    #[must_use]
-    pub fn continued(spectrum: Arc<Spectrum>, layout: Layout, depth: f64, at: impl Fn(f64) -> Spring) -> Self {
-        let mut bed = Self::new(spectrum, layout);
-        bed.now.depth = depth;
-        for j in 0..bed.layout.len() {
-            let spring = at(bed.layout.place[j]);
-            bed.now.totals.add(&spring, bed.layout.weight[j]);
-            bed.store(j, spring);
-        }
-        bed
-    }
-
     /// Adds springs never touched until the bed reaches `radius` [m].
     pub fn extend(&mut self, profile: &dyn Profile, radius: f64) {
         let rows = self.row(0).len();
@@ -184,10 +170,28 @@ impl Lazy {
         self.now.depth = to;
     }
 
+    /// Moves along a straight piece, and lands on its end to the last bit.
+    pub fn follow_line(&mut self, line: &Straight) {
+        self.advance(line.speed, line.duration);
+        self.now.depth = line.to;
+    }
+
     /// The springs' material.
     #[must_use]
     pub fn spectrum(&self) -> &Spectrum {
         &self.spectrum
+    }
+
+    /// The same, to be held.
+    #[must_use]
+    pub fn shared_spectrum(&self) -> Arc<Spectrum> {
+        self.spectrum.clone()
+    }
+
+    /// Number of springs touched so far.
+    #[must_use]
+    pub fn touched(&self) -> usize {
+        self.now.touched
     }
 
     fn touched_in(&self, spring: usize, motion: &Motion) -> Option<Event> {

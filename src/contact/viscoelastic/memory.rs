@@ -8,10 +8,12 @@
 //! the strip comes to be and evolved like a spring from then on.
 
 use super::Spectrum;
+use super::attraction::{Attraction, Tear};
 use super::ledger::Ledger;
-use super::opening::{Attraction, Tear, opening};
+use super::opening::{Edge, Opening};
 use super::spring::{Motion, Spring};
 use super::strip::{Detail, Ground, Past, Strip};
+use crate::contact::model::Straight;
 use crate::numerics::root;
 use crate::shape::Profile;
 use std::sync::Arc;
@@ -63,7 +65,7 @@ impl Memory {
         let motion = Motion { start: self.depth, speed, duration };
         let reached = self.reached(&motion)?;
         let law = self.ground.attraction.filter(|_| speed <= 0.0 && reached > 0.0);
-        Ok(law.and_then(|law| opening(self, &law, &motion, reached).parting()))
+        Ok(law.and_then(|law| self.opened(&law, &motion, reached).parting()))
     }
 
     /// Moves at constant `speed` [m/s] for `duration` [s].
@@ -81,6 +83,16 @@ impl Memory {
     pub fn reach(&mut self, to: f64, duration: f64) -> Result<(), BedError> {
         self.advance((to - self.depth) / duration, duration)?;
         self.depth = to;
+        Ok(())
+    }
+
+    /// Moves along a straight piece, and lands on its end to the last bit.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn follow_line(&mut self, line: &Straight) -> Result<(), BedError> {
+        self.advance(line.speed, line.duration)?;
+        self.depth = line.to;
         Ok(())
     }
 
@@ -175,9 +187,15 @@ impl Memory {
         let Some(attraction) = &self.ground.attraction else {
             return (if motion.speed < 0.0 { self.left(motion, reached) } else { reached }, None);
         };
-        let opened = opening(self, attraction, motion, reached);
+        let opened = self.opened(attraction, motion, reached);
         let tear = opened.tear(|x| self.ground.profile.reduced(x));
         (opened.left, Some(Arc::new(tear)))
+    }
+
+    /// How the edge that an attraction holds opens in a motion that `reached` so far.
+    fn opened(&self, attraction: &Attraction, motion: &Motion, reached: f64) -> Opening {
+        let load = |x: f64, motion: &Motion| self.continued_load(x, motion);
+        Edge { load: &load, attraction, motion: *motion }.open_from(reached)
     }
 
     /// The radius beyond which a dashpot lets go at once as the motion begins: a border of its own.
@@ -187,7 +205,7 @@ impl Memory {
     }
 
     /// Line load at the end of a motion of the spring at `x`, if nothing lets it go; zero before its touch.
-    pub(super) fn continued_load(&self, x: f64, motion: &Motion) -> f64 {
+    fn continued_load(&self, x: f64, motion: &Motion) -> f64 {
         let Some(strip) = self.strips.iter().find(|strip| x <= strip.outer) else { return 0.0 };
         let c = self.ground.profile.reduced(x);
         let seen = Motion { start: motion.start - c, ..*motion };
@@ -346,10 +364,22 @@ impl Memory {
         strip.map_or(0.0, |strip| strip.line_load(&self.ground, x, (self.depth, self.speed)))
     }
 
-    /// The springs and the shape the bed is made of.
+    /// The springs' material.
     #[must_use]
-    pub fn ground(&self) -> (Arc<Spectrum>, Arc<dyn Profile>) {
-        (self.ground.spectrum.clone(), self.ground.profile.clone())
+    pub fn spectrum(&self) -> Arc<Spectrum> {
+        self.ground.spectrum.clone()
+    }
+
+    /// The shape of the indenter.
+    #[must_use]
+    pub fn profile(&self) -> Arc<dyn Profile> {
+        self.ground.profile.clone()
+    }
+
+    /// What holds the edge, if anything.
+    #[must_use]
+    pub fn attraction(&self) -> Option<&Attraction> {
+        self.ground.attraction.as_ref()
     }
 
     /// Number of strips.

@@ -6,17 +6,18 @@
 //! [`direct`] one updates every spring in every step; the [`lazy`] one does work only for the springs
 //! touched or released.
 
+pub mod attraction;
+pub mod continuous;
 pub mod creep;
 pub mod direct;
-pub mod drive;
+pub mod growing;
 #[cfg(test)]
 pub(crate) mod laws;
 pub mod layout;
 pub mod lazy;
 pub mod ledger;
 pub mod memory;
-pub mod opening;
-pub mod pressing;
+pub(crate) mod opening;
 pub mod pressure;
 pub mod spring;
 mod strip;

@@ -4,8 +4,8 @@
 //! ones, each at an instant of its own. So one short list of motions gives the state of every spring
 //! of the strip in closed form, and a sum over them is an integral of a smooth function.
 
+use super::attraction::{Attraction, Tear};
 use super::ledger::impulse;
-use super::opening::{Attraction, Tear};
 use super::spring::{Free, Motion, Piece, Spring, decay};
 use super::totals::Totals;
 use super::{Element, Spectrum};

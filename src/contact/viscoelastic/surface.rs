@@ -1,12 +1,11 @@
 //! Pressure and surface of the beds, from the loads and displacements of their springs.
 
-use super::drive::Springs;
 use super::memory::Memory;
 use super::pressure;
 use super::spring::Spring;
 use super::strip::Strip;
 use crate::numerics::quadrature;
-use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// u_z(r) = (2/π) ∫₀^r u(x) dx/√(r²−x²) [m] (Popov & Heß 2015, eq. 3.40).
 ///
@@ -62,39 +61,5 @@ impl Memory {
             Spring::Free(free) => self.ground.spectrum.recovered(&free, 0.0),
         };
         surface(&displacement, &self.ends(&self.strips), r)
-    }
-}
-
-impl Springs {
-    /// Pressure p(r) [Pa]: the inverse transform of the loads joined by straight lines.
-    #[must_use]
-    pub fn pressure(&self, r: f64) -> f64 {
-        let (bed, a) = (self.bed(), self.bed().radius());
-        if r >= a {
-            return 0.0;
-        }
-        // On the axis itself the transform is the limit of a small radius.
-        let r = r.max(1e-6 * bed.layout().weight[0]);
-        let loads = (0..bed.pressed()).map(|j| (bed.layout().place[j], bed.line_load(j)));
-        let (mut sum, mut last) = (0.0, None);
-        for (x, q) in loads.filter(|load| load.0 < a).chain([(a, 0.0)]) {
-            if let Some((x0, q0)) = last.filter(|_: &(f64, f64)| x > r) {
-                sum -= (q - q0) / (x - x0) * ((x / r).acosh() - (x0 / r).max(1.0).acosh());
-            }
-            last = Some((x, q));
-        }
-        FRAC_1_PI * sum
-    }
-
-    /// Displacement u_z(r) [m] of the surface outside the contact, by the sum over the springs.
-    #[must_use]
-    pub fn surface(&self, r: f64) -> f64 {
-        let layout = self.bed().layout();
-        let inside = (0..layout.len()).take_while(|&j| layout.place[j] < r);
-        let part = |j: usize| {
-            let x = layout.place[j];
-            layout.weight[j] * self.bed().displacement(j) / ((r - x) * (r + x)).sqrt()
-        };
-        FRAC_1_PI * inside.map(part).sum::<f64>()
     }
 }

@@ -2,13 +2,15 @@
 //!
 //! The mass is free, m d̈ = −F, and the contact follows it without inertia of its own. Of elastic
 //! bodies energy alone gives the motion, jump by jump ([`Passage`]); a viscoelastic body remembers,
-//! and its bed is driven step by step ([`StruckHalfSpace`]).
+//! and its bed is driven step by step ([`StruckHalfSpace`]). Any other contact is driven in straight pieces ([`SteppedMass`]).
 
 mod driven;
 mod passage;
+mod stepped;
 
 pub use driven::{Flight, StruckHalfSpace};
 pub use passage::Passage;
+pub use stepped::SteppedMass;
 
 use crate::contact::adhesion::equilibrium::BranchError;
 use crate::contact::adhesion::line::Energy;

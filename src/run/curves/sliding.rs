@@ -1,9 +1,9 @@
 //! Curves of sliding: ways to and fro, coefficient of friction over the load, contact area over the speed.
 
 use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::state::Tangential;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::sliding::{SlidingLaw, SlidingPoint, amontons_range, friction_curve};
-use crate::friction::state::Tangential;
 use crate::run::record::Record;
 use crate::run::sheared;
 use crate::scene::history::Entry;

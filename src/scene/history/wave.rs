@@ -1,7 +1,7 @@
 //! Sinusoidal motions.
 
 use crate::input::quantity::{Amplitude, Frequency, Positive};
-use crate::scene::stage::{Path, Stage};
+use crate::scene::stage::{Path, Stage, Wave};
 use serde::{Deserialize, Serialize};
 
 /// Records per cycle of an oscillation unless the scene says otherwise.
@@ -45,7 +45,7 @@ impl Oscillate {
     }
 
     fn path(&self) -> Path {
-        Path::Wave { amplitude: self.amplitude.si(), frequency: self.frequency.si() }
+        Path::Wave(Wave { amplitude: self.amplitude.si(), frequency: self.frequency.si() })
     }
 
     fn over(&self) -> f64 {

@@ -33,7 +33,7 @@ struct Target<'t> {
 fn target<'t>(entry: &'t EntryTraits<'t>, before: Option<f64>) -> Option<Target<'t>> {
     let value = |stage: &Stage| match stage.normal {
         Path::To(value) => Some(value),
-        Path::Wave { amplitude, .. } => before.map(|depth| depth + amplitude),
+        Path::Wave(wave) => before.map(|depth| depth + wave.amplitude),
         Path::Stay | Path::UntilParted { .. } => None,
     };
     let values = entry.stages.iter().enumerate();
@@ -69,9 +69,9 @@ fn depth_after(entry: &EntryTraits<'_>, before: Option<f64>) -> Option<f64> {
     let stage = entry.stages.last()?;
     match (stage.control, stage.normal) {
         (None, _) | (Some(Control::Indentation), Path::Stay) => before,
-        (Some(Control::Indentation), path @ (Path::To(_) | Path::Wave { .. })) => match (path, before) {
+        (Some(Control::Indentation), path @ (Path::To(_) | Path::Wave(_))) => match (path, before) {
             (Path::To(depth), _) => Some(depth),
-            (path, before) => before.map(|depth| path.at(depth, (1.0, stage.over))),
+            (path, before) => before.map(|depth| path.at(depth, 1.0, stage.over)),
         },
         (Some(Control::Indentation), Path::UntilParted { .. }) | (Some(Control::Force), _) => None,
     }

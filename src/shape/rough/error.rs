@@ -84,6 +84,6 @@ pub enum RoughError {
 }
 
 /// `value` if it is finite and above zero.
-pub(super) fn positive(name: &'static str, value: f64) -> Result<f64, RoughError> {
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<f64, RoughError> {
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(RoughError::NotPositive { name, value }) }
 }

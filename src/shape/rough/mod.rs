@@ -5,7 +5,6 @@
 //! (Popov & Heß 2015, ch. 10). The bed answers force and stiffness against approach, approximately; it says
 //! nothing about the real contact area (Lyashenko, Pastewka & Persson 2013).
 
-mod bed;
 mod ensemble;
 mod error;
 mod fourier;
@@ -18,9 +17,9 @@ mod source;
 mod spectrum;
 mod surface;
 
-pub use bed::{BedState, RoughBed, VALIDITY};
 pub use ensemble::{Scatter, ensemble};
 pub use error::RoughError;
+pub(crate) use error::positive;
 pub use height_map::{Border, HeightMap, Roughness};
 pub use line::RoughLine;
 pub use random::Random;

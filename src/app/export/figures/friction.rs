@@ -3,9 +3,9 @@
 use super::curve::{axis_of, marked, of_records, panel, point};
 use super::fields::shown;
 use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Series};
+use crate::contact::state::Tangential;
 use crate::friction::Friction;
 use crate::friction::sliding::SlidingPoint;
-use crate::friction::state::Tangential;
 use crate::run::curves::sliding::{self, Way};
 use crate::run::record::{
     CONTACT_RADIUS, Field, FieldRow, Outcome, Record, SLIDE, STICK_RADIUS, TANGENTIAL_FORCE, TIME,

@@ -9,7 +9,8 @@
 use super::StruckHalfSpace;
 use super::collocation::Fading;
 use super::piece::{MotionPiece, at};
-use crate::numerics::{extremum, root};
+use crate::contact::viscoelastic::opening::last_hold;
+use crate::numerics::root;
 use crate::shape::Rim;
 
 /// What the bed does at one time.
@@ -59,9 +60,6 @@ pub struct Shrinking<'p> {
     /// When the outermost spring was touched [s]: the end of the loading, or before it under a wall.
     pub full: f64,
 }
-
-/// First step inwards of the search for an edge that an attraction holds, relative.
-const REACH: f64 = 1e-4;
 
 impl<'p> Shrinking<'p> {
     /// The contact of a bed that was loaded so.
@@ -136,26 +134,7 @@ impl<'p> Shrinking<'p> {
 
     /// The same where an attraction holds the edge: the largest time not above `last` whose spring holds.
     fn torn(&self, place: &Kinematics<'_>, last: f64) -> Option<f64> {
-        let margin = |t: f64| self.margin(place, t);
-        if margin(last) >= 0.0 {
-            return Some(last);
-        }
-        let (mut outer, mut reach) = (last, REACH * last);
-        let mut best = (last, margin(last));
-        while outer > 0.0 {
-            let inner = (outer - reach).max(0.0);
-            let found = margin(inner);
-            if found >= 0.0 {
-                return root::brent(margin, inner, outer).ok();
-            }
-            if found > best.1 {
-                best = (inner, found);
-            }
-            (outer, reach) = (inner, (1.6 * reach).min(last / 32.0));
-        }
-        let around = ((best.0 - last / 16.0).max(0.0), (best.0 + last / 16.0).min(last));
-        let holds = extremum::reaches_zero(margin, around.0, around.1)?;
-        root::brent(margin, holds, around.1).ok()
+        last_hold(&|t| self.margin(place, t), last)
     }
 
     /// q + √(2πaE_c w) of the spring touched at the time `t`; negative if it is torn off.

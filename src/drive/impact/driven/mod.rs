@@ -8,12 +8,10 @@ mod pressure;
 mod step;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod twin;
 
 use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::viscoelastic::Spectrum;
-use crate::contact::viscoelastic::opening::Attraction;
+use crate::contact::viscoelastic::attraction::Attraction;
 use crate::numerics::{extremum, root};
 use crate::shape::Profile;
 use law::{BedResponse, Kinematics, Shrinking};

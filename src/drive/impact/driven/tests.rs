@@ -1,7 +1,9 @@
-//! Impacts against closed answers, limits, the plain twin and one another.
+//! Impacts against closed answers, limits, steps on a bed of springs and one another.
 
-use super::twin::Twin;
 use super::*;
+use crate::contact::viscoelastic::growing::GrowingBed;
+use crate::contact::viscoelastic::layout::Layout;
+use crate::drive::impact::SteppedMass;
 use crate::input::quantity::{Length, Positive};
 use crate::material::Relaxation;
 use crate::shape::{Cone, FlatPunch, Paraboloid, Power};
@@ -198,8 +200,11 @@ proptest! {
     #[test]
     fn is_the_limit_of_many_springs(relaxation in recipe()) {
         let spectrum = Arc::new(Spectrum::new(&relaxation));
-        let twin = Twin { spectrum: spectrum.clone(), profile: ball(), springs: 500, steps: 200.0 };
-        let (seen, plain) = (rebound(spectrum, 1e-6), twin.rebound(&UNIT).unwrap());
+        let depth = driven(spectrum.clone()).depth_scale(&UNIT).unwrap();
+        let layout = Layout::graded(ball().as_ref(), (depth.sqrt() / 64.0, depth.sqrt()), 500);
+        let mut bed = GrowingBed::new(spectrum.clone(), ball(), layout);
+        let plain = SteppedMass { impact: UNIT, longest: depth / 200.0 }.rebound(&mut bed).unwrap();
+        let seen = rebound(spectrum, 1e-6);
         prop_assert!((seen.restitution - plain.restitution).abs() < 1e-4, "{seen:?} {plain:?}");
         prop_assert!((seen.greatest_depth / plain.greatest_depth - 1.0).abs() < 1e-3, "{seen:?} {plain:?}");
     }

@@ -1,38 +1,23 @@
-//! Sliding of an adhesive contact in a run: the shear stress peels its edge.
+//! Sliding of an adhesive contact: the shear stress peels its edge.
 
+use super::sliding::Interface;
 use super::{Step, TangentialContact};
 use crate::contact::adhesion::equilibrium::Control;
-use crate::contact::adhesion::line::EdgeLine;
-use crate::contact::state::Normal;
+use crate::contact::model::Loading;
+use crate::contact::state::{Normal, Tangential};
 use crate::friction::FrictionError;
-use crate::friction::peeling::{Sheared, ShearedAdhesion, UNIFORM};
+use crate::friction::peeling::{Sheared, ShearedAdhesion};
 use crate::friction::sliding::Pressed;
-use crate::friction::state::Tangential;
-use crate::run::contact::{ContactError, NormalContact};
-use crate::scene::law::{FrictionLaw, Interface};
-use crate::scene::plan::RoundPlan;
-
-/// The sheared adhesive contact of a scene under a uniform shear stress; `None` unless it peels.
-#[must_use]
-pub fn sheared(plan: &RoundPlan) -> Option<ShearedAdhesion> {
-    let FrictionLaw::Peeling { work, .. } = plan.friction.as_ref()? else { return None };
-    Some(contact(plan, *work))
-}
-
-/// The sheared adhesive contact of a scene with the work of adhesion `work` [J/m²].
-pub(super) fn contact(plan: &RoundPlan, work: f64) -> ShearedAdhesion {
-    let ratio = UNIFORM * plan.pair.tangential / plan.pair.normal;
-    ShearedAdhesion { line: EdgeLine::new(plan.ground(), work), ratio }
-}
 
 /// An adhesive contact that slides under a uniform shear stress τ (Savkoor & Briggs 1977; Persson et
 /// al. 2008, eqs. 5–14 with F_x = πa²τ).
 ///
 /// While the bodies slide or stand sheared, the contact is smaller than without shear. As soon as the
 /// normal contact moves again it is let go: the tangential force is gone and the edge closes.
-pub struct Peeling<'p> {
+#[derive(Debug, Clone)]
+pub struct Peeling {
     contact: ShearedAdhesion,
-    interface: &'p Interface,
+    interface: Interface,
     present: Option<Present>,
     slide: f64,
     stick_radius: f64,
@@ -40,44 +25,52 @@ pub struct Peeling<'p> {
 }
 
 /// A sheared state and what holds it.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 struct Present {
     state: Sheared,
     /// Shear stress against the sliding [Pa].
     stress: f64,
     side: f64,
-    under: (Control, f64),
+    under: Held,
     /// Radius of the contact without shear [m].
     rest: f64,
 }
 
-impl<'p> Peeling<'p> {
+/// What is prescribed while a contact is sheared, and its value.
+#[derive(Debug, Clone, Copy)]
+struct Held {
+    control: Control,
+    value: f64,
+}
+
+impl Peeling {
     /// Bodies that just touch.
     #[must_use]
-    pub fn new(contact: ShearedAdhesion, interface: &'p Interface) -> Self {
+    pub fn new(contact: ShearedAdhesion, interface: Interface) -> Self {
         Self { contact, interface, present: None, slide: 0.0, stick_radius: 0.0, dissipated: 0.0 }
     }
 
     /// What holds the contact: what is prescribed, at its sheared value if it was sheared before.
-    fn under(&self, step: &Step<'_>, normal: &Normal) -> (Control, f64) {
-        match (&self.present, step.control) {
-            (Some(present), control) if present.under.0 == control => present.under,
-            (Some(present), Control::Indentation) => (Control::Indentation, present.state.indentation),
-            (None, Control::Indentation) => (Control::Indentation, normal.indentation.unwrap_or(0.0)),
-            (_, Control::Force) => (Control::Force, normal.force),
-        }
+    fn held(&self, control: Control, normal: &Normal) -> Held {
+        let value = match (&self.present, control) {
+            (Some(present), control) if present.under.control == control => present.under.value,
+            (Some(present), Control::Indentation) => present.state.indentation,
+            (None, Control::Indentation) => normal.indentation.unwrap_or(0.0),
+            (_, Control::Force) => normal.force,
+        };
+        Held { control, value }
     }
 
     /// The state sheared by the stress of the present speed.
-    fn sheared(&self, step: &Step<'_>) -> Result<Present, FrictionError> {
+    fn peeled(&self, step: &Step<'_>) -> Result<Present, FrictionError> {
         let normal = step.contact.state();
-        let (rest, under) = (normal.contact_radius.unwrap_or(0.0), self.under(step, &normal));
+        let (rest, under) = (normal.contact_radius.unwrap_or(0.0), self.held(step.control, &normal));
         let stress = self.interface.law(step.speed)?.stress(0.0);
-        let state = match under {
-            (Control::Indentation, depth) => self.contact.at_depth(depth, stress, rest)?,
-            (Control::Force, force) => self.contact.under_stress(force, stress)?,
+        let state = match under.control {
+            Control::Indentation => self.contact.at_depth(under.value, stress, rest)?,
+            Control::Force => self.contact.under_stress(under.value, stress)?,
         };
-        let side = (step.slide.1 - step.slide.0).signum();
+        let side = (step.slide[1] - step.slide[0]).signum();
         Ok(Present { state, stress, side, under, rest })
     }
 
@@ -89,20 +82,20 @@ impl<'p> Peeling<'p> {
     }
 }
 
-impl TangentialContact for Peeling<'_> {
-    fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError> {
-        let way = step.slide.1 - step.slide.0;
+impl TangentialContact for Peeling {
+    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
+        let way = step.slide[1] - step.slide[0];
         if way.abs() <= 0.0 || !step.contact.joined() {
-            self.slide = step.slide.1;
-            self.stick_radius = self.normal(step.contact.state()).contact_radius.unwrap_or(0.0);
+            self.slide = step.slide[1];
+            self.stick_radius = self.sheared(step.contact.state()).contact_radius.unwrap_or(0.0);
             return Ok(None);
         }
         let before = self.state().force;
-        let present = self.sheared(step)?;
+        let present = self.peeled(step)?;
         self.present = Some(present);
         self.stick_radius = 0.0;
         let onset = self.state();
-        self.slide = step.slide.1;
+        self.slide = step.slide[1];
         self.dissipated += present.state.tangential_force * way.abs();
         Ok(((onset.force - before).abs() > 0.0).then_some(onset))
     }
@@ -123,32 +116,57 @@ impl TangentialContact for Peeling<'_> {
         }
     }
 
-    fn normal(&self, normal: Normal) -> Normal {
+    fn sheared(&self, normal: Normal) -> Normal {
         let Some(Present { state, .. }) = self.present else { return normal };
         let (a, line) = (state.contact_radius, &self.contact.line);
-        let balance = line.under_wall(a, state.indentation);
-        let stored = line.energy(a, state.indentation);
         Normal {
             indentation: Some(state.indentation),
-            force: balance.force,
+            force: line.under_wall(a, state.indentation).force,
             contact_radius: Some(a),
             stiffness: 2.0 * line.ground().modulus() * a,
-            stored,
+            stored: line.energy(a, state.indentation),
             ..normal
         }
     }
 
-    fn pressed(&self) -> Option<Pressed> {
+    fn loading(&self) -> Option<Box<dyn Loading + '_>> {
         let Present { state, .. } = self.present?;
         let ground = self.contact.line.ground().clone();
-        Some(Pressed { ground, contact_radius: state.contact_radius, edge_load: self.edge_load(&state) })
+        let pressed = Pressed { ground, contact_radius: state.contact_radius, edge_load: self.edge_load(&state) };
+        Some(Box::new(pressed))
     }
 
-    fn stress(&self, _contact: &dyn NormalContact, radii: &[f64]) -> Vec<Option<f64>> {
+    fn stress(&self, _loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {
         let stress = |r: &f64| match &self.present {
             Some(present) if *r <= present.state.contact_radius => present.side * present.stress,
             _ => 0.0,
         };
         radii.iter().map(|r| Some(stress(r))).collect()
+    }
+
+    fn copy(&self) -> Box<dyn TangentialContact> {
+        Box::new(self.clone())
+    }
+}
+
+impl Loading for Pressed {
+    fn contact_radius(&self) -> f64 {
+        self.contact_radius
+    }
+
+    fn reach(&self) -> f64 {
+        self.contact_radius
+    }
+
+    fn pressure(&self, r: f64) -> Option<f64> {
+        self.pressure_at(r)
+    }
+
+    fn surface(&self, r: f64) -> Option<f64> {
+        Some(self.surface_at(r))
+    }
+
+    fn stress_intensity(&self) -> Option<f64> {
+        Pressed::stress_intensity(self)
     }
 }

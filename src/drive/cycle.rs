@@ -1,11 +1,23 @@
 //! Storage and loss from the loop of an oscillation.
 
-use super::super::contact::Loop;
-use super::bed::ReadBed;
 use super::chords::Chords;
-use super::instants::Straight;
-use crate::contact::viscoelastic::memory::BedError;
+use super::force::ahead;
+use crate::contact::error::ContactError;
+use crate::contact::model::{ContactModel, Glance};
 use std::f64::consts::TAU;
+
+/// What the loop of an oscillation says of the material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loop {
+    /// Frequency [Hz].
+    pub frequency: f64,
+    /// Storage modulus [Pa]: in-phase stiffness over twice the mean contact radius.
+    pub storage: f64,
+    /// Loss modulus [Pa].
+    pub loss: f64,
+    /// Largest less smallest contact radius of the loop, relative to the mean.
+    pub swing: f64,
+}
 
 /// The first harmonics of force and depth over the last cycle, taken along the chords themselves: the
 /// ratio of the two does not know that the path has corners.
@@ -25,34 +37,41 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// Adds a chord if it belongs to the last cycle.
+    /// Adds the chord of `duration` [s] at the speed `speed` [m/s] that lies ahead, if it belongs to the last cycle.
     ///
     /// # Errors
     /// The contact would outgrow the profile.
-    pub fn watch<B: ReadBed>(&mut self, bed: &mut B, chords: &Chords, chord: &Straight) -> Result<(), BedError> {
+    pub fn watch(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        chords: &Chords,
+        (speed, duration): (f64, f64),
+    ) -> Result<(), ContactError> {
         let Some((since, first)) = chords.in_last_cycle() else { return Ok(()) };
+        let start = contact.state();
         if first {
             *self = Self {
                 frequency: chords.frequency(),
-                ends: (bed.state().force, 0.0),
+                ends: (start.force, 0.0),
                 radii: (f64::INFINITY, 0.0),
                 ..Self::default()
             };
         }
-        let start = bed.state().indentation;
         for part in [0.5 - 3f64.sqrt() / 6.0, 0.5 + 3f64.sqrt() / 6.0] {
-            let time = part * chord.duration;
-            let (force, radius) = bed.glance(chord.speed, time)?;
-            self.add((since + time, 0.5 * chord.duration), [force, start + chord.speed * time, radius]);
+            let time = part * duration;
+            let seen = contact.look(&ahead(contact, speed, time))?;
+            let depth = start.indentation.unwrap_or(0.0) + speed * time;
+            self.add((since + time, 0.5 * duration), depth, &seen);
         }
-        self.ends.1 = bed.force_after(chord.speed, chord.duration)?;
+        self.ends.1 = contact.look(&ahead(contact, speed, duration))?.force;
         Ok(())
     }
 
-    fn add(&mut self, (time, weight): (f64, f64), [force, depth, radius]: [f64; 3]) {
+    fn add(&mut self, (time, weight): (f64, f64), depth: f64, seen: &Glance) {
+        let radius = seen.contact_radius;
         let (sine, cosine) = (TAU * self.frequency * time).sin_cos();
         for (k, wave) in [sine, cosine].into_iter().enumerate() {
-            self.force[k] += weight * wave * force;
+            self.force[k] += weight * wave * seen.force;
             self.depth[k] += weight * wave * depth;
         }
         self.radii = (self.radii.0.min(radius), self.radii.1.max(radius));
@@ -90,7 +109,8 @@ mod tests {
         for k in 0..2000 {
             let t = (f64::from(k) + 0.5) * 1e-3;
             let (sine, cosine) = (PI * t).sin_cos();
-            cycle.add((t, 1e-3), [3.0 * sine + 2.0 * cosine + 0.5 * t, sine, 0.25]);
+            let seen = Glance { force: 3.0 * sine + 2.0 * cosine + 0.5 * t, contact_radius: 0.25 };
+            cycle.add((t, 1e-3), sine, &seen);
         }
         let Loop { storage, loss, .. } = cycle.moduli().unwrap();
         assert!((storage - 6.0).abs() < 1e-5 && (loss - 4.0).abs() < 1e-5, "{storage} {loss}");

@@ -1,15 +1,15 @@
-//! Coulomb friction in a run, by the plain bed of springs.
+//! Coulomb friction by the plain bed of springs.
 
 use super::{Step, TangentialContact};
-use crate::friction::state::Tangential;
-use crate::friction::{CoulombBed, FrettingMap, FrictionError, Grip, Pose};
-use crate::run::contact::{ContactError, NormalContact};
+use crate::contact::model::{Effort, Loading, Pose};
+use crate::contact::state::Tangential;
+use crate::friction::{CoulombBed, FrettingMap, FrictionError, Grip};
 use crate::shape::Profile;
 use std::num::NonZeroUsize;
 
 /// The bed of Coulomb springs with the energy each of them loses: the twin of the memory.
-#[derive(Debug)]
-pub struct Springs {
+#[derive(Debug, Clone)]
+pub struct CoulombSprings {
     bed: CoulombBed,
     map: FrettingMap,
     grip: Grip,
@@ -19,38 +19,39 @@ pub struct Springs {
     force: f64,
 }
 
-impl Springs {
-    /// A bed of `springs` springs out to `radius` [m], bodies just touching.
+impl CoulombSprings {
+    /// A bed of `springs` springs out to `radius` [m], bodies just touching; curved steps are followed to 1e-6.
     ///
     /// # Errors
     /// The profile ends before `radius`.
-    #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
-    pub fn new(
-        (profile, grip): (&dyn Profile, Grip),
-        (springs, radius): (NonZeroUsize, f64),
-        accuracy: f64,
-    ) -> Result<Self, FrictionError> {
+    pub fn new(profile: &dyn Profile, grip: Grip, springs: NonZeroUsize, radius: f64) -> Result<Self, FrictionError> {
         let width = radius / springs.get() as f64;
         let places: Vec<f64> = (0..springs.get()).map(|k| (k as f64 + 0.5) * width).collect();
         let bed = CoulombBed::new(profile, grip, springs, radius)?;
         let map = FrettingMap::new(profile, grip, &places);
-        Ok(Self { bed, map, grip, width, accuracy, at: Pose::default(), force: 0.0 })
+        Ok(Self { bed, map, grip, width, accuracy: 1e-6, at: Pose::default(), force: 0.0 })
     }
 
-    /// Number of springs in contact, and of those of them inside the first one that slips.
-    fn held(&self) -> (usize, usize) {
+    /// The same with curved steps followed to `accuracy`.
+    #[must_use]
+    pub fn accurate_to(self, accuracy: f64) -> Self {
+        Self { accuracy, ..self }
+    }
+
+    /// Number of springs in contact inside the first one that slips.
+    fn stuck(&self) -> usize {
         let reach = self.grip.reach();
         let limits = self.bed.depths().iter().map(|depth| reach * (self.at.indentation - depth));
         let limits: Vec<f64> = limits.take_while(|limit| *limit > 0.0).collect();
         // A spring at its limit has been put there, to rounding of the slide.
         let slips = |(v, limit): (f64, &f64)| v.abs() >= (1.0 - 1e-9) * limit;
-        let stuck = self.bed.displacements().into_iter().zip(&limits).position(slips);
-        (limits.len(), stuck.unwrap_or(limits.len()))
+        let first = self.bed.displacements().into_iter().zip(&limits).position(slips);
+        first.unwrap_or(limits.len())
     }
 }
 
-impl TangentialContact for Springs {
-    fn advance(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, ContactError> {
+impl TangentialContact for CoulombSprings {
+    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
         let path = step.positions(self.at, self.accuracy);
         for &to in &path {
             self.map.advance(to);
@@ -60,9 +61,8 @@ impl TangentialContact for Springs {
         Ok(None)
     }
 
-    #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
     fn state(&self) -> Tangential {
-        let stick_radius = self.held().1 as f64 * self.width;
+        let stick_radius = self.stuck() as f64 * self.width;
         let squares: f64 = self.bed.displacements().iter().map(|v| v * v).sum();
         Tangential {
             slide: self.at.slide,
@@ -75,7 +75,15 @@ impl TangentialContact for Springs {
         }
     }
 
-    fn stress(&self, _contact: &dyn NormalContact, radii: &[f64]) -> Vec<Option<f64>> {
+    fn stress(&self, _loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {
         vec![None; radii.len()]
+    }
+
+    fn copy(&self) -> Box<dyn TangentialContact> {
+        Box::new(self.clone())
+    }
+
+    fn effort(&self) -> Effort {
+        Effort { springs: self.bed.depths().len(), ..Effort::default() }
     }
 }

@@ -2,8 +2,9 @@
 
 use super::table::ImpactRow;
 use super::{Followed, RECORDS, failed};
+use crate::contact::direct::QuasiStatic;
+use crate::contact::model::{ContactModel, Loading};
 use crate::drive::impact::{Passage, Projectile};
-use crate::run::contact::NormalContact;
 use crate::run::{SimulationError, Wanted, direct, fields};
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::ImpactPlan;
@@ -25,24 +26,25 @@ pub fn follow(
     let contact = direct(plan.ground(), adhesion)?;
     let passage = Passage::new(&contact, impact, plan.accuracy()).map_err(failed)?;
     let deepest = passage.deepest();
-    let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(|contact| peak(contact)));
+    let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(peak));
     let row = ImpactRow { speed: impact.speed, rebound, oblique: None, peak_pressure };
     let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { passage.moments(records) } else { Vec::new() };
     let time = moments.iter().max_by(|x, y| x.depth.total_cmp(&y.depth)).map_or(0.0, |moment| moment.time);
     let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
-    let field = field.and_then(|contact| fields::field((contact, None), "greatest depth".to_owned(), time));
+    let field = field.and_then(|contact| fields::field(contact, "greatest depth".to_owned(), time));
     let stressed = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses));
     let stresses = stressed.and_then(|contact| fields::stresses(plan, &plan.ground(), &contact.state()));
     Ok(Followed { row, moments, field, stresses, bytes: passage.bytes() })
 }
 
 /// Largest pressure [Pa], unless a sharp edge or tip has an infinite one.
-fn peak(contact: &dyn NormalContact) -> Option<f64> {
-    if contact.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
+fn peak(contact: &QuasiStatic) -> Option<f64> {
+    let loading: &dyn Loading = &contact;
+    if loading.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
         return None;
     }
-    let a = contact.state().contact_radius?;
-    let pressures = (0..LOOKS).map(|k| contact.pressure(a * f64::from(k) / f64::from(LOOKS)));
+    let a = loading.contact_radius();
+    let pressures = (0..LOOKS).map(|k| loading.pressure(a * f64::from(k) / f64::from(LOOKS)));
     pressures.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
 }

@@ -1,6 +1,12 @@
 //! Spring bed of a rough line: independent springs, sorted by height.
 
-use super::{RoughError, RoughLine};
+use super::adhesion::line::Energy;
+use super::error::ContactError;
+use super::model::{ContactModel, Effort, Event, Glance, Loading, Pull, Straight};
+use super::state::Normal;
+use crate::shape::rough::{RoughError, RoughLine, positive};
+use crate::shape::{Profile, Rim};
+use std::sync::Arc;
 
 /// What a rough bed is good for, to be shown beside its results.
 pub const VALIDITY: &str = "approximate: force and stiffness of a rough line stand for those of the isotropic surface; its contact length does not give the real contact area";
@@ -41,11 +47,11 @@ impl RoughBed {
     /// # Errors
     /// No gap or one that is not finite; a stiffness that is not positive.
     pub fn new(gaps: &[f64], stiffness: f64) -> Result<Self, RoughError> {
-        let stiffness = super::error::positive("spring stiffness", stiffness)?;
+        let stiffness = positive("spring stiffness", stiffness)?;
         if let Some(column) = gaps.iter().position(|g| !g.is_finite()) {
             return Err(RoughError::Height { row: 1, column: column + 1, value: gaps[column] });
         }
-        super::error::positive("number of springs", number(gaps.len()))?;
+        positive("number of springs", number(gaps.len()))?;
         let mut gaps = gaps.to_vec();
         gaps.sort_unstable_by(f64::total_cmp);
         let (forces, energies) = touches(&gaps, stiffness);
@@ -126,6 +132,116 @@ fn touches(gaps: &[f64], stiffness: f64) -> (Vec<f64>, Vec<f64>) {
 #[expect(clippy::cast_precision_loss, reason = "springs are far fewer than 2^53")]
 fn number(n: usize) -> f64 {
     n as f64
+}
+
+/// Part of the line at either end that a contact on a curved shape must not reach.
+const MARGIN: f64 = 1.0 / 16.0;
+
+/// The contact grows out of the line.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "at an indentation of {indentation:e} m the contact reaches the ends of the rough line: expected a `length` well above {length:e} m"
+)]
+pub struct LineTooShort {
+    /// Indentation [m].
+    pub indentation: f64,
+    /// Length of the line [m].
+    pub length: f64,
+}
+
+/// A rough line pressed on its bed; indentation counts from first touch.
+#[derive(Debug, Clone)]
+pub struct RoughContact {
+    bed: Arc<RoughBed>,
+    state: BedState,
+    /// Indentation from first touch [m].
+    depth: f64,
+    /// Least gap near the ends of a line on a curved shape [m].
+    least_gap_at_ends: f64,
+    /// Length of the line [m].
+    length: f64,
+}
+
+impl RoughContact {
+    /// A line of `points` springs on the profile `base`, none under a nominally flat surface, over a half-space of the
+    /// modulus E* [Pa], just touching.
+    ///
+    /// # Errors
+    /// As of [`RoughBed::under`].
+    pub fn new(line: &RoughLine, points: usize, modulus: f64, base: Option<&dyn Profile>) -> Result<Self, RoughError> {
+        let bed = RoughBed::under(line, points, modulus, |x| base.map_or(0.0, |base| base.reduced(x)))?;
+        let state = bed.at_indentation(bed.first_touch());
+        let least_gap_at_ends = least_gap_at_ends(base, line, points)?;
+        Ok(Self { bed: Arc::new(bed), state, depth: 0.0, least_gap_at_ends, length: line.length() })
+    }
+
+    fn within_line(&self) -> Result<Vec<Event>, ContactError> {
+        if self.state.indentation > self.least_gap_at_ends {
+            return Err(LineTooShort { indentation: self.depth, length: self.length }.into());
+        }
+        Ok(Vec::new())
+    }
+}
+
+/// Least gap near the ends of the line; infinite over a flat, whose edge the contact may reach.
+fn least_gap_at_ends(base: Option<&dyn Profile>, line: &RoughLine, points: usize) -> Result<f64, RoughError> {
+    let Some(profile) = base else { return Ok(f64::INFINITY) };
+    let half = 0.5 * line.length();
+    if matches!(profile.rim(), Rim::Wall(end) if end <= half) {
+        return Ok(f64::INFINITY);
+    }
+    let places = line.places(points);
+    let near = places.iter().zip(line.heights(points)?).filter(|(x, _)| x.abs() > (1.0 - MARGIN) * half);
+    Ok(near.map(|(x, z)| profile.reduced(x.abs()) + z).fold(f64::INFINITY, f64::min))
+}
+
+impl ContactModel for RoughContact {
+    fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
+        (self.state, self.depth) = (self.bed.at_indentation(self.bed.first_touch() + piece.to), piece.to);
+        self.within_line()
+    }
+
+    fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
+        let state = self.bed.at_indentation(self.bed.first_touch() + piece.to);
+        Ok(Glance { force: state.force, contact_radius: 0.0 })
+    }
+
+    fn state(&self) -> Normal {
+        Normal {
+            indentation: Some(self.depth),
+            force: self.state.force,
+            contact_radius: None,
+            stiffness: self.state.stiffness,
+            stored: Energy { elastic: self.state.energy, surface: 0.0 },
+            dissipated: 0.0,
+        }
+    }
+
+    fn joined(&self) -> bool {
+        self.state.force > 0.0
+    }
+
+    fn loading(&self) -> Option<Box<dyn Loading + '_>> {
+        None
+    }
+
+    fn copy(&self) -> Box<dyn ContactModel> {
+        Box::new(self.clone())
+    }
+
+    fn effort(&self) -> Effort {
+        Effort { springs: self.bed.springs(), ..Effort::default() }
+    }
+
+    fn press(&mut self, pull: &Pull) -> Option<Result<Vec<Event>, ContactError>> {
+        self.state = self.bed.at_force(pull.force);
+        self.depth = self.state.indentation - self.bed.first_touch();
+        Some(self.within_line())
+    }
+
+    fn last_depth(&self) -> Option<Result<f64, ContactError>> {
+        Some(Ok(0.0))
+    }
 }
 
 #[cfg(test)]

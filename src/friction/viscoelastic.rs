@@ -26,7 +26,7 @@ use std::sync::Arc;
 /// from the heat of relaxation: the work done at the bed is the sum of both and of the energy stored.
 /// Check: without terms it is [`CoulombBed`](super::bed::CoulombBed).
 #[derive(Debug, Clone)]
-pub struct RelaxingBed {
+pub struct ViscoelasticBed {
     spectrum: Arc<Spectrum>,
     layout: Layout,
     /// μ and m; moduli enter only by their ratio.
@@ -69,7 +69,7 @@ struct UnderIndenter<'a> {
     duration: f64,
 }
 
-impl RelaxingBed {
+impl ViscoelasticBed {
     /// A bed of `springs` springs between the axis and the distance `radius` [m], never touched.
     ///
     /// The moduli of `grip` count by their ratio only.
@@ -269,9 +269,9 @@ mod tests {
         Arc::new(Spectrum::new(&Relaxation { equilibrium, terms: terms.to_vec(), viscosity }))
     }
 
-    fn bed(spectrum: &Arc<Spectrum>, grip: Grip) -> RelaxingBed {
+    fn bed(spectrum: &Arc<Spectrum>, grip: Grip) -> ViscoelasticBed {
         let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
-        RelaxingBed::new(&shape, Arc::clone(spectrum), grip, 60.try_into().unwrap(), 1.2).unwrap()
+        ViscoelasticBed::new(&shape, Arc::clone(spectrum), grip, 60.try_into().unwrap(), 1.2).unwrap()
     }
 
     /// Speeds (normal, tangential) from integers, in motions of 0.1 s to 1 s.

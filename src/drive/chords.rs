@@ -1,5 +1,6 @@
 //! A sine cut into chords.
 
+use super::course::Wave;
 use std::f64::consts::TAU;
 
 /// Chords of d₀ + A sin 2πft; their ends do not depend on the records.
@@ -8,8 +9,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, Copy)]
 pub struct Chords {
     center: f64,
-    amplitude: f64,
-    frequency: f64,
+    wave: Wave,
     /// End of the stage [s].
     end: f64,
     per_cycle: f64,
@@ -23,30 +23,25 @@ const MOST: f64 = 16384.0;
 
 impl Chords {
     /// Chords that leave the sine by at most `accuracy` of the depth.
-    pub fn new(center: f64, (amplitude, frequency): (f64, f64), end: f64, accuracy: f64) -> Self {
-        let angle = (8.0 * accuracy * center.abs().max(amplitude) / amplitude).sqrt();
+    pub fn new(center: f64, wave: Wave, end: f64, accuracy: f64) -> Self {
+        let angle = (8.0 * accuracy * center.abs().max(wave.amplitude) / wave.amplitude).sqrt();
         let per_cycle = 4.0 * (0.25 * (TAU / angle).clamp(FEWEST, MOST)).ceil();
-        Self { center, amplitude, frequency, end, per_cycle, next: 1.0 }
+        Self { center, wave, end, per_cycle, next: 1.0 }
     }
 
     /// Frequency [Hz].
     pub fn frequency(&self) -> f64 {
-        self.frequency
+        self.wave.frequency
     }
 
     /// The time since the beginning of the last whole cycle at which the chord handed out last begins, and
     /// whether it is the first of them; `None` before.
     pub fn in_last_cycle(&self) -> Option<(f64, bool)> {
-        let all = self.end * self.frequency * self.per_cycle;
+        let all = self.end * self.wave.frequency * self.per_cycle;
         let first = ((all + 1e-6).floor() - self.per_cycle).max(0.0);
         let this = self.next - 2.0;
         let inside = this >= first && this < first + self.per_cycle && first + self.per_cycle <= all + 1e-6;
-        inside.then(|| ((this - first) / (self.per_cycle * self.frequency), this <= first))
-    }
-
-    /// Depth [m] at the time `t` [s].
-    fn depth(&self, t: f64) -> f64 {
-        self.center + self.amplitude * (TAU * (self.frequency * t).fract()).sin()
+        inside.then(|| ((this - first) / (self.per_cycle * self.wave.frequency), this <= first))
     }
 }
 
@@ -55,7 +50,7 @@ impl Iterator for Chords {
 
     /// Depth [m] and time [s] of the end of the next chord.
     fn next(&mut self) -> Option<(f64, f64)> {
-        let width = 1.0 / (self.per_cycle * self.frequency);
+        let width = 1.0 / (self.per_cycle * self.wave.frequency);
         let since = (self.next - 1.0) * width;
         if since >= self.end * (1.0 - 1e-12) {
             return None;
@@ -63,6 +58,6 @@ impl Iterator for Chords {
         let until = self.next * width;
         let until = if until >= self.end * (1.0 - 1e-12) { self.end } else { until };
         self.next += 1.0;
-        Some((self.depth(until), until))
+        Some((self.center + self.wave.at(until), until))
     }
 }

@@ -2,11 +2,10 @@
 
 mod elastic;
 mod oblique;
-mod relaxing;
+mod viscoelastic;
 mod results;
 mod table;
 
-use super::contact::ContactError;
 use super::{SimulationError, Wanted};
 use crate::contact::state::Normal;
 use crate::drive::impact::{self, ImpactError, ImpactState};
@@ -72,7 +71,7 @@ fn follow(plan: &ImpactPlan, (speed, wanted): (f64, Option<Wanted>)) -> Result<F
     let followed = match &plan.law {
         ImpactLaw::Elastic(adhesion) => elastic::follow(plan, *adhesion, normal, wanted),
         ImpactLaw::Viscoelastic { relaxation, edge } => {
-            relaxing::follow(plan, (relaxation, edge.as_ref()), (normal, wanted))
+            viscoelastic::follow(plan, (relaxation, edge.as_ref()), (normal, wanted))
         }
     }?;
     within_bounds(plan, followed.row.rebound.greatest_depth)?;
@@ -92,7 +91,7 @@ fn within_bounds(plan: &ImpactPlan, depth: f64) -> Result<(), SimulationError> {
 }
 
 fn failed(source: ImpactError) -> SimulationError {
-    SimulationError::Contact { entry: 0, source: ContactError::Impact(source) }
+    source.into()
 }
 
 fn records(plan: &ImpactPlan, moments: &[ImpactState]) -> Vec<Record> {

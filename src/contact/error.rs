@@ -1,0 +1,106 @@
+//! Why a contact cannot follow what is prescribed.
+
+use super::adhesion::equilibrium::BranchError;
+use super::plane::PlaneError;
+use super::rough::LineTooShort;
+use super::viscoelastic::memory::BedError;
+
+/// Why a contact cannot follow what is prescribed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ContactError {
+    /// No equilibrium of the elastic contact.
+    #[error(transparent)]
+    Branch(#[from] BranchError),
+    /// The viscoelastic bed ends.
+    #[error(transparent)]
+    Bed(#[from] BedError),
+    /// The plane contact cannot follow.
+    #[error(transparent)]
+    Plane(#[from] PlaneError),
+    /// The contact grows out of a rough line.
+    #[error(transparent)]
+    Line(#[from] LineTooShort),
+    /// A jump of the depth against a dashpot.
+    #[error(
+        "a jump to the depth {to:e} m would need an infinite force, for the viscosity lets nothing give at once: expected time_s of the first row above zero, or no viscosity"
+    )]
+    Jump {
+        /// Depth after the jump [m].
+        to: f64,
+    },
+    /// No state of the tangential contact.
+    #[error(transparent)]
+    Friction(#[from] FrictionError),
+}
+
+/// Why a tangential state does not exist.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum FrictionError {
+    /// The indentation asks for a contact beyond the end of the profile.
+    #[error("the profile ends before the indentation {depth:e} m is reached")]
+    BeyondProfile {
+        /// Indentation [m].
+        depth: f64,
+    },
+    /// A bed asks for springs beyond the end of the profile.
+    #[error("the profile ends before the radius {radius:e} m of the bed")]
+    BeyondRadius {
+        /// Radius [m].
+        radius: f64,
+    },
+    /// No slide carries the tangential force asked for.
+    #[error("a tangential force of {force:e} N is not below the limit of {limit:e} N: the contact slips as a whole")]
+    GrossSlip {
+        /// Tangential force asked for [N].
+        force: f64,
+        /// μF [N].
+        limit: f64,
+    },
+    /// The profile ends before the normal force is reached.
+    #[error("the profile ends before the normal force {force:e} N is reached")]
+    ForceBeyondProfile {
+        /// Normal force [N].
+        force: f64,
+    },
+    /// An adhesive contact parts under the normal force alone.
+    #[error("the bodies part under the normal force {force:e} N")]
+    Parted {
+        /// Normal force [N].
+        force: f64,
+    },
+    /// A ball does not move towards the surface.
+    #[error("the normal speed before the impact is {speed:e} m/s: it must be above zero")]
+    NoApproach {
+        /// Normal speed [m/s].
+        speed: f64,
+    },
+    /// A sliding speed outside the table of shear strength.
+    #[error(transparent)]
+    OutsideTable(#[from] OutsideTable),
+    /// The tangential load has peeled an adhesive contact that nothing presses.
+    #[error("at the indentation {depth:e} m the tangential load peels the adhesive contact: the bodies part")]
+    PeeledAt {
+        /// Indentation [m].
+        depth: f64,
+    },
+    /// The tangential load has peeled the adhesive contact.
+    #[error("under the normal force {force:e} N the tangential load peels the adhesive contact")]
+    Peeled {
+        /// Normal force [N].
+        force: f64,
+    },
+}
+
+/// A speed that a table of shear strength does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "slides at {speed:e} m/s, outside the table of shear strength: expected a speed from {least:e} to {most:e} m/s"
+)]
+pub struct OutsideTable {
+    /// Speed asked for [m/s].
+    pub speed: f64,
+    /// Least speed of the table [m/s].
+    pub least: f64,
+    /// Greatest speed of the table [m/s].
+    pub most: f64,
+}

@@ -1,0 +1,239 @@
+//! What a drive asks of a contact, whatever it is made of.
+
+use super::error::ContactError;
+use super::state::{Normal, Tangential};
+use super::viscoelastic::Spectrum;
+use super::viscoelastic::creep::Creep;
+use std::sync::Arc;
+
+/// A straight piece of the motion: depth and tangential displacement go linearly with time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Straight {
+    /// Depth d at its end [m].
+    pub to: f64,
+    /// Speed ḋ [m/s], which a dashpot feels even where the depth does not change in its last digit.
+    pub speed: f64,
+    /// Tangential displacement u_x at its end [m].
+    pub slide: f64,
+    /// Sliding speed |u̇_x| [m/s].
+    pub sliding_speed: f64,
+    /// Duration [s]; zero for a jump.
+    pub duration: f64,
+}
+
+/// A ramp of the normal force during which the tangential displacement goes linearly with time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pull {
+    /// Normal force F at its end [N].
+    pub force: f64,
+    /// Tangential displacement u_x at its end [m].
+    pub slide: f64,
+    /// Sliding speed |u̇_x| [m/s].
+    pub sliding_speed: f64,
+    /// Duration [s].
+    pub duration: f64,
+}
+
+/// What a look at a contact sees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Glance {
+    /// Normal force [N].
+    pub force: f64,
+    /// Contact radius [m].
+    pub contact_radius: f64,
+}
+
+/// A sudden change or a turn of the force on the way, with the state on both sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// Value of what is prescribed as it happens: depth [m] or force [N].
+    pub at: f64,
+    /// State just before.
+    pub before: Normal,
+    /// State just after.
+    pub after: Normal,
+    /// State of the tangential contact, where that is what changes suddenly.
+    pub tangential: Option<Tangential>,
+}
+
+/// What a contact takes, and how well it knows its force.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Effort {
+    /// Number of springs.
+    pub springs: usize,
+    /// Bytes of state.
+    pub bytes: usize,
+    /// Error of the present force [N], where the contact can tell.
+    pub force_error: Option<f64>,
+}
+
+/// Pressure and surface of a contact at the present instant.
+pub trait Loading {
+    /// Contact radius [m].
+    fn contact_radius(&self) -> f64;
+
+    /// Radius up to which the bodies act on each other [m].
+    fn reach(&self) -> f64;
+
+    /// Pressure at the radius r [Pa]; `None` where it is singular.
+    fn pressure(&self, r: f64) -> Option<f64>;
+
+    /// Displacement of the surface at the radius r [m]; `None` where the method gives none.
+    fn surface(&self, r: f64) -> Option<f64>;
+
+    /// Stress intensity K_I at the edge [Pa √m], if the edge is singular.
+    fn stress_intensity(&self) -> Option<f64>;
+
+    /// Shear stress τ [Pa] at the radii `radii` [m], if there is friction; `None` where it is singular or not known.
+    fn shear(&self, radii: &[f64]) -> Vec<Option<f64>> {
+        vec![None; radii.len()]
+    }
+}
+
+/// A contact: it follows straight pieces of (d, u_x) and can be looked at without being moved.
+///
+/// What a contact knows better than by being followed it says itself: the answer to a force that it finds at once
+/// ([`press`](Self::press)), the depth at which a retraction parts it, the instant at which its edge gives
+/// way, its creep.
+pub trait ContactModel: Send {
+    /// Follows a straight piece; the jumps and turns on the way, in order.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError>;
+
+    /// The contact as it would be at the end of a piece; it stays where it is.
+    ///
+    /// The cost grows neither with the number of springs nor with what lies behind.
+    ///
+    /// # Errors
+    /// As of [`follow`](Self::follow).
+    fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError>;
+
+    /// Present state of the normal contact.
+    fn state(&self) -> Normal;
+
+    /// Whether the bodies touch or attract each other.
+    fn joined(&self) -> bool;
+
+    /// The load of the contact as it is now, to be looked at; `None` where the bodies are apart.
+    fn loading(&self) -> Option<Box<dyn Loading + '_>>;
+
+    /// The contact as it is, on its own.
+    fn copy(&self) -> Box<dyn ContactModel>;
+
+    /// State of the tangential contact, if there is friction.
+    fn tangential(&self) -> Option<Tangential> {
+        None
+    }
+
+    /// State of the normal contact under the shear of the tangential one, where that changes it.
+    fn sheared(&self) -> Normal {
+        self.state()
+    }
+
+    /// Lets the tangential contact catch up with the normal one.
+    ///
+    /// # Errors
+    /// There is no state of the tangential contact.
+    fn settle(&mut self) -> Result<(), ContactError> {
+        Ok(())
+    }
+
+    /// The straight steps the tangential contact has taken, if they were kept.
+    fn path(&self) -> &[Pose] {
+        &[]
+    }
+
+    /// The material of bodies that remember; `None` where the state depends on the present alone.
+    fn memory(&self) -> Option<Arc<Spectrum>> {
+        None
+    }
+
+    /// What the contact takes.
+    fn effort(&self) -> Effort {
+        Effort::default()
+    }
+
+    /// Moves to a force at once; `None` where it has to be found piece by piece.
+    ///
+    /// # Errors
+    /// No state carries the force.
+    fn press(&mut self, _pull: &Pull) -> Option<Result<Vec<Event>, ContactError>> {
+        None
+    }
+
+    /// Depth [m] at which a retraction parts the bodies, where that depends on the present alone.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn last_depth(&self) -> Option<Result<f64, ContactError>> {
+        None
+    }
+
+    /// When in a piece the attraction of the edge gives way [s].
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn parting(&self, _piece: &Straight) -> Result<Option<f64>, ContactError> {
+        Ok(None)
+    }
+
+    /// The exact answer to a force that never falls, of a contact not touched before.
+    fn creep(&self) -> Option<Creep> {
+        None
+    }
+
+    /// Takes the indenter away at once, whatever holds it.
+    fn leave(&mut self) {}
+}
+
+impl Clone for Box<dyn ContactModel> {
+    fn clone(&self) -> Self {
+        self.copy()
+    }
+}
+
+/// Where the indenter is: indentation and tangential displacement [m].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pose {
+    /// Indentation d [m]; not above zero where the bodies are apart.
+    pub indentation: f64,
+    /// Tangential displacement u_x [m].
+    pub slide: f64,
+}
+
+/// Deviation of a joint from the line through both ends, in roundings of the depth, up to which two pieces are one.
+const ROUNDINGS: f64 = 16.0;
+/// Relative difference of the speeds up to which two pieces are one.
+const SAME_SPEED: f64 = 1e-9;
+
+impl Straight {
+    /// The piece from the depth `from` [m] to the depth `to` [m] in `duration` [s], nothing sliding.
+    #[must_use]
+    pub fn between(from: f64, to: f64, duration: f64) -> Self {
+        let speed = if duration > 0.0 { (to - from) / duration } else { 0.0 };
+        Self { to, speed, slide: 0.0, sliding_speed: 0.0, duration }
+    }
+
+    /// This piece, begun at `start`, and the `next` one as one piece, if they lie on one line to rounding.
+    ///
+    /// A history cut anywhere is then the same history.
+    #[must_use]
+    pub fn joined_to(&self, start: Pose, next: &Self) -> Option<Self> {
+        let duration = self.duration + next.duration;
+        let part = self.duration / duration;
+        let straight = |from: f64, joint: f64, to: f64| {
+            let off = (from + part * (to - from) - joint).abs();
+            off <= ROUNDINGS * f64::EPSILON * from.abs().max(joint.abs()).max(to.abs())
+        };
+        let fastest = self.speed.abs().max(next.speed.abs());
+        let one = self.duration > 0.0
+            && next.duration > 0.0
+            && (self.speed - next.speed).abs() <= SAME_SPEED * fastest
+            && straight(start.indentation, self.to, next.to)
+            && straight(start.slide, self.slide, next.slide);
+        let speed = next.speed + part * (self.speed - next.speed);
+        one.then_some(Self { duration, speed, ..*next })
+    }
+}

@@ -1,0 +1,106 @@
+//! Pressure and surface of a bed of springs, from the loads and displacements of the springs.
+
+use super::model::Loading;
+use crate::shape::Profile;
+use std::f64::consts::FRAC_1_PI;
+
+/// Springs that are looked at one by one; of a larger bed neighbours are put together.
+const MOST: usize = 4096;
+
+/// One spring, or a few neighbours put together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loaded {
+    /// Distance from the axis [m].
+    pub place: f64,
+    /// Line load q [N/m].
+    pub load: f64,
+    /// Width of both halves of the bed, 2Δx [m].
+    pub weight: f64,
+    /// Displacement u [m] into the body.
+    pub displacement: f64,
+}
+
+/// The springs of a bed at one instant, as a value.
+///
+/// p(r) is the inverse transform of the line loads joined by straight lines, with the edge load for the
+/// singular term; u_z(r) = (1/π) Σ 2Δx u/√(r²−x²) outside the contact, d − f(r) in it (Popov & Heß 2015, eqs.
+/// 3.37 and 3.40). A radius costs at most a few thousand springs, whatever the bed has.
+#[derive(Debug)]
+pub struct SpringLoads<'p> {
+    springs: Vec<Loaded>,
+    contact_radius: f64,
+    edge_load: f64,
+    depth: f64,
+    profile: &'p dyn Profile,
+}
+
+impl<'p> SpringLoads<'p> {
+    /// The springs touched so far, `count` of them by their number from the axis outwards, under `profile` at the
+    /// depth `depth` [m].
+    pub fn new(profile: &'p dyn Profile, depth: f64, count: usize, spring: impl Fn(usize) -> Loaded) -> Self {
+        let block = count.div_ceil(MOST).max(1);
+        let springs = (0..count).step_by(block).map(|first| together((first..count.min(first + block)).map(&spring)));
+        Self { springs: springs.collect(), contact_radius: 0.0, edge_load: 0.0, depth, profile }
+    }
+
+    /// The same with the edge of the contact at the radius `radius` [m], where the line load is `load` [N/m].
+    #[must_use]
+    pub fn with_edge(self, radius: f64, load: f64) -> Self {
+        Self { contact_radius: radius, edge_load: load, ..self }
+    }
+}
+
+/// Neighbours as one spring: their widths summed, the rest averaged.
+fn together(springs: impl Iterator<Item = Loaded> + Clone) -> Loaded {
+    let count = springs.clone().count() as f64;
+    let mean = |of: fn(&Loaded) -> f64| springs.clone().map(|spring| of(&spring)).sum::<f64>() / count;
+    Loaded {
+        place: mean(|spring| spring.place),
+        load: mean(|spring| spring.load),
+        weight: count * mean(|spring| spring.weight),
+        displacement: mean(|spring| spring.displacement),
+    }
+}
+
+impl Loading for SpringLoads<'_> {
+    fn contact_radius(&self) -> f64 {
+        self.contact_radius
+    }
+
+    fn reach(&self) -> f64 {
+        self.contact_radius
+    }
+
+    fn pressure(&self, r: f64) -> Option<f64> {
+        let a = self.contact_radius;
+        if r >= a {
+            return Some(0.0);
+        }
+        // On the axis itself the transform is the limit of a small radius.
+        let r = r.max(1e-6 * self.springs.first().map_or(a, |spring| spring.weight));
+        let loads = self.springs.iter().map(|spring| (spring.place, spring.load)).filter(|load| load.0 < a);
+        let (mut sum, mut last) = (0.0, None);
+        for (x, q) in loads.chain([(a, self.edge_load)]) {
+            if let Some((x0, q0)) = last.filter(|_: &(f64, f64)| x > r) {
+                sum -= (q - q0) / (x - x0) * ((x / r).acosh() - (x0 / r).max(1.0).acosh());
+            }
+            last = Some((x, q));
+        }
+        let singular = if self.edge_load.abs() > 0.0 { self.edge_load / ((a - r) * (a + r)).sqrt() } else { 0.0 };
+        Some(FRAC_1_PI * (sum + singular)).filter(|pressure| pressure.is_finite())
+    }
+
+    fn surface(&self, r: f64) -> Option<f64> {
+        if r <= self.contact_radius {
+            return Some(self.depth - self.profile.height(r));
+        }
+        let part =
+            |spring: &Loaded| spring.weight * spring.displacement / ((r - spring.place) * (r + spring.place)).sqrt();
+        let inside = self.springs.iter().take_while(|spring| spring.place < r);
+        Some(FRAC_1_PI * inside.map(part).sum::<f64>()).filter(|displacement| displacement.is_finite())
+    }
+
+    fn stress_intensity(&self) -> Option<f64> {
+        None
+    }
+}

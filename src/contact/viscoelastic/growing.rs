@@ -1,0 +1,154 @@
+//! A bed of viscoelastic springs as a contact that is driven piece by piece.
+
+use super::Spectrum;
+use super::continuous::in_time;
+use super::creep::Creep;
+use super::layout::Layout;
+use super::lazy::Lazy;
+use super::memory::BedError;
+use crate::contact::adhesion::line::Energy;
+use crate::contact::error::ContactError;
+use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Straight};
+use crate::contact::spring_loads::{Loaded, SpringLoads};
+use crate::contact::state::Normal;
+use crate::shape::{Profile, Rim};
+use std::sync::Arc;
+
+/// A lazy bed that grows with its contact.
+///
+/// The bed moves to every record, so that a look costs what happens between it and the record before, however
+/// many springs there are and however long the piece is.
+#[derive(Debug, Clone)]
+pub struct GrowingBed {
+    bed: Lazy,
+    profile: Arc<dyn Profile>,
+    /// Largest depth so far [m].
+    deepest: f64,
+}
+
+impl GrowingBed {
+    /// A bed never touched.
+    #[must_use]
+    pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>, layout: Layout) -> Self {
+        Self { bed: Lazy::new(spectrum, layout), profile, deepest: 0.0 }
+    }
+
+    /// The springs.
+    #[must_use]
+    pub fn bed(&self) -> &Lazy {
+        &self.bed
+    }
+
+    /// Moves at constant `speed` [m/s] for `duration` [s].
+    ///
+    /// # Errors
+    /// The contact would outgrow the profile.
+    pub fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
+        self.widen(self.bed.indentation() + speed * duration)?;
+        self.bed.advance(speed, duration);
+        self.deepest = self.deepest.max(self.bed.indentation());
+        Ok(())
+    }
+
+    /// ∫ F dt [N s] over a motion, and whether the bodies touch at its end; taken back.
+    ///
+    /// # Errors
+    /// As of [`advance`](Self::advance).
+    pub fn impulse_after(&mut self, speed: f64, duration: f64) -> Result<(f64, bool), BedError> {
+        self.widen(self.bed.indentation() + speed * duration)?;
+        Ok(self.bed.tried(speed, duration, |bed| (bed.impulse(), bed.pressed() > 0)))
+    }
+
+    /// Makes the bed wide enough for the depth `d` [m].
+    fn widen(&mut self, d: f64) -> Result<(), BedError> {
+        if d > self.bed.layout().height.last().copied().unwrap_or(0.0) {
+            let a = self.profile.edge(d).ok_or(BedError::BeyondProfile { indentation: d })?;
+            if !matches!(self.profile.rim(), Rim::Wall(_)) {
+                self.bed.extend(self.profile.as_ref(), 1.25 * a);
+            }
+        }
+        Ok(())
+    }
+
+    /// Contact radius [m]: between two springs, but where g is the largest depth so far at the farthest, and
+    /// there if the bed is as deep as that.
+    fn radius(&self) -> f64 {
+        let (radius, depth) = (self.bed.radius(), self.bed.indentation());
+        let Some(reach) = self.profile.edge(self.deepest.max(depth)) else { return radius };
+        let grows = depth >= self.deepest;
+        if radius <= 0.0 || (!grows && radius <= reach) { radius } else { reach }
+    }
+}
+
+impl ContactModel for GrowingBed {
+    fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
+        let Some(piece) = in_time(self.bed.spectrum(), self.bed.indentation(), piece)? else { return Ok(Vec::new()) };
+        self.widen(piece.to)?;
+        self.bed.follow_line(&piece);
+        self.deepest = self.deepest.max(piece.to);
+        Ok(Vec::new())
+    }
+
+    fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
+        let from = self.bed.indentation();
+        let Some(piece) = in_time(self.bed.spectrum(), from, piece)? else {
+            return Ok(Glance { force: self.bed.force(), contact_radius: self.bed.radius() });
+        };
+        self.widen(piece.to)?;
+        let see = |bed: &Lazy| Glance { force: bed.force(), contact_radius: bed.radius() };
+        Ok(self.bed.tried(piece.speed, piece.duration, see))
+    }
+
+    fn state(&self) -> Normal {
+        let (ledger, contact_radius) = (self.bed.ledger(), self.radius());
+        Normal {
+            indentation: Some(self.bed.indentation()),
+            force: self.bed.force(),
+            contact_radius: Some(contact_radius),
+            stiffness: 2.0 * self.bed.spectrum().instantaneous() * contact_radius,
+            stored: Energy { elastic: ledger.stored, surface: 0.0 },
+            dissipated: ledger.dissipated,
+        }
+    }
+
+    fn joined(&self) -> bool {
+        self.bed.pressed() > 0
+    }
+
+    fn loading(&self) -> Option<Box<dyn Loading + '_>> {
+        let layout = self.bed.layout();
+        let spring = |j: usize| Loaded {
+            place: layout.place[j],
+            load: self.bed.line_load(j),
+            weight: layout.weight[j],
+            displacement: self.bed.displacement(j),
+        };
+        let springs = || {
+            let all = SpringLoads::new(self.profile.as_ref(), self.bed.indentation(), self.bed.touched(), spring);
+            Box::new(all.with_edge(self.bed.radius(), 0.0)) as Box<dyn Loading>
+        };
+        self.joined().then(springs)
+    }
+
+    fn copy(&self) -> Box<dyn ContactModel> {
+        Box::new(self.clone())
+    }
+
+    fn memory(&self) -> Option<Arc<Spectrum>> {
+        Some(self.bed.shared_spectrum())
+    }
+
+    fn effort(&self) -> Effort {
+        Effort { springs: self.bed.layout().len(), bytes: self.bed.bytes(), force_error: None }
+    }
+
+    fn creep(&self) -> Option<Creep> {
+        (self.bed.touched() == 0 && self.bed.indentation() <= 0.0)
+            .then(|| Creep::new(self.bed.shared_spectrum(), self.profile.clone()))
+    }
+
+    fn leave(&mut self) {
+        let away = self.bed.indentation().min(0.0) - 1.0;
+        self.bed.reach(away, self.bed.spectrum().instant());
+    }
+}

@@ -1,0 +1,317 @@
+//! A prescribed force, followed in straight pieces of the depth.
+
+use crate::contact::error::ContactError;
+use crate::contact::model::{ContactModel, Straight};
+use crate::contact::state::Normal;
+use crate::contact::viscoelastic::creep::Creep;
+use crate::contact::viscoelastic::memory::BedError;
+use crate::numerics::root;
+
+/// A prescribed force that goes linearly with time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ramp {
+    /// Force at the beginning [N].
+    pub from: f64,
+    /// Rate [N/s].
+    pub rate: f64,
+    /// Error of the force between the ends of the pieces, relative to `scale`.
+    pub accuracy: f64,
+    /// Force against which errors are measured [N].
+    pub scale: f64,
+}
+
+impl Ramp {
+    /// The force [N] at the time `t` [s].
+    #[must_use]
+    pub fn force(&self, t: f64) -> f64 {
+        self.from + self.rate * t
+    }
+}
+
+/// A straight piece of the depth under a prescribed force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Speed [m/s].
+    pub speed: f64,
+    /// Time of its end [s].
+    pub until: f64,
+}
+
+/// A contact under a prescribed force.
+///
+/// Straight pieces of d(t) that meet the force at their ends; a piece is shortened until the force in
+/// its middle is met to the accuracy asked for, so the force actually applied differs from the
+/// prescribed one by no more than that at any time. Where the contact has only grown so far, the
+/// ends lie on the exact creep curve.
+#[derive(Debug, Clone)]
+pub struct ForceDrive {
+    ramp: Ramp,
+    creep: Option<Creep>,
+    end: f64,
+    now: f64,
+    step: f64,
+    parted: bool,
+}
+
+/// Shortest piece, relative to the whole.
+const SHORTEST: f64 = 1e-18;
+/// Least force asked for without adhesion, relative to the scale: the bodies just touch.
+const TOUCH: f64 = 1e-9;
+
+impl ForceDrive {
+    /// A ramp that lasts `end` [s], along the exact creep of a contact that has only grown so far.
+    #[must_use]
+    pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>) -> Self {
+        Self { ramp, creep, end, now: 0.0, step: end, parted: false }
+    }
+
+    /// The exact creep at the time `t` [s] of the ramp, where it is known.
+    #[must_use]
+    pub fn exact(&self, t: f64) -> Option<Creep> {
+        self.creep.as_ref().map(|creep| creep.after(self.ramp.force(t), t))
+    }
+
+    /// Time [s] up to which the pieces have been handed out.
+    #[must_use]
+    pub fn now(&self) -> f64 {
+        self.now
+    }
+
+    /// The force prescribed at the time `t` [s].
+    #[must_use]
+    pub fn prescribed(&self, t: f64) -> f64 {
+        self.ramp.force(t)
+    }
+
+    /// Whether the bodies have parted: no motion meets the force.
+    #[must_use]
+    pub fn parted(&self) -> bool {
+        self.parted
+    }
+
+    /// The next piece, to be made by the caller; `None` at the end, and where the bodies part.
+    ///
+    /// # Errors
+    /// The contact would outgrow the profile.
+    pub fn next(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
+        while self.now < self.end && !self.parted {
+            let last = self.end - self.now <= self.step * (1.0 + 1e-9);
+            let until = if last { self.end } else { (self.now + self.step).max(self.now.next_up()) };
+            let duration = until - self.now;
+            let Some(speed) = self.speed(contact, until)? else {
+                self.parted = duration <= 1e-12 * self.end;
+                self.step = 0.1 * duration;
+                continue;
+            };
+            let error = self.error(contact, speed, duration)?;
+            let shortest = duration <= SHORTEST * self.end || until <= self.now.next_up();
+            if error > 1.0 && !shortest && !self.is_first_touch(contact, speed * duration) {
+                self.step = duration * (0.8 / error.sqrt()).clamp(1e-3, 0.8);
+                continue;
+            }
+            self.now = until;
+            self.step = duration * (0.8 / error.sqrt()).clamp(0.2, 5.0);
+            return Ok(Some(Stretch { speed, until }));
+        }
+        Ok(None)
+    }
+
+    /// Error of the force in the middle of a piece over the error allowed.
+    ///
+    /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
+    fn error(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
+        let (half, scale) = (0.5 * duration, self.ramp.scale.max(f64::MIN_POSITIVE));
+        let middle = self.now + half;
+        let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
+            Some(depth) if depth > 0.0 => {
+                let chord = depth_of(contact) + speed * half;
+                1.5 * self.target(middle) * (1.0 - chord / depth)
+            }
+            _ => contact.look(&ahead(contact, speed, half))?.force - self.target(middle),
+        };
+        Ok(off.abs() / (self.ramp.accuracy * scale))
+    }
+
+    /// A first piece this short leaves no trace in what follows.
+    fn is_first_touch(&self, contact: &dyn ContactModel, rise: f64) -> bool {
+        let full = self.exact(self.end).and_then(|creep| creep.indentation());
+        !contact.joined() && full.is_some_and(|full| rise <= self.ramp.accuracy * full)
+    }
+
+    /// The force to be met at the time `t` [s].
+    fn target(&self, t: f64) -> f64 {
+        let force = self.ramp.force(t);
+        if force.abs() < TOUCH * self.ramp.scale { TOUCH * self.ramp.scale } else { force }
+    }
+
+    /// The speed that leads to the force at the time `until`; `None` if none does.
+    fn speed(&self, contact: &mut dyn ContactModel, until: f64) -> Result<Option<f64>, ContactError> {
+        let duration = until - self.now;
+        match self.exact(until) {
+            Some(creep) => {
+                let depth = creep.indentation().ok_or(BedError::BeyondProfile { indentation: f64::INFINITY })?;
+                Ok(Some((depth - depth_of(contact)) / duration))
+            }
+            None => speed_to(contact, self.target(until), duration),
+        }
+    }
+}
+
+/// Depth [m] of a contact.
+pub(super) fn depth_of(contact: &dyn ContactModel) -> f64 {
+    contact.state().indentation.unwrap_or(0.0)
+}
+
+/// The piece at the speed `speed` [m/s] that lasts `duration` [s] from the present on.
+pub(super) fn ahead(contact: &dyn ContactModel, speed: f64, duration: f64) -> Straight {
+    Straight { to: depth_of(contact) + speed * duration, speed, slide: 0.0, sliding_speed: 0.0, duration }
+}
+
+/// The speed at which a motion of the given duration ends with the force `force` [N]; `None` if the
+/// bodies part before.
+///
+/// # Errors
+/// The contact would outgrow the profile.
+pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
+    let state = contact.state();
+    let depth = state.indentation.unwrap_or(0.0);
+    let mut failed = None;
+    // Force beyond the prescribed one, and whether the bodies still touch.
+    let mut look = |speed: f64| match contact.look(&ahead(contact, speed, duration)) {
+        Ok(seen) => (seen.force - force, seen.contact_radius > 0.0),
+        Err(error) => {
+            failed = Some(error);
+            (f64::MAX, true)
+        }
+    };
+    // A guess from the stiffness, widened until it brackets the root: the force grows with the speed.
+    let still = look(0.0).0;
+    let stiffness = state.stiffness.max(1e-9 * force.abs() / depth.abs().max(1e-30));
+    let near = still.abs() / stiffness / duration;
+    let mut width = near.max(1e-12 * depth.abs() / duration).max(1e-300).copysign(-still);
+    let mut inner = 0.0;
+    loop {
+        let (residual, joined) = look(width);
+        if residual > 0.0 && !joined && still > 0.0 {
+            // Parted: the pull must be found before, if anywhere.
+            match last_pull(&mut look, inner, width) {
+                Some(pull) => width = pull,
+                None => return Ok(None),
+            }
+            break;
+        }
+        if (residual > 0.0) != (still > 0.0) || width.abs() >= 1e290 {
+            break;
+        }
+        inner = width;
+        width *= 2.0;
+    }
+    let speed = root::brent(|speed| look(speed).0, inner.min(width), inner.max(width)).unwrap_or(width);
+    match failed.filter(|_| speed.abs() <= 0.0) {
+        Some(error) => Err(error),
+        None => Ok(Some(speed)),
+    }
+}
+
+/// A speed between one that keeps the bodies together and one that parts them at which the pull is
+/// stronger than prescribed.
+fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: f64, mut parted: f64) -> Option<f64> {
+    for _ in 0..50 {
+        let middle = 0.5 * (held + parted);
+        match look(middle) {
+            (residual, true) if residual <= 0.0 => return Some(middle),
+            (_, true) => held = middle,
+            (_, false) => parted = middle,
+        }
+    }
+    None
+}
+
+/// States at the times `records` [s] of a contact under a ramp of the force; the last one ends it.
+///
+/// # Errors
+/// The contact would outgrow the profile.
+pub fn press(contact: &mut dyn ContactModel, ramp: &Ramp, records: &[f64]) -> Result<Vec<Normal>, ContactError> {
+    let end = records.last().copied().unwrap_or(0.0);
+    let mut drive = ForceDrive::new(*ramp, end, None);
+    let mut states = Vec::with_capacity(records.len());
+    let mut now = 0.0;
+    while let Some(piece) = drive.next(contact)? {
+        while let Some(&t) = records.get(states.len()).filter(|&&t| t < piece.until) {
+            contact.follow(&ahead(contact, piece.speed, t - now))?;
+            now = t;
+            states.push(contact.state());
+        }
+        contact.follow(&ahead(contact, piece.speed, piece.until - now))?;
+        now = piece.until;
+    }
+    states.resize(records.len(), contact.state());
+    Ok(states)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::viscoelastic::Spectrum;
+    use crate::contact::viscoelastic::continuous::ContinuousContact;
+    use crate::contact::viscoelastic::growing::GrowingBed;
+    use crate::contact::viscoelastic::laws::unit_ball;
+    use crate::contact::viscoelastic::layout::Layout;
+    use crate::contact::viscoelastic::memory::Memory;
+    use crate::material::Relaxation;
+    use crate::shape::Profile;
+    use std::sync::Arc;
+
+    fn solid() -> Arc<Spectrum> {
+        let terms = vec![(3.0, 0.3), (2.0, 5.0)];
+        Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms, viscosity: 0.0 }))
+    }
+
+    /// Sudden load: a³ = (3R/4) F J(t). Bound: rounding, and the ramp of 1e-12 s.
+    #[test]
+    fn creep_under_a_sudden_load() {
+        let spectrum = solid();
+        let creep = Creep::new(spectrum.clone(), Arc::new(unit_ball())).after(1e-3, 1e-12);
+        for t in [0.0, 1e-6, 0.1, 1.0, 30.0, 1e9] {
+            let cube = creep.after(1e-3, t).indentation().unwrap().powf(1.5);
+            let exact = 0.75e-3 * spectrum.creep(t);
+            assert!((cube / exact - 1.0).abs() < 1e-11, "{t}: {cube:e} {exact:e}");
+        }
+    }
+
+    /// The bed driven to a force against the exact creep. Bound: the accuracy asked for, and the cells.
+    #[test]
+    fn driven_creep_is_exact_creep() {
+        let (spectrum, ball): (_, Arc<dyn Profile>) = (solid(), Arc::new(unit_ball()));
+        let exact = Creep::new(spectrum.clone(), ball.clone());
+        let layout = Layout::graded(ball.as_ref(), (1e-3, 0.1), 2000);
+        let mut bed = GrowingBed::new(spectrum, ball, layout);
+        let up =
+            press(&mut bed, &Ramp { from: 0.0, rate: 1e-3, accuracy: 1e-5, scale: 1e-3 }, &[0.25, 0.5, 1.0]).unwrap();
+        let held =
+            press(&mut bed, &Ramp { from: 1e-3, rate: 0.0, accuracy: 1e-5, scale: 1e-3 }, &[0.1, 1.0, 10.0]).unwrap();
+        let top = exact.after(1e-3, 1.0);
+        let expected = [0.25, 0.5, 1.0].map(|t| exact.after(1e-3 * t, t));
+        let expected = expected.into_iter().chain([0.1, 1.0, 10.0].map(|t| top.after(1e-3, t)));
+        for (seen, exact) in up.iter().chain(&held).zip(expected) {
+            let d = exact.indentation().unwrap();
+            let depth = seen.indentation.unwrap();
+            assert!((depth / d - 1.0).abs() < 3e-5, "{depth} {d}");
+        }
+    }
+
+    /// Unloading by force, and waiting unloaded: the force is met, the contact shrinks.
+    #[test]
+    fn unloaded_by_force() {
+        let ball: Arc<dyn Profile> = Arc::new(unit_ball());
+        let mut bed = ContinuousContact::new(Memory::new(solid(), ball));
+        bed.follow(&Straight::between(0.0, 0.01, 1.0)).unwrap();
+        let force = bed.state().force;
+        let ramp = Ramp { from: force, rate: -0.5 * force, accuracy: 1e-4, scale: force };
+        let seen = press(&mut bed, &ramp, &[0.5, 1.0, 1.5]).unwrap();
+        for (state, part) in seen.iter().zip([0.75, 0.5, 0.25]) {
+            assert!((state.force / force - part).abs() < 1e-4, "{} {part}", state.force / force);
+        }
+        assert!(seen.windows(2).all(|pair| pair[1].contact_radius < pair[0].contact_radius));
+    }
+}

@@ -1,0 +1,182 @@
+//! What happens on a straight piece of the depth: the force turns, the bodies touch or part.
+
+use super::force::ahead;
+use crate::contact::error::ContactError;
+use crate::contact::model::{ContactModel, Glance};
+use crate::numerics::extremum;
+use std::collections::VecDeque;
+
+/// Something that happens at an instant of a piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant {
+    /// Time since the beginning of the piece [s].
+    pub time: f64,
+    /// The last time before it [s], where the state changes suddenly.
+    pub just_before: Option<f64>,
+}
+
+/// A look at the contact at a time since the beginning of the piece [s].
+#[derive(Debug, Clone, Copy)]
+struct Glimpse {
+    time: f64,
+    seen: Glance,
+}
+
+impl Glimpse {
+    fn joined(&self) -> bool {
+        self.seen.contact_radius > 0.0
+    }
+}
+
+/// Relative change of the force below which a turn is rounding.
+const NOISE: f64 = 1e-12;
+/// What happens before this part of a look is the beginning, where there is a record already.
+const BEGINNING: f64 = 1e-12;
+/// Looks at equal distances in a whole entry.
+const EVEN: i32 = 24;
+/// Looks per decade towards the beginning of a piece, where the fast elements relax.
+const PER_DECADE: i32 = 2;
+
+/// Times at which a piece is looked at, whatever the records; `fastest` is the shortest time of the material [s].
+pub fn looks(duration: f64, fastest: f64) -> Vec<f64> {
+    let first = (0.1 * fastest / duration).clamp(1e-18, 1.0);
+    let decades = (1..).map(|k| 10f64.powf(-f64::from(k) / f64::from(PER_DECADE))).take_while(|&part| part >= first);
+    let mut parts: Vec<f64> = decades.filter(|&part| part < 1.0 / f64::from(EVEN)).collect();
+    parts.reverse();
+    parts.extend((1..EVEN).map(|k| f64::from(k) / f64::from(EVEN)));
+    // A pull may turn just before the bodies part.
+    parts.extend((3..=12).map(|k| 1.0 - 10f64.powf(-0.5 * f64::from(k))));
+    parts.push(1.0);
+    parts.into_iter().map(|part| part * duration).collect()
+}
+
+/// A watch over a piece, walked from look to look: at each of them the next two intervals are known.
+#[derive(Debug, Clone)]
+pub struct Watch {
+    speed: f64,
+    /// Looks to come [s].
+    times: VecDeque<f64>,
+    /// Where the contact is, and the looks ahead of it that have been made.
+    seen: VecDeque<Glimpse>,
+    found: VecDeque<Instant>,
+}
+
+impl Watch {
+    /// A watch over the piece at the speed `speed` [m/s] that begins here, looked at at `times` [s].
+    ///
+    /// # Errors
+    /// The contact would outgrow the profile.
+    pub fn new(contact: &mut dyn ContactModel, speed: f64, times: Vec<f64>) -> Result<Self, ContactError> {
+        let mut watch = Self { speed, times: times.into(), seen: VecDeque::new(), found: VecDeque::new() };
+        let state = contact.state();
+        let here = Glance { force: state.force, contact_radius: state.contact_radius.unwrap_or(0.0) };
+        watch.seen.push_back(Glimpse { time: 0.0, seen: here });
+        watch.look_ahead(contact)?;
+        watch.search(contact)?;
+        Ok(watch)
+    }
+
+    /// The time [s] of the next look at which the contact has to stop.
+    pub fn next_stop(&self) -> Option<f64> {
+        self.seen.get(1).map(|glimpse| glimpse.time)
+    }
+
+    /// The contact has come to the next stop.
+    ///
+    /// # Errors
+    /// The contact would outgrow the profile.
+    pub fn stop(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+        self.seen.pop_front();
+        self.look_ahead(contact)?;
+        self.search(contact)
+    }
+
+    /// The next instant not after `time` [s].
+    pub fn take_until(&mut self, time: f64) -> Option<Instant> {
+        if self.found.front()?.time <= time { self.found.pop_front() } else { None }
+    }
+
+    /// Force [N] at the first look ahead.
+    pub fn first_force_ahead(&self) -> Option<f64> {
+        self.seen.get(1).map(|glimpse| glimpse.seen.force)
+    }
+
+    /// Adds the beginning of the piece to what happens on it.
+    pub fn note_beginning(&mut self) {
+        self.found.push_front(Instant { time: 0.0, just_before: None });
+    }
+
+    /// Looks two intervals ahead.
+    fn look_ahead(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+        while self.seen.len() < 3
+            && let Some(time) = self.times.pop_front()
+        {
+            let glimpse = Glimpse { time, seen: self.see(contact, time)? };
+            self.seen.push_back(glimpse);
+        }
+        Ok(())
+    }
+
+    /// The contact at the time `time` [s] of the piece.
+    fn see(&self, contact: &mut dyn ContactModel, time: f64) -> Result<Glance, ContactError> {
+        let now = self.seen.front().map_or(0.0, |glimpse| glimpse.time);
+        contact.look(&ahead(contact, self.speed, time - now))
+    }
+
+    fn search(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+        let Some(next) = self.seen.get(1).copied() else { return Ok(()) };
+        let here = self.seen[0];
+        if here.joined() != next.joined() {
+            self.found.extend(self.edge_of_contact(contact, here, next)?);
+        }
+        if let Some(last) = self.seen.get(2).copied()
+            && [here, next, last].iter().all(Glimpse::joined)
+        {
+            self.found.extend(self.turn(contact, [here, next, last])?);
+        }
+        self.found.make_contiguous().sort_by(|one, other| one.time.total_cmp(&other.time));
+        Ok(())
+    }
+
+    /// The instant between two looks at which the bodies touch or part.
+    fn edge_of_contact(
+        &self,
+        contact: &mut dyn ContactModel,
+        before: Glimpse,
+        after: Glimpse,
+    ) -> Result<Option<Instant>, ContactError> {
+        let joined = before.joined();
+        let (mut low, mut high) = (before.time, after.time);
+        if low <= 0.0 && (self.see(contact, BEGINNING * high)?.contact_radius > 0.0) != joined {
+            return Ok(None);
+        }
+        let way = ahead(contact, self.speed, high - before.time);
+        let torn = if joined { contact.parting(&way)? } else { None };
+        for time in torn.iter().flat_map(|time| [1.0 - 1e-9, 1.0 + 1e-9].map(|part| before.time + time * part)) {
+            if low < time && time < high {
+                let still = self.see(contact, time)?.contact_radius > 0.0;
+                *(if still == joined { &mut low } else { &mut high }) = time;
+            }
+        }
+        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+            let middle = 0.5 * (low + high);
+            let still = self.see(contact, middle)?.contact_radius > 0.0;
+            *(if still == joined { &mut low } else { &mut high }) = middle;
+        }
+        Ok(Some(Instant { time: high, just_before: torn.map(|_| low) }))
+    }
+
+    /// The turn of the force among three looks.
+    fn turn(&self, contact: &mut dyn ContactModel, three: [Glimpse; 3]) -> Result<Option<Instant>, ContactError> {
+        let [first, middle, last] = three.map(|glimpse| glimpse.seen.force);
+        let noise = NOISE * middle.abs().max(first.abs()).max(last.abs());
+        let sign = if middle > first { 1.0 } else { -1.0 };
+        let over = [first, last].map(|other| sign * (middle - other));
+        if over[0].min(over[1]) < 0.0 || over[0].max(over[1]) <= noise {
+            return Ok(None);
+        }
+        let force = |time: f64| Ok::<_, ContactError>(sign * self.see(contact, time)?.force);
+        let peak = extremum::search(force, three[0].time, three[1].time, three[2].time)?;
+        Ok(Some(Instant { time: peak.place, just_before: None }))
+    }
+}

@@ -1,0 +1,157 @@
+//! The contact of a plan, composed of its parts in one place.
+
+use super::follow::follow;
+use super::{SimulationError, Wanted, fretting, viscoelastic};
+use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::adhesion::range::RangeDisc;
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
+use crate::contact::model::ContactModel;
+use crate::contact::springs::{SpringBed, reach_for};
+use crate::contact::viscoelastic::Spectrum;
+use crate::friction::FrictionError;
+use crate::friction::contact::{
+    CoulombMemory, CoulombSprings, FrictionalContact, Peeling, SlidingContact, TangentialContact, ViscoelasticFriction,
+};
+use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
+use crate::run::record::ErrorEstimate;
+use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw};
+use crate::scene::plan::RoundPlan;
+use crate::scene::stage::{Path, Stage};
+use crate::shape::Rim;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+/// The contact of a plan, bodies just touching.
+///
+/// # Errors
+/// The attraction has no contact; a bed would be wider than the profile.
+pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>, SimulationError> {
+    let mut bed_radius = 0.0;
+    let normal: Box<dyn ContactModel> = match &plan.contact {
+        ContactLaw::Direct(adhesion) => Box::new(direct(plan.ground(), *adhesion)?),
+        ContactLaw::Springs { count, work } => {
+            bed_radius = radius_of_bed(plan, *work)?;
+            Box::new(SpringBed::new(plan.ground(), (count.get(), bed_radius), work.unwrap_or(0.0)))
+        }
+        ContactLaw::Continuous { relaxation, edge } => viscoelastic::continuous(plan, relaxation, edge.as_ref()),
+        ContactLaw::ViscoelasticSprings { relaxation, count } => viscoelastic::springs(plan, relaxation, count.get()),
+    };
+    let Some(law) = &plan.friction else { return Ok(normal) };
+    let friction = friction(plan, law, bed_radius, wanted);
+    let friction = friction.map_err(|source| SimulationError::Refused(source.to_string()))?;
+    Ok(Box::new(FrictionalContact::new(normal, friction)))
+}
+
+/// The direct path on a ground, bodies just touching.
+///
+/// # Errors
+/// The attraction has no contact.
+pub fn direct(ground: HalfSpace, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
+    match adhesion {
+        ElasticAdhesion::None => Ok(QuasiStatic::new(EdgeLine::new(ground, 0.0))),
+        ElasticAdhesion::Vanishing { work } => Ok(QuasiStatic::new(EdgeLine::new(ground, work))),
+        ElasticAdhesion::Finite { work, stress } => {
+            let disc = RangeDisc::new(ground, work, stress);
+            let mut contact = QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?);
+            // The bodies have come from far away: at d = 0 they attract each other already.
+            contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
+            Ok(contact.without_losses())
+        }
+    }
+}
+
+/// Half width [m] of a bed of springs that is just wide enough for the history, as the direct path finds it.
+fn radius_of_bed(plan: &RoundPlan, work: Option<f64>) -> Result<f64, SimulationError> {
+    let adhesion = work.map_or(ElasticAdhesion::None, |work| ElasticAdhesion::Vanishing { work });
+    let run = follow(plan, Box::new(direct(plan.ground(), adhesion)?), Wanted::NOTHING)?;
+    let largest = run.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    Ok(reach_for(plan.profile.as_ref(), largest))
+}
+
+/// The tangential part of a plan; `bed_radius` is the half width [m] of the bed of springs under the normal contact.
+fn friction(
+    plan: &RoundPlan,
+    law: &FrictionLaw,
+    bed_radius: f64,
+    wanted: Wanted,
+) -> Result<Box<dyn TangentialContact>, FrictionError> {
+    Ok(match law {
+        FrictionLaw::Memory { coefficient } => {
+            let memory = CoulombMemory::new(plan.profile.clone(), plan.grip(*coefficient), friction_accuracy(plan));
+            let kept = wanted.fretting && fretting::is_fretting(plan);
+            Box::new(if kept { memory.keeping_its_path() } else { memory })
+        }
+        FrictionLaw::Springs { coefficient, count } => {
+            let bed = CoulombSprings::new(plan.profile.as_ref(), plan.grip(*coefficient), *count, bed_radius)?;
+            Box::new(bed.accurate_to(friction_accuracy(plan)))
+        }
+        FrictionLaw::Viscoelastic { coefficient, count, relaxation } => {
+            let (spectrum, size) = (Arc::new(Spectrum::new(relaxation)), (*count, friction_radius(plan)));
+            Box::new(ViscoelasticFriction::new(plan.profile.as_ref(), spectrum, plan.grip(*coefficient), size)?)
+        }
+        FrictionLaw::Sliding(interface) => Box::new(SlidingContact::new(plan.ground(), interface.clone())),
+        FrictionLaw::Peeling { interface, work } => Box::new(Peeling::new(peeled(plan, *work), interface.clone())),
+    })
+}
+
+/// Radius [m] at the largest depth of the history: no spring further out is ever touched.
+fn friction_radius(plan: &RoundPlan) -> f64 {
+    let depth = |path: Path| if let Path::To(to) = path { to } else { 0.0 };
+    let ramps = plan.stages.iter().filter(|stage| stage.control == Some(Control::Indentation));
+    let deepest = ramps.map(|stage| depth(stage.normal)).fold(0.0, f64::max);
+    let profile = plan.profile.as_ref();
+    let edge = if deepest > 0.0 { profile.edge(deepest) } else { None };
+    match profile.rim() {
+        Rim::Wall(end) => edge.map_or(end, |edge| edge.min(end)),
+        Rim::None | Rim::End(_) => edge.unwrap_or_else(|| profile.scale()),
+    }
+}
+
+/// The adhesive contact of a plan under a uniform shear stress, for the work of adhesion `work` [J/m²].
+fn peeled(plan: &RoundPlan, work: f64) -> ShearedAdhesion {
+    let ratio = UNIFORM * plan.pair.tangential / plan.pair.normal;
+    ShearedAdhesion { line: EdgeLine::new(plan.ground(), work), ratio }
+}
+
+/// The adhesive contact of a plan that is peeled by shear; `None` where nothing peels.
+#[must_use]
+pub fn sheared(plan: &RoundPlan) -> Option<ShearedAdhesion> {
+    match &plan.friction {
+        Some(FrictionLaw::Peeling { work, .. }) => Some(peeled(plan, *work)),
+        Some(
+            FrictionLaw::Memory { .. }
+            | FrictionLaw::Springs { .. }
+            | FrictionLaw::Viscoelastic { .. }
+            | FrictionLaw::Sliding(_),
+        )
+        | None => None,
+    }
+}
+
+/// How closely a curved path is followed by friction, as a part of the depth.
+fn friction_accuracy(plan: &RoundPlan) -> f64 {
+    plan.accuracy().clamp(1e-12, 1e-2)
+}
+
+/// The error of the tangential contact, where it is not rounding.
+#[must_use]
+pub fn friction_error(plan: &RoundPlan, law: &FrictionLaw) -> Option<ErrorEstimate> {
+    let springs = |count: NonZeroUsize| ErrorEstimate {
+        relative: 17.0 / 16.0 / count.get() as f64,
+        basis: format!("bed of {count} springs: the tangential force within half a cell of its variation"),
+    };
+    match law {
+        FrictionLaw::Springs { count, .. } | FrictionLaw::Viscoelastic { count, .. } => Some(springs(*count)),
+        FrictionLaw::Memory { .. } => {
+            let curved = |stage: &Stage| stage.control == Some(Control::Force) && stage.tangential != Path::Stay;
+            plan.stages.iter().any(curved).then(|| ErrorEstimate {
+                relative: friction_accuracy(plan),
+                basis: "memory of friction: the depth under a force is a curve, followed by chords to this part"
+                    .to_owned(),
+            })
+        }
+        FrictionLaw::Sliding(_) | FrictionLaw::Peeling { .. } => None,
+    }
+}
