@@ -1,4 +1,4 @@
-//! A scene from its setup to the bytes of its files.
+//! A scene from its plan to the bytes of its files.
 
 use super::export;
 use crate::run::record::Outcome;
@@ -44,32 +44,32 @@ pub enum RunError {
 ///
 /// # Errors
 /// The computation failed.
-pub fn compute(setup: &Plan, formats: &[Format]) -> Result<Outcome, RunError> {
-    compute_watched(setup, formats, &|_| ())
+pub fn compute(plan: &Plan, formats: &[Format]) -> Result<Outcome, RunError> {
+    compute_watched(plan, formats, &|_| ())
 }
 
 /// Computes a scene; `done` is told the share of the work that is behind, from any thread, where it is long.
 ///
 /// # Errors
 /// The computation failed.
-pub fn compute_watched(setup: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, RunError> {
-    let plotted = |plot| setup.scene.plots.as_ref().is_some_and(|plots| plots.contains(&plot));
+pub fn compute_watched(plan: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, RunError> {
+    let plotted = |plot| plan.scene.plots.as_ref().is_some_and(|plots| plots.contains(&plot));
     let figure = formats.contains(&Format::Svg);
     let wanted = Wanted {
         fields: formats.contains(&Format::Csv)
             || formats.contains(&Format::Json)
-            || figure && (setup.scene.plots.is_none() || plotted(Plot::Pressure) || plotted(Plot::Shear)),
+            || figure && (plan.scene.plots.is_none() || plotted(Plot::Pressure) || plotted(Plot::Shear)),
         stresses: (figure || formats.contains(&Format::Csv)) && plotted(Plot::Stress),
         fretting: formats.contains(&Format::Csv) || figure,
     };
-    Ok(run::run_watched(setup, wanted, done)?)
+    Ok(run::run_watched(plan, wanted, done)?)
 }
 
 /// The files of an outcome; `file` is the name of the scene's file.
 ///
 /// # Errors
 /// A file could not be put together.
-pub fn products(setup: &Plan, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
+pub fn products(plan: &Plan, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
     let mut products = Vec::new();
     if formats.contains(&Format::Csv) {
         products.push(Product { ending: ".csv".to_owned(), content: export::csv(&outcome.record_table())? });
@@ -78,11 +78,11 @@ pub fn products(setup: &Plan, file: &str, outcome: &Outcome, formats: &[Format])
         }
     }
     if formats.contains(&Format::Json) {
-        products.push(Product { ending: ".json".to_owned(), content: export::json(&setup.scene, file, outcome)? });
+        products.push(Product { ending: ".json".to_owned(), content: export::json(&plan.scene, file, outcome)? });
     }
     #[cfg(feature = "plot")]
     if formats.contains(&Format::Svg) {
-        products.push(Product { ending: ".svg".to_owned(), content: export::figures(setup, outcome).svg() });
+        products.push(Product { ending: ".svg".to_owned(), content: export::figures(plan, outcome).svg() });
     }
     Ok(products)
 }

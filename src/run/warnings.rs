@@ -3,10 +3,11 @@
 use super::record::{ErrorEstimate, Record};
 use crate::contact::adhesion::Adhesion;
 use crate::contact::elliptic;
+use crate::contact::foundation::HalfSpace;
 use crate::contact::state::Normal;
 use crate::contact::stress::Loading;
 use crate::material::Body;
-use crate::scene::plan::Plan;
+use crate::scene::plan::{Plan, Section, Shared};
 use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -20,38 +21,49 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 
 /// The physics a user must know about the records of a scene.
 #[must_use]
-pub fn of(setup: &Plan, records: &[Record]) -> Vec<String> {
-    if let Some(surface) = setup.surface() {
-        return steep_waves(surface.roughness().rms_slope).into_iter().collect();
+pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
+    match plan {
+        Plan::Round(plan) => round(&plan.shared, plan.ground(), records),
+        Plan::Impact(plan) => round(&plan.shared, plan.ground(), records),
+        Plan::Plane(plan) => steep_waves(rms_slope(&plan.section)).into_iter().collect(),
+        Plan::Rough(plan) => steep_waves(plan.surface.roughness().rms_slope).into_iter().collect(),
     }
-    match &setup.scene.shape {
-        Shape::PlaneWave(wave) => {
-            let slope = SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si();
-            return steep_waves(slope).into_iter().collect();
-        }
-        Shape::PlaneWavy(wavy) => return steep_waves(wavy.rms_slope()).into_iter().collect(),
-        _ => {}
-    }
+}
+
+fn round(shared: &Shared, ground: HalfSpace, records: &[Record]) -> Vec<String> {
     let states = records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
-    let Some((a, largest)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
-    let Some(ground) = setup.ground() else { return Vec::new() };
+    let Some((a, state)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
     let profile = ground.profile();
-    let found =
-        [steep(profile, a), not_a_ball(setup, a), two_radii(setup), connected(setup, a), tabor(setup), coupled(setup)];
-    found.into_iter().flatten().chain(first_yield(setup, a, &largest)).collect()
+    let found = [
+        steep(profile, a),
+        not_a_ball(shared, a),
+        two_radii(shared),
+        connected(profile, a),
+        tabor(shared),
+        coupled(shared),
+    ];
+    let found: Vec<String> = found.into_iter().flatten().collect();
+    found.into_iter().chain(first_yield(shared, &Largest { ground, contact_radius: a, state })).collect()
+}
+
+fn rms_slope(section: &Section) -> f64 {
+    match section {
+        Section::Wave { wave, .. } => SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si(),
+        Section::Wavy(wavy) => wavy.rms_slope(),
+    }
 }
 
 /// The error of an ellipsoid's effective radius.
 #[must_use]
-pub fn error_of_shape(setup: &Plan) -> Option<ErrorEstimate> {
-    let relative = mean_radius_error(setup)?.abs();
+pub fn error_of_shape(shared: &Shared) -> Option<ErrorEstimate> {
+    let relative = mean_radius_error(shared)?.abs();
     let basis = "effective radius of the ellipsoid, against the elliptic Hertz contact".to_owned();
     Some(ErrorEstimate { relative, basis })
 }
 
 /// Relative error of the force of an ellipsoid that stands as a paraboloid; `None` of other shapes and below rounding.
-fn mean_radius_error(setup: &Plan) -> Option<f64> {
-    let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
+fn mean_radius_error(shared: &Shared) -> Option<f64> {
+    let Shape::Ellipsoid(ellipsoid) = &shared.scene.shape else { return None };
     let error = elliptic::mean_radius_error([ellipsoid.radius_x.si(), ellipsoid.radius_y.si()]);
     error.ok().filter(|error| error.abs() > 1e-6)
 }
@@ -86,8 +98,8 @@ fn steep(profile: &dyn Profile, a: f64) -> Option<String> {
 }
 
 /// A paraboloid stands for a ball only while a ≪ R: the difference of the forces at equal a.
-fn not_a_ball(setup: &Plan, a: f64) -> Option<String> {
-    let Shape::Paraboloid(paraboloid) = &setup.scene.shape else { return None };
+fn not_a_ball(shared: &Shared, a: f64) -> Option<String> {
+    let Shape::Paraboloid(paraboloid) = &shared.scene.shape else { return None };
     let part = a / paraboloid.radius.si();
     if part >= 1.0 {
         return Some(format!(
@@ -104,28 +116,28 @@ fn not_a_ball(setup: &Plan, a: f64) -> Option<String> {
 }
 
 /// The contact of an ellipsoid is an ellipse: what its effective radius costs.
-fn two_radii(setup: &Plan) -> Option<String> {
-    let Shape::Ellipsoid(ellipsoid) = &setup.scene.shape else { return None };
+fn two_radii(shared: &Shared) -> Option<String> {
+    let Shape::Ellipsoid(ellipsoid) = &shared.scene.shape else { return None };
     Some(format!(
         "the ellipsoid stands as a paraboloid of the effective radius {:.4e} m: its force at a given indentation is {:.2} % too small (elliptic Hertz contact)",
         ellipsoid.effective_radius(),
-        -100.0 * mean_radius_error(setup)?
+        -100.0 * mean_radius_error(shared)?
     ))
 }
 
 /// With adhesion the contact is taken to be connected even where the waves would part.
-fn connected(setup: &Plan, a: f64) -> Option<String> {
-    let limit = setup.profile()?.first_fall().filter(|&limit| a > limit)?;
+fn connected(profile: &dyn Profile, a: f64) -> Option<String> {
+    let limit = profile.first_fall().filter(|&limit| a > limit)?;
     Some(format!(
         "beyond the radius {limit:.3e} m the one-dimensional profile falls: the contact is assumed to stay connected, which only adhesion can bring about (Guduru 2007)"
     ))
 }
 
 /// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} with an atomic range z₀; JKR needs more than 5.
-fn tabor(setup: &Plan) -> Option<String> {
-    let Some(Adhesion::Jkr(jkr)) = &setup.scene.adhesion else { return None };
-    let radius = setup.scene.shape.tip_radius()?;
-    let parameter = (radius * (jkr.work.si() / setup.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
+fn tabor(shared: &Shared) -> Option<String> {
+    let Some(Adhesion::Jkr(jkr)) = &shared.scene.adhesion else { return None };
+    let radius = shared.scene.shape.tip_radius()?;
+    let parameter = (radius * (jkr.work.si() / shared.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
     (parameter < 5.0).then(|| {
         format!(
             "Tabor parameter {parameter:.2} (range of attraction 0.3 nm): JKR holds above 5; use Maugis(work: …, stress: …)"
@@ -133,47 +145,52 @@ fn tabor(setup: &Plan) -> Option<String> {
     })
 }
 
-fn coupled(setup: &Plan) -> Option<String> {
-    let beta = setup.pair.coupling;
-    (setup.scene.friction.is_some() && beta.abs() > 1e-9).then(|| {
+fn coupled(shared: &Shared) -> Option<String> {
+    let beta = shared.pair.coupling;
+    (shared.scene.friction.is_some() && beta.abs() > 1e-9).then(|| {
         format!(
             "the pair breaks elastic similarity (Dundurs' β = {beta:.3}): normal and tangential contact are treated as independent, expect errors of this order in friction"
         )
     })
 }
 
-/// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress. Two equal bodies
-/// yield together.
-fn first_yield(setup: &Plan, a: f64, largest: &Normal) -> Vec<String> {
-    let (one, other) = &setup.scene.bodies;
-    let both = [("body 1: ", one), ("body 2: ", other)];
-    let of = |(name, body): (&str, &Body)| yielding(setup, a, largest, body).map(|what| format!("{name}{what}"));
-    if one == other {
-        return yielding(setup, a, largest, one).into_iter().collect();
-    }
-    both.into_iter().filter_map(of).collect()
+/// A contact at its largest.
+struct Largest {
+    ground: HalfSpace,
+    contact_radius: f64,
+    state: Normal,
 }
 
-fn yielding(setup: &Plan, a: f64, largest: &Normal, body: &Body) -> Option<String> {
+/// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress. Two equal bodies
+/// yield together.
+fn first_yield(shared: &Shared, largest: &Largest) -> Vec<String> {
+    let (one, other) = &shared.scene.bodies;
+    if one == other {
+        return yielding(largest, one).into_iter().collect();
+    }
+    let both = [("body 1: ", one), ("body 2: ", other)];
+    both.into_iter().filter_map(|(name, body)| Some(format!("{name}{}", yielding(largest, body)?))).collect()
+}
+
+fn yielding(largest: &Largest, body: &Body) -> Option<String> {
     let Body::Elastic(elastic) = body else { return None };
     let limit = elastic.yield_stress?.si();
-    let modulus = setup.pair.normal;
-    let ground = setup.ground()?;
+    let (ground, a, force) = (&largest.ground, largest.contact_radius, largest.state.force);
     if a > 0.0 && ground.profile().pressure_integral(0.0, a).is_infinite() {
         return Some(format!(
             "the tip is a point: the elastic stress below it has no bound, so the body yields there at any load, above {limit:.3e} Pa; mean pressure {:.3e} Pa",
-            largest.force / (PI * a * a)
+            force / (PI * a * a)
         ));
     }
-    let edge = largest.indentation? - ground.profile().reduced(a);
-    let loading = Loading { ground, poisson: elastic.poisson.si(), contact_radius: a, edge_load: modulus * edge };
+    let edge_load = ground.modulus() * (largest.state.indentation? - ground.profile().reduced(a));
+    let loading = Loading { ground: ground.clone(), poisson: elastic.poisson.si(), contact_radius: a, edge_load };
     let worst = loading.profile_down(96).into_iter().max_by(|x, y| x.shear.total_cmp(&y.shear))?;
     (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
         format!(
             "the stress passes first yield: |σ_zz − σ_xx| = {:.3e} Pa at the depth {:.2} a, yield stress {limit:.3e} Pa, mean pressure {:.3e} Pa",
             2.0 * worst.shear,
             worst.depth / a,
-            largest.force / (PI * a * a)
+            force / (PI * a * a)
         )
     })
 }

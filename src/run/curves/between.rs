@@ -15,8 +15,8 @@ const MOST: f64 = 50.0;
 /// Near first touch and near pull-off a contact moves far in a short piece of depth, a ∝ √d. Only for
 /// elastic contacts without range of attraction, where a state follows from its radius in closed form.
 #[must_use]
-pub fn filled(setup: &Plan, records: &[Record]) -> Vec<Record> {
-    let Some(line) = line(setup) else { return records.to_vec() };
+pub fn filled(plan: &Plan, records: &[Record]) -> Vec<Record> {
+    let Some(line) = line(plan) else { return records.to_vec() };
     let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
     let largest = records.iter().map(radius).fold(0.0, f64::max);
     let mut filled: Vec<Record> = records.iter().take(1).copied().collect();
@@ -31,8 +31,8 @@ pub fn filled(setup: &Plan, records: &[Record]) -> Vec<Record> {
 }
 
 /// The equilibrium curve of the scene, if its states are those of the direct path.
-fn line(setup: &Plan) -> Option<EdgeLine> {
-    Some(EdgeLine::new(setup.ground()?, setup.direct()?.work_at_edge()?))
+fn line(plan: &Plan) -> Option<EdgeLine> {
+    Some(EdgeLine::new(plan.ground()?, plan.direct()?.work_at_edge()?))
 }
 
 fn at(line: &EdgeLine, radius: f64, like: &Record) -> Record {

@@ -48,8 +48,8 @@ fn way(states: &[Tangential]) -> Option<(Way, &[Tangential])> {
 
 /// μF of Coulomb friction [N], if the load stays while the body slides and the force comes near it.
 #[must_use]
-pub fn limit(setup: &Plan, records: &[Record]) -> Option<f64> {
-    let coefficient = setup.round()?.friction.as_ref()?.coulomb()?;
+pub fn limit(plan: &Plan, records: &[Record]) -> Option<f64> {
+    let coefficient = plan.round()?.friction.as_ref()?.coulomb()?;
     let slides = |pair: &&[Record]| match (pair[0].tangential, pair[1].tangential) {
         (Some(before), Some(after)) => (after.slide - before.slide).abs() > 0.0,
         _ => false,
@@ -72,10 +72,10 @@ pub fn slid(record: &Record) -> Option<(f64, f64)> {
 /// Coefficient of friction of the last slide's law, from six decades below the greatest load to two above it, as
 /// far as the profile goes; empty without a law.
 #[must_use]
-pub fn coefficient(setup: &Plan, records: &[Record]) -> Vec<SlidingPoint> {
-    let (Some(ground), Some(law)) = (setup.ground(), law_of_last_slide(setup)) else { return Vec::new() };
+pub fn coefficient(plan: &Plan, records: &[Record]) -> Vec<SlidingPoint> {
+    let (Some(ground), Some(law)) = (plan.ground(), law_of_last_slide(plan)) else { return Vec::new() };
     let line = EdgeLine::new(ground, 0.0);
-    let contact = ShearedAdhesion { line, ratio: setup.pair.tangential / setup.pair.normal };
+    let contact = ShearedAdhesion { line, ratio: plan.pair.tangential / plan.pair.normal };
     let load = records.iter().filter_map(slid).map(|point| point.0).fold(0.0, f64::max);
     let loads = (0..=96).map(|k| load * 10f64.powf(f64::from(k) / 12.0 - 6.0));
     loads.map_while(|load| friction_curve(&contact, law.as_ref(), &[load]).ok()).flatten().collect()
@@ -90,28 +90,28 @@ pub fn amontons(curve: &[SlidingPoint]) -> Option<(Option<f64>, Option<f64>)> {
     Some((Some(low).filter(|low| *low > first), Some(high).filter(|high| *high < last)))
 }
 
-fn law_of_last_slide(setup: &Plan) -> Option<Box<dyn SlidingLaw>> {
-    let interface = setup.round()?.friction.as_ref()?.interface()?;
-    let speed = speeds(setup).into_iter().rfind(|speed| *speed > 0.0).unwrap_or(0.0);
+fn law_of_last_slide(plan: &Plan) -> Option<Box<dyn SlidingLaw>> {
+    let interface = plan.round()?.friction.as_ref()?.interface()?;
+    let speed = speeds(plan).into_iter().rfind(|speed| *speed > 0.0).unwrap_or(0.0);
     interface.law(speed).ok()
 }
 
 /// Sliding speed [m/s] of every entry, zero of those that do not slide.
-fn speeds(setup: &Plan) -> Vec<f64> {
+fn speeds(plan: &Plan) -> Vec<f64> {
     let mut at = 0.0;
     let mut speed = |entry: &Entry| {
         let Entry::Slide(slide) = entry else { return 0.0 };
         let way = slide.to.si() - std::mem::replace(&mut at, slide.to.si());
         way.abs() / slide.over.si()
     };
-    setup.scene.history.iter().map(&mut speed).collect()
+    plan.scene.history.iter().map(&mut speed).collect()
 }
 
 /// A/A_JKR of the records of a sheared adhesive contact that slide, over the sliding speed [m/s], and the force
 /// [N] of the last of them; `None` if none does.
 #[must_use]
-pub fn area(setup: &Plan, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)> {
-    let speeds = speeds(setup);
+pub fn area(plan: &Plan, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)> {
+    let speeds = speeds(plan);
     let point = |record: &Record| Some((*speeds.get(record.entry)?, record.tangential?.area_ratio?));
     let force = records.iter().rev().find(|record| point(record).is_some())?.normal.force;
     Some((records.iter().filter_map(point).filter(|point| point.0 > 0.0).collect(), force))
@@ -119,8 +119,8 @@ pub fn area(setup: &Plan, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)> 
 
 /// A/A_JKR over the speeds [m/s] of the table of shear strength, under the force `force` [N] (Savkoor & Briggs).
 #[must_use]
-pub fn area_in_theory(setup: &Plan, force: f64) -> Vec<(f64, f64)> {
-    let Some(plan) = setup.round() else { return Vec::new() };
+pub fn area_in_theory(plan: &Plan, force: f64) -> Vec<(f64, f64)> {
+    let Some(plan) = plan.round() else { return Vec::new() };
     let interface = plan.friction.as_ref().and_then(FrictionLaw::interface);
     let (Some(contact), Some(interface)) = (sheared(plan), interface) else { return Vec::new() };
     let Some((least, most)) = interface.strength.as_ref().map(|curve| curve.range()) else { return Vec::new() };

@@ -65,12 +65,12 @@ fn time_axis(records: &[Record]) -> Axis {
 }
 
 /// A quantity against the indentation, approaches first: a label has the same look in all panels.
-pub fn against_depth(setup: &Plan, records: &[Record], column: &Column<Record>, axis: Axis) -> Panel {
+pub fn against_depth(plan: &Plan, records: &[Record], column: &Column<Record>, axis: Axis) -> Panel {
     let mut found = branches(records);
     found.sort_by_key(|branch| branch.direction);
     let drawn = |branch: &Branch<'_>| {
         let (label, colour, line) = look(branch.direction);
-        let points = of_records(&filled(setup, branch.records), &INDENTATION, column);
+        let points = of_records(&filled(plan, branch.records), &INDENTATION, column);
         Series::new(label, points).colour(colour).line(line).arrow()
     };
     let panel = found.iter().map(drawn).fold(Panel::new(axis_of(&INDENTATION), axis), Panel::with);

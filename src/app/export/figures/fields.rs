@@ -7,8 +7,8 @@ use crate::run::record::{Field, FieldRow, Outcome};
 use crate::scene::plan::Plan;
 
 /// Pressure profiles over the radius or, in a plane contact, the place; at most four: the largest contact and the last ones.
-pub fn pressure(setup: &Plan, outcome: &Outcome) -> Panel {
-    let across = if setup.scene.shape.is_plane() { "place x" } else { "radius r" };
+pub fn pressure(plan: &Plan, outcome: &Outcome) -> Panel {
+    let across = if plan.scene.shape.is_plane() { "place x" } else { "radius r" };
     let shown = shown(&outcome.fields);
     let pressures = Pressures::of(&shown);
     let panel = Panel::new(Axis::linear(across, "m").from(0.0), pressures.axis());

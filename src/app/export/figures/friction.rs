@@ -14,8 +14,8 @@ use crate::scene::Plot;
 use crate::scene::plan::Plan;
 
 /// What suits a scene with friction that asks for nothing.
-pub fn suiting(setup: &Plan, outcome: &Outcome) -> Vec<Plot> {
-    match (&setup.scene.friction, &setup.scene.adhesion) {
+pub fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
+    match (&plan.scene.friction, &plan.scene.adhesion) {
         (Some(Friction::Coulomb(_)), _) => {
             let fretting = outcome.table("fretting").map(|_| Plot::Fretting);
             [Plot::Friction, Plot::Stick, Plot::Shear].into_iter().chain(fretting).collect()
@@ -26,7 +26,7 @@ pub fn suiting(setup: &Plan, outcome: &Outcome) -> Vec<Plot> {
 }
 
 /// Tangential force against displacement, forwards and backwards.
-pub fn loops(setup: &Plan, records: &[Record]) -> Panel {
+pub fn loops(plan: &Plan, records: &[Record]) -> Panel {
     let states: Vec<Tangential> = records.iter().filter_map(|record| record.tangential).collect();
     let panel = sliding::ways(&states).into_iter().map(|(way, states)| {
         let label = match way {
@@ -36,7 +36,7 @@ pub fn loops(setup: &Plan, records: &[Record]) -> Panel {
         Series::new(label, states.iter().map(|state| (state.slide, state.force)).collect()).arrow()
     });
     let panel = panel.fold(Panel::new(axis_of(&SLIDE), axis_of(&TANGENTIAL_FORCE)), Panel::with);
-    let Some(limit) = sliding::limit(setup, records) else { return panel };
+    let Some(limit) = sliding::limit(plan, records) else { return panel };
     panel.guide(Guide::horizontal(limit, "μF")).guide(Guide::horizontal(-limit, "−μF"))
 }
 
@@ -52,7 +52,7 @@ pub fn stick(records: &[Record]) -> Panel {
 }
 
 /// Shear stress over the radius at the ends of the last entries, with the limit the pressure sets.
-pub fn stress(setup: &Plan, outcome: &Outcome) -> Option<Panel> {
+pub fn stress(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     let rubs = |field: &&&Field| field.rows.iter().any(|row| row.shear.is_some_and(|tau| tau.abs() > 0.0));
     let all = shown(&outcome.fields);
     let fields: Vec<&&Field> = all.iter().filter(rubs).take(3).collect();
@@ -64,7 +64,7 @@ pub fn stress(setup: &Plan, outcome: &Outcome) -> Option<Panel> {
     let series = fields.iter().map(|field| Series::new(field.label.clone(), curve(field, 1.2, &|row| row.shear)));
     let panel = series.fold(panel, Panel::with);
     let field = fields.first()?;
-    let Some(Friction::Coulomb(law)) = &setup.scene.friction else { return Some(panel) };
+    let Some(Friction::Coulomb(law)) = &plan.scene.friction else { return Some(panel) };
     let largest = field.rows.iter().filter_map(|row| row.shear).max_by(|x, y| x.abs().total_cmp(&y.abs()))?;
     let coefficient = law.coefficient.si() * largest.signum();
     let limit = curve(field, 1.0, &|row| Some(coefficient * row.pressure?));
@@ -80,9 +80,9 @@ pub fn fretting(outcome: &Outcome) -> Option<Panel> {
 }
 
 /// Coefficient of friction over the load, and where Amontons' law holds.
-pub fn coefficient(setup: &Plan, records: &[Record]) -> Option<Panel> {
-    setup.scene.friction.as_ref()?;
-    let curve = sliding::coefficient(setup, records);
+pub fn coefficient(plan: &Plan, records: &[Record]) -> Option<Panel> {
+    plan.scene.friction.as_ref()?;
+    let curve = sliding::coefficient(plan, records);
     let slid = records.iter().filter_map(sliding::slid).collect();
     let panel = Panel::new(Axis::log("normal force F", "N"), Axis::log("friction coefficient Fₓ/F", "1"))
         .with(Series::new("law", curve.iter().map(|point| (point.force, point.coefficient)).collect()))
@@ -101,14 +101,14 @@ fn amontons(panel: Panel, curve: &[SlidingPoint]) -> Panel {
 }
 
 /// A/A_JKR of a sheared adhesive contact: over the sliding speed if there are several, else over time.
-pub fn area(setup: &Plan, outcome: &Outcome) -> Option<Panel> {
+pub fn area(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     let hertz = outcome.number("hertz_area_ratio")?;
-    let (points, force) = sliding::area(setup, &outcome.records)?;
+    let (points, force) = sliding::area(plan, &outcome.records)?;
     let ratio = Axis::linear("area of contact over area at rest A/A₀", "1").from((hertz - 0.02).max(0.0)).to(1.02);
     let panel = Panel::new(Axis::log("sliding speed v", "m/s"), ratio)
         .guide(Guide::horizontal(1.0, "JKR"))
         .guide(Guide::horizontal(hertz, "Hertz"));
-    let panel = match sliding::area_in_theory(setup, force) {
+    let panel = match sliding::area_in_theory(plan, force) {
         line if line.is_empty() => panel,
         line => panel.with(Series::new("Savkoor & Briggs", line)),
     };

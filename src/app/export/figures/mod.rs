@@ -14,7 +14,7 @@ use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::Plot;
 use crate::scene::history::Entry;
-use crate::scene::plan::Plan;
+use crate::scene::plan::{Plan, RoundPlan};
 use crate::shape::Rim;
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
@@ -26,100 +26,86 @@ const HALF_WIDTH: Column<Record> = Column { label: "half width a", ..CONTACT_RAD
 
 /// The figure of a scene: one panel per plot wanted.
 #[must_use]
-pub fn figures(setup: &Plan, outcome: &Outcome) -> Figure {
-    let wanted = setup.scene.plots.clone().unwrap_or_else(|| suiting(setup, outcome));
-    let panels = wanted.iter().flat_map(|plot| panels(*plot, setup, outcome)).chain(oblique(setup, outcome));
-    panels.fold(Figure::new(setup.scene.title.clone()), Figure::with)
+pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
+    let wanted = plan.scene.plots.clone().unwrap_or_else(|| suiting(plan, outcome));
+    let panels = wanted.iter().flat_map(|plot| panels(*plot, plan, outcome)).chain(oblique(plan, outcome));
+    panels.fold(Figure::new(plan.scene.title.clone()), Figure::with)
 }
 
 /// What suits a scene that asks for nothing.
-fn suiting(setup: &Plan, outcome: &Outcome) -> Vec<Plot> {
-    if setup.surface().is_some() {
-        return rough::SUITING.to_vec();
-    }
-    if setup.scene.shape.is_plane() {
-        return vec![Plot::Force, Plot::Radius, Plot::Pressure];
-    }
-    if let Some(impacts) = outcome.table("impacts") {
-        return match impacts.rows() {
-            1 if outcome.table("incidence").is_some() => vec![Plot::Force],
-            1 => vec![Plot::Force, Plot::Pressure],
+fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
+    match plan {
+        Plan::Round(RoundPlan { friction: Some(_), .. }) => friction::suiting(plan, outcome),
+        Plan::Round(round) => {
+            let pressure = (!outcome.fields.is_empty()).then_some(Plot::Pressure);
+            let shape = (!matches!(round.profile.rim(), Rim::Wall(_))).then_some(Plot::Shape);
+            [Plot::Force, Plot::Radius].into_iter().chain(pressure).chain(shape).collect()
+        }
+        Plan::Impact(impact) => match (impact.impact.speed.len(), &impact.ball) {
+            (1, Some(_)) => vec![Plot::Force],
+            (1, None) => vec![Plot::Force, Plot::Pressure],
             _ => vec![Plot::Restitution],
-        };
+        },
+        Plan::Plane(_) => vec![Plot::Force, Plot::Radius, Plot::Pressure],
+        Plan::Rough(_) => rough::SUITING.to_vec(),
     }
-    if outcome.records.iter().any(|record| record.tangential.is_some()) {
-        return friction::suiting(setup, outcome);
-    }
-    let mut plots = vec![Plot::Force, Plot::Radius];
-    if !outcome.fields.is_empty() {
-        plots.push(Plot::Pressure);
-    }
-    if setup.scene.friction.is_none() && setup.profile().is_some_and(|profile| !matches!(profile.rim(), Rim::Wall(_))) {
-        plots.push(Plot::Shape);
-    }
-    plots
 }
 
-fn panels(plot: Plot, setup: &Plan, outcome: &Outcome) -> Vec<Panel> {
-    if let Some(surface) = setup.surface() {
-        return rough::panels(plot, setup, surface, outcome);
-    }
+fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let records = &outcome.records;
-    match plot {
-        Plot::Force if outcome.table("impacts").is_some() => {
-            let loop_of = against_depth(setup, records, &FORCE, axis_of(&FORCE));
+    match (plot, plan) {
+        (_, Plan::Rough(rough)) => rough::panels(plot, rough, outcome),
+        (Plot::Force, Plan::Impact(_)) => {
+            let loop_of = against_depth(plan, records, &FORCE, axis_of(&FORCE));
             impacts::over_time(records).into_iter().chain([loop_of]).collect()
         }
-        Plot::Force => force(setup, records),
-        Plot::Radius => radius(setup, records),
-        Plot::Pressure => vec![fields::pressure(setup, outcome)],
-        Plot::Stress => vec![fields::stress(outcome)],
-        Plot::Energy => vec![energy(records)],
-        Plot::Shape => setup.profile().map(|profile| shape::profile(profile, outcome)).into_iter().collect(),
-        Plot::Friction => vec![friction::loops(setup, records)],
-        Plot::Stick => vec![friction::stick(records)],
-        Plot::Shear => friction::stress(setup, outcome).into_iter().collect(),
-        Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
-        Plot::Coefficient => friction::coefficient(setup, records).into_iter().collect(),
-        Plot::Area => friction::area(setup, outcome).into_iter().collect(),
-        Plot::Moduli => setup.relaxation().map(shape::moduli).into_iter().collect(),
-        Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
+        (Plot::Force, _) => force(plan, records),
+        (Plot::Radius, _) => radius(plan, records),
+        (Plot::Pressure, _) => vec![fields::pressure(plan, outcome)],
+        (Plot::Stress, _) => vec![fields::stress(outcome)],
+        (Plot::Energy, _) => vec![energy(records)],
+        (Plot::Shape, _) => plan.profile().map(|profile| shape::profile(profile, outcome)).into_iter().collect(),
+        (Plot::Friction, _) => vec![friction::loops(plan, records)],
+        (Plot::Stick, _) => vec![friction::stick(records)],
+        (Plot::Shear, _) => friction::stress(plan, outcome).into_iter().collect(),
+        (Plot::Fretting, _) => friction::fretting(outcome).into_iter().collect(),
+        (Plot::Coefficient, _) => friction::coefficient(plan, records).into_iter().collect(),
+        (Plot::Area, _) => friction::area(plan, outcome).into_iter().collect(),
+        (Plot::Moduli, _) => plan.relaxation().map(shape::moduli).into_iter().collect(),
+        (Plot::Restitution, _) => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
     }
 }
 
 /// The angles of every oblique impact.
-fn oblique(setup: &Plan, outcome: &Outcome) -> Vec<Panel> {
-    let angle = setup.scene.history.iter().find_map(|entry| match entry {
-        Entry::Impact(impact) => Some(impact.incidence()),
-        _ => None,
-    });
+fn oblique(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
+    let Plan::Impact(plan) = plan else { return Vec::new() };
     let tables = outcome.table("incidence").zip(outcome.table("impacts"));
-    let panels = tables.zip(angle).and_then(|((table, impacts), angle)| impacts::incidence(angle, table, impacts));
-    panels.into_iter().flatten().collect()
+    let panels = tables.and_then(|(table, impacts)| impacts::incidence(plan.impact.incidence(), table, impacts));
+    panels.unwrap_or_default()
 }
 
 /// Force against indentation, and against time where the bodies remember.
-fn force(setup: &Plan, records: &[Record]) -> Vec<Panel> {
-    let column = if setup.scene.shape.is_plane() { LINE_FORCE } else { FORCE };
-    let mut panels = vec![against_depth(setup, records, &column, axis_of(&column))];
-    if setup.relaxation().is_some() {
+fn force(plan: &Plan, records: &[Record]) -> Vec<Panel> {
+    let column = if plan.scene.shape.is_plane() { LINE_FORCE } else { FORCE };
+    let mut panels = vec![against_depth(plan, records, &column, axis_of(&column))];
+    if plan.relaxation().is_some() {
         panels.extend([FORCE, INDENTATION].iter().map(|column| against_time(records, column)));
-        panels.extend(last_loop(setup, records));
+        panels.extend(last_loop(plan, records));
     }
     panels
 }
 
 /// Contact radius against indentation, and against time where the bodies remember.
-fn radius(setup: &Plan, records: &[Record]) -> Vec<Panel> {
-    let column = if setup.scene.shape.is_plane() { HALF_WIDTH } else { CONTACT_RADIUS };
-    let by_depth = against_depth(setup, records, &column, axis_of(&column).from(0.0));
-    let over_time = setup.relaxation().map(|_| against_time(records, &column));
+fn radius(plan: &Plan, records: &[Record]) -> Vec<Panel> {
+    let column = if plan.scene.shape.is_plane() { HALF_WIDTH } else { CONTACT_RADIUS };
+    let by_depth = against_depth(plan, records, &column, axis_of(&column).from(0.0));
+    let over_time = plan.relaxation().map(|_| against_time(records, &column));
     std::iter::once(by_depth).chain(over_time).collect()
 }
 
 /// Force against indentation in the last oscillation alone, where nothing else hides it.
-fn last_loop(setup: &Plan, records: &[Record]) -> Option<Panel> {
-    let entry = setup.scene.history.iter().rposition(|entry| matches!(entry, Entry::Oscillate(_)))?;
+fn last_loop(plan: &Plan, records: &[Record]) -> Option<Panel> {
+    let entry = plan.scene.history.iter().rposition(|entry| matches!(entry, Entry::Oscillate(_)))?;
     let inside: Vec<Record> = records.iter().filter(|record| record.entry == entry).copied().collect();
     let series = Series::new("", of_records(&inside, &INDENTATION, &FORCE)).arrow();
     Some(Panel::new(axis_of(&INDENTATION), axis_of(&FORCE)).titled("oscillation").with(series))

@@ -5,8 +5,7 @@ use crate::app::figure::{Axis, Guide, Line, Panel, Series};
 use crate::run::record::{FORCE, INDENTATION, Outcome, Record, STIFFNESS};
 use crate::run::table::{Column, Table};
 use crate::scene::Plot;
-use crate::scene::plan::Plan;
-use crate::scene::surface::Surface;
+use crate::scene::plan::RoughPlan;
 use crate::shape::Shape;
 use crate::shape::rough::{RoughLine, SpectrumSource};
 
@@ -14,10 +13,10 @@ use crate::shape::rough::{RoughLine, SpectrumSource};
 pub const SUITING: [Plot; 2] = [Plot::Force, Plot::Shape];
 
 /// Panels of a rough shape.
-pub fn panels(plot: Plot, setup: &Plan, surface: &Surface, outcome: &Outcome) -> Vec<Panel> {
+pub fn panels(plot: Plot, plan: &RoughPlan, outcome: &Outcome) -> Vec<Panel> {
     match plot {
-        Plot::Force => vec![force(outcome), stiffness(setup, outcome)],
-        Plot::Shape => vec![line(setup, surface)],
+        Plot::Force => vec![force(outcome), stiffness(plan, outcome)],
+        Plot::Shape => vec![line(plan)],
         Plot::Energy => vec![super::energy(&outcome.records)],
         _ => Vec::new(),
     }
@@ -29,10 +28,10 @@ fn force(outcome: &Outcome) -> Panel {
     panel.note("Indentation counts from first touch.")
 }
 
-fn stiffness(setup: &Plan, outcome: &Outcome) -> Panel {
+fn stiffness(plan: &RoughPlan, outcome: &Outcome) -> Panel {
     let panel = banded(outcome, &FORCE, &STIFFNESS);
     let panel = Panel { x: log(panel.x), y: log(panel.y), ..panel };
-    let panel = match hurst(setup) {
+    let panel = match hurst(plan) {
         Some(hurst) => {
             let exponent = 1.0 / (1.0 + hurst);
             panel.guide(Guide::slope(exponent, format!("slope 1/(1+H) = {exponent:.3}")))
@@ -71,8 +70,8 @@ fn moved(table: &Table, x: &Column<Record>, y: &Column<Record>) -> Option<[Vec<(
 }
 
 /// Hurst exponent of a nominally flat self-affine surface.
-fn hurst(setup: &Plan) -> Option<f64> {
-    let Shape::RoughLine(line) = &setup.scene.shape else { return None };
+fn hurst(plan: &RoughPlan) -> Option<f64> {
+    let Shape::RoughLine(line) = &plan.scene.shape else { return None };
     match (&line.base, &line.spectrum) {
         (None, SpectrumSource::SelfAffine(spectrum)) => Some(spectrum.hurst.si()),
         _ => None,
@@ -80,13 +79,13 @@ fn hurst(setup: &Plan) -> Option<f64> {
 }
 
 /// The rough line on its base.
-fn line(setup: &Plan, surface: &Surface) -> Panel {
+fn line(plan: &RoughPlan) -> Panel {
+    let surface = &plan.surface;
     let seed = surface.seeds.first().copied().unwrap_or(1);
     let line = RoughLine::new(&surface.rings, seed);
     let places = line.places(surface.points);
     let heights = line.heights(surface.points).unwrap_or_default();
-    let base = |x: f64| setup.profile().map_or(0.0, |base| base.reduced(x));
-    let gap = |(x, z): (&f64, &f64)| (*x, base(x.abs()) + z);
+    let gap = |(x, z): (&f64, &f64)| (*x, plan.reduced(x.abs()) + z);
     let points = places.iter().zip(&heights).map(gap).filter(|point| point.1.is_finite()).collect();
     let panel = Panel::new(Axis::linear("place x", "m"), Axis::linear("height g + z", "m"));
     panel.with(Series::new("", points)).note(format!("Equivalent line of seed {seed}."))
