@@ -47,7 +47,7 @@ enum SpringGrip {
         /// Element loads [N/m].
         loads: Vec<f64>,
         /// Whether and whither it slips.
-        slip: Slip,
+        slip: SlipState,
     },
     /// Not under it.
     Free(Free),
@@ -55,7 +55,7 @@ enum SpringGrip {
 
 /// Whether a spring slips; +1 forwards, −1 backwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Slip {
+enum SlipState {
     No,
     Towards(f64),
 }
@@ -141,8 +141,8 @@ impl ViscoelasticBed {
         };
         let normal = self.spectrum.load(self.depth - self.layout.height[j], loads, self.speeds.0);
         match slip {
-            Slip::Towards(side) => (normal, side * normal),
-            Slip::No => (normal, self.spectrum.load(*displacement, own, self.speeds.1)),
+            SlipState::Towards(side) => (normal, side * normal),
+            SlipState::No => (normal, self.spectrum.load(*displacement, own, self.speeds.1)),
         }
     }
 
@@ -150,7 +150,7 @@ impl ViscoelasticBed {
     #[must_use]
     pub fn held(&self) -> (usize, usize) {
         let held = self.springs.iter().filter_map(|(normal, own)| match (normal, own) {
-            (Spring::Pressed(_), SpringGrip::Held { slip, .. }) => Some(usize::from(*slip == Slip::No)),
+            (Spring::Pressed(_), SpringGrip::Held { slip, .. }) => Some(usize::from(*slip == SlipState::No)),
             _ => None,
         });
         held.fold((0, 0), |(pressed, stuck), one| (pressed + 1, stuck + one))
@@ -181,7 +181,7 @@ impl SpringGrip {
 
     fn drag(&mut self, spectrum: &Spectrum, pressed: &UnderIndenter<'_>) {
         let (mut displacement, mut loads, slip) = self.touched(spectrum);
-        if let Slip::Towards(side) = slip {
+        if let SlipState::Towards(side) = slip {
             let free = pressed.difference(spectrum, side, displacement, &loads);
             if spectrum.recovery_speed(&free, 0.0) > pressed.speed - side * pressed.slide {
                 *self = pressed.slipped(spectrum, side, free);
@@ -193,7 +193,7 @@ impl SpringGrip {
         spectrum.press(&mut loads, pressed.slide, stuck);
         displacement += pressed.slide * stuck;
         *self = match first {
-            None => Self::Held { displacement, loads, slip: Slip::No },
+            None => Self::Held { displacement, loads, slip: SlipState::No },
             Some((time, side)) => {
                 let (start, mut normal) = (pressed.start + pressed.speed * time, pressed.loads.to_vec());
                 spectrum.press(&mut normal, pressed.speed, time);
@@ -205,13 +205,13 @@ impl SpringGrip {
     }
 
     /// The state of a spring that is, or has just come, under the indenter.
-    fn touched(&self, spectrum: &Spectrum) -> (f64, Vec<f64>, Slip) {
+    fn touched(&self, spectrum: &Spectrum) -> (f64, Vec<f64>, SlipState) {
         match self {
             Self::Held { displacement, loads, slip } => (*displacement, loads.clone(), *slip),
             Self::Free(free) => {
                 let mut loads = vec![0.0; spectrum.terms().len()];
                 spectrum.loads_of_free(free, &mut loads);
-                (spectrum.recovered(free, 0.0), loads, Slip::No)
+                (spectrum.recovered(free, 0.0), loads, SlipState::No)
             }
         }
     }
@@ -250,7 +250,7 @@ impl UnderIndenter<'_> {
             *own = side * (normal - *own);
         }
         let displacement = side * (self.start + self.speed * self.duration - spectrum.recovered(&free, 0.0));
-        SpringGrip::Held { displacement, loads, slip: Slip::Towards(side) }
+        SpringGrip::Held { displacement, loads, slip: SlipState::Towards(side) }
     }
 }
 

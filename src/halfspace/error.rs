@@ -12,16 +12,6 @@ pub enum HalfSpaceError {
         /// Columns given.
         columns: usize,
     },
-    /// Rows of unequal length.
-    #[error("row {row} of the height map has {found} columns, the rows above it have {expected}")]
-    Ragged {
-        /// First row of another length.
-        row: usize,
-        /// Length of the rows above it.
-        expected: usize,
-        /// Length of this row.
-        found: usize,
-    },
     /// A height that is NaN or −∞ (+∞ is allowed: no material there).
     #[error(
         "the height at row {row}, column {column} is {value}; heights are finite, or +inf where the indenter has no material"

@@ -30,7 +30,7 @@ pub use error::HalfSpaceError;
 pub use line::{PlaneBoundary, PlaneProblem, PlaneSolution, solve_plane};
 pub use solution::Solution;
 
-use ndarray::{Array2, ArrayView2};
+use ndarray::ArrayView2;
 
 use grid::Law;
 use input::Input;
@@ -120,21 +120,6 @@ pub fn solve(problem: &PressedMap<'_>, start: Start<'_>, settings: &Settings) ->
     };
     let raw = input.solve(|index| problem.heights[[index / columns, index % columns]], start, settings)?;
     Ok(Solution::new(problem, raw))
-}
-
-/// Height map from its rows, as a file gives them.
-///
-/// # Errors
-/// [`HalfSpaceError::Empty`] without a pixel, [`HalfSpaceError::Ragged`] with the first row of another length.
-pub fn height_map(rows: &[Vec<f64>]) -> Result<Array2<f64>, HalfSpaceError> {
-    let columns = rows.first().map_or(0, Vec::len);
-    if columns == 0 {
-        return Err(HalfSpaceError::Empty { rows: rows.len(), columns });
-    }
-    match rows.iter().position(|row| row.len() != columns) {
-        Some(row) => Err(HalfSpaceError::Ragged { row, expected: columns, found: rows[row].len() }),
-        None => Ok(Array2::from_shape_fn((rows.len(), columns), |(row, column)| rows[row][column])),
-    }
 }
 
 /// Bytes that [`solve`] takes for a grid of this many rows and columns, an upper bound.

@@ -89,7 +89,7 @@ impl Task {
         let mut effort = Budget { iterations: 0, products: 0, limit: self.max_iterations };
         if let Some(window) = self.window(&coarse, &pressure) {
             let operators = Operators::new(&coarse, window.size, self.law);
-            let part = Part { operators: &operators, grid: &coarse, window, goal: self.goal(&coarse) };
+            let part = WindowedGrid { operators: &operators, grid: &coarse, window, goal: self.goal(&coarse) };
             part.solve(&mut pressure, COARSE_TOLERANCE.max(self.tolerance), &mut effort, scratch);
         }
         grid.refine(&pressure, &coarse, self.law)
@@ -114,7 +114,7 @@ impl Task {
         let mut window = self.window(grid, &pressure).unwrap_or(grid.whole());
         loop {
             let operators = Operators::new(grid, window.size, self.law);
-            let part = Part { operators: &operators, grid, window, goal: self.goal(grid) };
+            let part = WindowedGrid { operators: &operators, grid, window, goal: self.goal(grid) };
             let outcome = part.solve(&mut pressure, self.tolerance, &mut effort, scratch);
             let whole = if window == grid.whole() { operators } else { Operators::new(grid, grid.size, self.law) };
             let mut displacement = vec![0.0; pressure.len()];
@@ -158,14 +158,14 @@ impl Task {
 }
 
 /// The part of a grid that is worked on.
-struct Part<'a> {
+struct WindowedGrid<'a> {
     operators: &'a Operators,
     grid: &'a Grid,
     window: Window,
     goal: Goal,
 }
 
-impl Part<'_> {
+impl WindowedGrid<'_> {
     /// Pressure where there is material, scaled to the force; a uniform one if that leaves nothing of it.
     fn start(&self, pressure: &[f64], heights: &[f64]) -> Vec<f64> {
         let material = |p: f64, height: f64| if height.is_finite() { p } else { 0.0 };

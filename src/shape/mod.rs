@@ -154,8 +154,8 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
 
     /// Places in (0, a) where g′ or one of its derivatives jumps or where a quadrature panel should
     /// end, ascending [m].
-    fn breaks(&self, _a: f64) -> Vec<f64> {
-        Vec::new()
+    fn breaks(&self, a: f64) -> Vec<f64> {
+        self.kink().map_or_else(Vec::new, |b| kernel::OutsideKink(b).breaks(a))
     }
 }
 
@@ -341,6 +341,4 @@ impl Shape {
 }
 
 #[cfg(test)]
-mod digits;
-#[cfg(test)]
-mod laws;
+mod tests;

@@ -116,10 +116,6 @@ impl Profile for RoundedCone {
         self.blend()
     }
 
-    fn breaks(&self, a: f64) -> Vec<f64> {
-        OutsideKink(self.blend()).breaks(a)
-    }
-
     fn kink(&self) -> Option<f64> {
         Some(self.blend())
     }
@@ -199,10 +195,6 @@ impl Profile for RoundedPunch {
 
     fn scale(&self) -> f64 {
         self.flat_radius.si()
-    }
-
-    fn breaks(&self, a: f64) -> Vec<f64> {
-        self.beyond().breaks(a)
     }
 
     fn kink(&self) -> Option<f64> {

@@ -122,10 +122,6 @@ impl Profile for TruncatedCone {
         self.flat_radius.si()
     }
 
-    fn breaks(&self, a: f64) -> Vec<f64> {
-        self.beyond().breaks(a)
-    }
-
     fn kink(&self) -> Option<f64> {
         Some(self.flat_radius.si())
     }
@@ -192,10 +188,6 @@ impl Profile for TruncatedParaboloid {
 
     fn scale(&self) -> f64 {
         self.radius.si()
-    }
-
-    fn breaks(&self, a: f64) -> Vec<f64> {
-        self.beyond().breaks(a)
     }
 
     fn kink(&self) -> Option<f64> {

@@ -34,8 +34,8 @@ impl Ruler {
 /// Horizontal and vertical axis of a panel of `size` px.
 pub(super) fn rulers(panel: &Panel, size: (f64, f64)) -> (Ruler, Ruler) {
     let (x, y) = ends(panel);
-    let x = AxisRange::new(&panel.x, x.map(|e| widened(e, xs(panel))));
-    let y = AxisRange::new(&panel.y, y.map(|e| widened(e, ys(panel))));
+    let x = AxisRange::new(&panel.x, x.map(|e| widened(e, guided(panel, &panel.x, Along::X))));
+    let y = AxisRange::new(&panel.y, y.map(|e| widened(e, guided(panel, &panel.y, Along::Y))));
     (Ruler::new(&panel.x, x, ticks(&x, Along::X, size.0)), Ruler::new(&panel.y, y, ticks(&y, Along::Y, size.1)))
 }
 
@@ -67,20 +67,13 @@ fn widened(ends: (f64, f64), guides: impl Iterator<Item = f64>) -> (f64, f64) {
     near.fold(ends, |(lo, hi), v| (lo.min(v), hi.max(v)))
 }
 
-fn xs(panel: &Panel) -> impl Iterator<Item = f64> {
-    let values = panel.guides.iter().flat_map(|guide| match guide {
-        Guide::Vertical { at, .. } => vec![*at],
-        Guide::Jump { from, to } => vec![from.0, to.0],
+/// Values the guides stand at, of those along one axis.
+fn guided<'p>(panel: &'p Panel, axis: &'p Axis, along: Along) -> impl Iterator<Item = f64> + 'p {
+    let values = panel.guides.iter().flat_map(move |guide| match (guide, along) {
+        (Guide::Vertical { at, .. }, Along::X) | (Guide::Horizontal { at, .. }, Along::Y) => vec![*at],
+        (Guide::Jump { from, to }, Along::X) => vec![from.0, to.0],
+        (Guide::Jump { from, to }, Along::Y) => vec![from.1, to.1],
         _ => Vec::new(),
     });
-    values.filter(|v| inside(&panel.x, *v))
-}
-
-fn ys(panel: &Panel) -> impl Iterator<Item = f64> {
-    let values = panel.guides.iter().flat_map(|guide| match guide {
-        Guide::Horizontal { at, .. } => vec![*at],
-        Guide::Jump { from, to } => vec![from.1, to.1],
-        _ => Vec::new(),
-    });
-    values.filter(|v| inside(&panel.y, *v))
+    values.filter(|value| inside(axis, *value))
 }

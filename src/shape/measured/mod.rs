@@ -174,7 +174,7 @@ impl Profile for Measured {
 mod tests {
     use super::*;
     use crate::input::table::InMemory;
-    use crate::shape::laws::{metres, plain};
+    use crate::shape::tests::laws::{metres, plain};
     use crate::shape::{Cone, Paraboloid, Sphere};
 
     fn measured(radii: &[f64], height: impl Fn(f64) -> f64) -> Measured {

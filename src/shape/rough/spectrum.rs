@@ -78,12 +78,6 @@ impl RoughnessSpectrum {
         self.pieces.iter().find(|p| q >= p.from && q <= p.to).map_or(0.0, |p| p.at(q))
     }
 
-    /// C₁D(q) = π q C(q) [m³], the spectrum of the equivalent line.
-    #[must_use]
-    pub fn line_density(&self, q: f64) -> f64 {
-        std::f64::consts::PI * q * self.density(q)
-    }
-
     /// Least and greatest wavevector [rad/m] with roughness.
     #[must_use]
     pub fn cut_offs(&self) -> (f64, f64) {
@@ -95,13 +89,8 @@ impl RoughnessSpectrum {
     /// n = 0: height variance [m²]; 1: mean square slope; 2: mean square of ∇²h [1/m²].
     #[must_use]
     pub fn mean_square(&self, derivative: u8, band: (f64, f64)) -> f64 {
-        self.power_moment(2 * i32::from(derivative) + 1, band) * TAU
-    }
-
-    /// ∫ qⁿ C dq over wavevectors in `band`.
-    #[must_use]
-    pub fn power_moment(&self, power: i32, band: (f64, f64)) -> f64 {
-        self.pieces.iter().map(|p| p.integral(power, band)).sum()
+        let power = 2 * i32::from(derivative) + 1;
+        self.pieces.iter().map(|p| p.integral(power, band)).sum::<f64>() * TAU
     }
 
     /// Root mean square height [m] of the surface, and of its equivalent line.

@@ -1,8 +1,8 @@
 //! Every integral of every shape at radii where plain formulas cancel, against numbers of 30 to 60 digits.
 
 use super::laws::{metres, plain};
-use super::*;
 use crate::input::quantity::Amplitude;
+use crate::shape::*;
 
 /// Shape, then rows of contact radius a, radius r < a, and [g(a), N(a), E(a), P(r, a), D(2a, a)].
 type Reference = (&'static str, &'static [(f64, f64, [f64; 5])]);

@@ -1,14 +1,14 @@
 //! Laws every profile obeys, and each shape against its exact numbers and limits.
 
-use super::*;
 use crate::input::quantity::{Amplitude, Length, Positive};
+use crate::shape::*;
 use proptest::prelude::*;
 
-pub(super) fn metres(value: f64) -> Length {
+pub(in crate::shape) fn metres(value: f64) -> Length {
     Length::new(value).unwrap()
 }
 
-pub(super) fn plain(value: f64) -> Positive {
+pub(in crate::shape) fn plain(value: f64) -> Positive {
     Positive::new(value).unwrap()
 }
 

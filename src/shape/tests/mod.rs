@@ -1,0 +1,4 @@
+//! Shapes against laws, limits and numbers of many digits.
+
+mod digits;
+pub(super) mod laws;
