@@ -237,13 +237,13 @@ pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joine
     let elastic = |pair| Ok(Some(Joined { pair, relaxation: None }));
     match bodies {
         (Body::Rigid, Body::Rigid) | (Body::Viscoelastic(_), Body::Viscoelastic(_)) => Ok(None),
-        (Body::Viscoelastic(body), Body::Rigid) => relaxing(body, "bodies.0", tables).map(Some),
-        (Body::Rigid, Body::Viscoelastic(body)) => relaxing(body, "bodies.1", tables).map(Some),
+        (Body::Viscoelastic(body), Body::Rigid) => viscoelastic(body, "bodies.0", tables).map(Some),
+        (Body::Rigid, Body::Viscoelastic(body)) => viscoelastic(body, "bodies.1", tables).map(Some),
         (Body::Viscoelastic(body), Body::Elastic(partner)) => {
-            Ok(Some(beside(partner, body, relaxing(body, "bodies.0", tables)?)))
+            Ok(Some(beside(partner, body, viscoelastic(body, "bodies.0", tables)?)))
         }
         (Body::Elastic(partner), Body::Viscoelastic(body)) => {
-            Ok(Some(beside(partner, body, relaxing(body, "bodies.1", tables)?)))
+            Ok(Some(beside(partner, body, viscoelastic(body, "bodies.1", tables)?)))
         }
         (Body::Elastic(one), Body::Elastic(two)) => elastic(Pair::of(&one.stiffness(), &two.stiffness())),
         (Body::Elastic(body), Body::Rigid) => elastic(Pair::of(&body.stiffness(), &Stiffness::RIGID)),
@@ -263,7 +263,7 @@ fn beside(partner: &Elastic, body: &Viscoelastic, alone: Joined) -> Joined {
     Joined { pair: Pair { normal: both.instantaneous(), ..pair }, relaxation: Some(both) }
 }
 
-fn relaxing(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Joined, Vec<Problem>> {
+fn viscoelastic(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Joined, Vec<Problem>> {
     let relaxation = body
         .relaxation(tables)
         .map_err(|error| vec![Problem::new(format!("{path}.shear.terms"), error.to_string())])?;

@@ -22,13 +22,13 @@ pub fn moved_edge(plan: &RoundPlan, work: f64, records: &[Record]) -> f64 {
     let states = records.iter().enumerate().filter(|(at, _)| !jumps(*at)).map(|(_, record)| record);
     let error = |record: &Record| {
         let control = control(record.entry)?;
-        Some((moved(&line, (control, record.normal.contact_radius?), plan.pair.normal)? / largest).min(TURNING))
+        Some((moved(&line, control, record.normal.contact_radius?, plan.pair.normal)? / largest).min(TURNING))
     };
     states.filter_map(error).fold(0.0, f64::max)
 }
 
 /// How far rounding moves an edge at the radius `a` [m].
-fn moved(line: &EdgeLine, (control, a): (Control, f64), modulus: f64) -> Option<f64> {
+fn moved(line: &EdgeLine, control: Control, a: f64, modulus: f64) -> Option<f64> {
     if a <= 0.0 || a >= line.end() {
         return None;
     }

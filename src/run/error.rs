@@ -36,11 +36,11 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         }
         ContactLaw::Direct(ElasticAdhesion::None) => direct_error(plan, 0.0, &run.records),
         ContactLaw::Direct(ElasticAdhesion::Vanishing { work }) => direct_error(plan, *work, &run.records),
-        ContactLaw::Springs { count, work } => springs_error(plan, (*count, work.unwrap_or(0.0)), &run.records),
+        ContactLaw::Springs { count, work } => springs_error(plan, *count, work.unwrap_or(0.0), &run.records),
         ContactLaw::Continuous { edge: None, .. } => {
             of(sums(run), "continuous bed, exact in time: every sum made anew with panels of half the width")
         }
-        ContactLaw::Continuous { relaxation, edge: Some(edge) } => adhesive_error(plan, run, (relaxation, edge)),
+        ContactLaw::Continuous { relaxation, edge: Some(edge) } => adhesive_error(plan, run, relaxation, edge),
         ContactLaw::ViscoelasticSprings { count, .. } => viscoelastic_springs_error(plan, run, count.get()),
     }
 }
@@ -58,7 +58,7 @@ fn direct_error(plan: &RoundPlan, work: f64, records: &[Record]) -> ErrorEstimat
 
 /// The error of a bed: second order in the width h of a spring, and what the load q(a) of an adhesive edge
 /// does within one spring, q(a)h against the largest force.
-fn springs_error(plan: &RoundPlan, (springs, work): (NonZeroUsize, f64), records: &[Record]) -> ErrorEstimate {
+fn springs_error(plan: &RoundPlan, springs: NonZeroUsize, work: f64, records: &[Record]) -> ErrorEstimate {
     let largest = |of: fn(&Normal) -> f64| records.iter().map(|record| of(&record.normal).abs()).fold(0.0, f64::max);
     let (a, force) = (largest(|normal| normal.contact_radius.unwrap_or(0.0)), largest(|normal| normal.force));
     let count = springs.get() as f64;
@@ -103,7 +103,7 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
 }
 
 /// Adhesion: the whole history again with the opening edge followed in half the steps.
-fn adhesive_error(plan: &RoundPlan, run: &Run, (relaxation, edge): (&Relaxation, &HeldEdge)) -> ErrorEstimate {
+fn adhesive_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
     let forces = |records: &[Record]| {
         let forces = records.iter().map(|record| record.normal.force);
         (forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max))

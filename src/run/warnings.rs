@@ -1,13 +1,12 @@
 //! Where a computed contact leaves the assumptions of the half-space, with numbers.
 
 use super::record::{ErrorEstimate, Record};
-use crate::contact::adhesion::Adhesion;
 use crate::contact::elliptic;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::state::Normal;
 use crate::contact::stress::Loading;
 use crate::material::Body;
-use crate::scene::plan::{Plan, Section, Shared};
+use crate::scene::plan::{Plan, Shared};
 use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -23,34 +22,21 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 #[must_use]
 pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
     match plan {
-        Plan::Round(plan) => round(&plan.shared, plan.ground(), records),
-        Plan::Impact(plan) => round(&plan.shared, plan.ground(), records),
-        Plan::Plane(plan) => steep_waves(rms_slope(&plan.section)).into_iter().collect(),
+        Plan::Round(of) => round(plan, of.ground(), records),
+        Plan::Impact(of) => round(plan, of.ground(), records),
+        Plan::Plane(plan) => steep_waves(plan.section.rms_slope()).into_iter().collect(),
         Plan::Rough(plan) => steep_waves(plan.surface.roughness().rms_slope).into_iter().collect(),
     }
 }
 
-fn round(shared: &Shared, ground: HalfSpace, records: &[Record]) -> Vec<String> {
+fn round(plan: &Plan, ground: HalfSpace, records: &[Record]) -> Vec<String> {
     let states = records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
     let Some((a, state)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
     let profile = ground.profile();
-    let found = [
-        steep(profile, a),
-        not_a_ball(shared, a),
-        two_radii(shared),
-        connected(profile, a),
-        tabor(shared),
-        coupled(shared),
-    ];
+    let found =
+        [steep(profile, a), not_a_ball(plan, a), two_radii(plan), connected(profile, a), tabor(plan), coupled(plan)];
     let found: Vec<String> = found.into_iter().flatten().collect();
-    found.into_iter().chain(first_yield(shared, &Largest { ground, contact_radius: a, state })).collect()
-}
-
-fn rms_slope(section: &Section) -> f64 {
-    match section {
-        Section::Wave { wave, .. } => SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si(),
-        Section::Wavy(wavy) => wavy.rms_slope(),
-    }
+    found.into_iter().chain(first_yield(plan, &Largest { ground, contact_radius: a, state })).collect()
 }
 
 /// The error of an ellipsoid's effective radius.
@@ -134,10 +120,9 @@ fn connected(profile: &dyn Profile, a: f64) -> Option<String> {
 }
 
 /// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} with an atomic range z₀; JKR needs more than 5.
-fn tabor(shared: &Shared) -> Option<String> {
-    let Some(Adhesion::Jkr(jkr)) = &shared.scene.adhesion else { return None };
-    let radius = shared.scene.shape.tip_radius()?;
-    let parameter = (radius * (jkr.work.si() / shared.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
+fn tabor(plan: &Plan) -> Option<String> {
+    let (work, radius) = (plan.edge_work()?, plan.scene.shape.tip_radius()?);
+    let parameter = (radius * (work / plan.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
     (parameter < 5.0).then(|| {
         format!(
             "Tabor parameter {parameter:.2} (range of attraction 0.3 nm): JKR holds above 5; use Maugis(work: …, stress: …)"
@@ -145,9 +130,9 @@ fn tabor(shared: &Shared) -> Option<String> {
     })
 }
 
-fn coupled(shared: &Shared) -> Option<String> {
-    let beta = shared.pair.coupling;
-    (shared.scene.friction.is_some() && beta.abs() > 1e-9).then(|| {
+fn coupled(plan: &Plan) -> Option<String> {
+    let beta = plan.pair.coupling;
+    (plan.has_friction() && beta.abs() > 1e-9).then(|| {
         format!(
             "the pair breaks elastic similarity (Dundurs' β = {beta:.3}): normal and tangential contact are treated as independent, expect errors of this order in friction"
         )

@@ -44,6 +44,14 @@ impl ElasticAdhesion {
         }
     }
 
+    /// Work of adhesion [J/m²] of an attraction of vanishing range.
+    fn edge_work(self) -> Option<f64> {
+        match self {
+            Self::None | Self::Finite { .. } => None,
+            Self::Vanishing { work } => Some(work),
+        }
+    }
+
     fn pieces(self) -> Vec<Piece> {
         match self {
             Self::None => Vec::new(),
@@ -186,6 +194,17 @@ impl ContactLaw {
         }
     }
 
+    /// Work of adhesion [J/m²] of an attraction of vanishing range.
+    #[must_use]
+    pub fn edge_work(&self) -> Option<f64> {
+        match self {
+            Self::Direct(adhesion) => adhesion.edge_work(),
+            Self::Springs { work, .. } => *work,
+            Self::Continuous { edge, .. } => edge.as_ref().map(|edge| edge.work),
+            Self::ViscoelasticSprings { .. } => None,
+        }
+    }
+
     /// What holds the edge of bodies that relax.
     #[must_use]
     pub fn held_edge(&self) -> Option<&HeldEdge> {
@@ -249,6 +268,24 @@ impl ImpactLaw {
             Self::Elastic(adhesion) => adhesion.pieces(),
             Self::Viscoelastic { edge: Some(_), .. } => vec![Piece::VanishingRange, Piece::Prony],
             Self::Viscoelastic { edge: None, .. } => vec![Piece::Prony],
+        }
+    }
+
+    /// Work of adhesion [J/m²] of an attraction of vanishing range.
+    #[must_use]
+    pub fn edge_work(&self) -> Option<f64> {
+        match self {
+            Self::Elastic(adhesion) => adhesion.edge_work(),
+            Self::Viscoelastic { edge, .. } => edge.as_ref().map(|edge| edge.work),
+        }
+    }
+
+    /// What holds the edge of bodies that relax.
+    #[must_use]
+    pub fn held_edge(&self) -> Option<&HeldEdge> {
+        match self {
+            Self::Elastic(_) => None,
+            Self::Viscoelastic { edge, .. } => edge.as_ref(),
         }
     }
 

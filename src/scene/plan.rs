@@ -1,6 +1,6 @@
 //! A scene decided: who computes it, and from what.
 
-use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, ImpactLaw};
+use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
 use super::parts::Solver;
 use super::read::Read;
 use super::surface::Surface;
@@ -13,6 +13,7 @@ use crate::scene::Scene;
 use crate::scene::history::Impact;
 use crate::scene::stage::Stage;
 use crate::shape::{PlaneWave, PlaneWavy, Profile};
+use std::f64::consts::{PI, SQRT_2};
 use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -137,6 +138,15 @@ impl Section {
         }
     }
 
+    /// Root mean square slope.
+    #[must_use]
+    pub fn rms_slope(&self) -> f64 {
+        match self {
+            Self::Wave { wave, .. } => SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si(),
+            Self::Wavy(wavy) => wavy.rms_slope(),
+        }
+    }
+
     /// Whether friction has a result.
     #[must_use]
     pub fn slides(&self) -> bool {
@@ -237,6 +247,37 @@ impl Plan {
             Self::Round(plan) => plan.contact.relaxation().map(Arc::as_ref),
             Self::Impact(ImpactPlan { law: ImpactLaw::Viscoelastic { relaxation, .. }, .. }) => Some(relaxation),
             Self::Impact(ImpactPlan { law: ImpactLaw::Elastic(_), .. }) | Self::Plane(_) | Self::Rough(_) => None,
+        }
+    }
+
+    /// Work of adhesion [J/m²] of an attraction of vanishing range.
+    #[must_use]
+    pub fn edge_work(&self) -> Option<f64> {
+        match self {
+            Self::Round(plan) => plan.contact.edge_work(),
+            Self::Impact(plan) => plan.law.edge_work(),
+            Self::Plane(_) | Self::Rough(_) => None,
+        }
+    }
+
+    /// What holds the edge of bodies that relax.
+    #[must_use]
+    pub fn held_edge(&self) -> Option<&HeldEdge> {
+        match self {
+            Self::Round(plan) => plan.contact.held_edge(),
+            Self::Impact(plan) => plan.law.held_edge(),
+            Self::Plane(_) | Self::Rough(_) => None,
+        }
+    }
+
+    /// Whether friction acts.
+    #[must_use]
+    pub fn has_friction(&self) -> bool {
+        match self {
+            Self::Round(plan) => plan.friction.is_some(),
+            Self::Impact(plan) => plan.ball.is_some(),
+            Self::Plane(plan) => plan.section.slides(),
+            Self::Rough(_) => false,
         }
     }
 

@@ -66,7 +66,7 @@ fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<
             let shared = Shared { pair: joined.pair, scene, stages, read: read.clone() };
             Ok(kind(shared, geometry, impact))
         }
-        _ => Err(problems),
+        (Some(_) | None, Some(_) | None) => Err(problems),
     }
 }
 
@@ -79,7 +79,7 @@ fn entries<'s>(scene: &'s Scene, read: &'s Read) -> Vec<EntryTraits<'s>> {
 /// The kind of plan: every kind of scene and every law is named here once.
 fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
     match (geometry, impact) {
-        (Geometry::Round(profile), Some(impact)) => Plan::Impact(struck(shared, profile.clone(), impact)),
+        (Geometry::Round(profile), Some(impact)) => Plan::Impact(impact_plan(shared, profile.clone(), impact)),
         (Geometry::Round(profile), None) => Plan::Round(round(shared, profile.clone())),
         (Geometry::Rough(surface, base), _) => {
             Plan::Rough(RoughPlan { surface: surface.clone(), base: base.clone(), shared })
@@ -165,7 +165,7 @@ fn sliding(friction: Option<&Friction>) -> Option<CappedCoulomb> {
     }
 }
 
-fn struck(shared: Shared, profile: Arc<dyn Profile>, impact: Impact) -> ImpactPlan {
+fn impact_plan(shared: Shared, profile: Arc<dyn Profile>, impact: Impact) -> ImpactPlan {
     let adhesion = shared.scene.adhesion.as_ref();
     let law = match shared.read.relaxation.clone() {
         None => ImpactLaw::Elastic(elastic(adhesion)),

@@ -6,7 +6,6 @@ use crate::app::export::with_prefix;
 use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
 use crate::check::{one_piece, theory};
-use crate::contact::adhesion::{Edge, Range};
 use crate::run::record::Outcome;
 use crate::scene::plan::Plan;
 use std::fmt::Write;
@@ -32,8 +31,8 @@ fn text(setup: &Plan, outcome: &Outcome) -> String {
     for (name, value) in moduli(setup) {
         line(name, &with_prefix(value, "Pa"));
     }
-    if let Some(rule) = edge(setup) {
-        line("edge", &rule);
+    if let Some(held) = setup.held_edge() {
+        line("edge", &held.edge.in_words());
     }
     let plan = &outcome.plan;
     line("solver", &format!("{}: {}", plan.solver, plan.reason));
@@ -57,14 +56,6 @@ fn text(setup: &Plan, outcome: &Outcome) -> String {
         line("warning", warning);
     }
     text
-}
-
-/// What holds the edge of a viscoelastic contact.
-fn edge(setup: &Plan) -> Option<String> {
-    match setup.scene.adhesion.as_ref()?.traits().range {
-        Range::Vanishing(edge) => edge.map(Edge::in_words),
-        Range::Finite => None,
-    }
 }
 
 /// What theories of rough contact say of the largest force of the scene.

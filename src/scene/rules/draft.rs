@@ -31,7 +31,7 @@ impl Draft<'_> {
     }
 
     /// The friction, unless the history is an impact, which has its own rules.
-    pub(super) fn rubbing(&self) -> Option<&Friction> {
+    pub(super) fn friction_of_history(&self) -> Option<&Friction> {
         self.scene.friction.as_ref().filter(|_| self.entries.iter().all(|entry| entry.impact.is_none()))
     }
 }

@@ -10,7 +10,7 @@ pub use draft::Draft;
 
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;
-use Part::{Adhesion, Bodies, Friction as Rubbing, History, Plots, Shape, Springs};
+use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Springs};
 
 /// What is wrong with a draft, in the order of the table.
 #[must_use]
@@ -84,12 +84,12 @@ pub const RULES: [Rule; 29] = [
     Rule::once(Bodies, Bodies, parts::two_viscoelastic),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
-    Rule::once(Rubbing, Bodies, parts::friction_of_bodies_in_series),
-    Rule::once(Rubbing, Bodies, parts::gross_sliding_of_viscoelastic),
-    Rule::once(Rubbing, Adhesion, parts::friction_under_adhesion),
+    Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
+    Rule::once(Friction, Bodies, parts::gross_sliding_of_viscoelastic),
+    Rule::once(Friction, Adhesion, parts::friction_under_adhesion),
     Rule::once(Springs, Adhesion, parts::springs_under_adhesion),
     Rule::once(Shape, Adhesion, parts::adhesion_on_shape),
-    Rule::once(Shape, Rubbing, parts::friction_on_shape),
+    Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),
     Rule::many(Shape, Bodies, parts::viscoelastic_on_shape),
     Rule::entry(Shape, history::impact_on_shape),
@@ -101,12 +101,12 @@ pub const RULES: [Rule; 29] = [
     Rule::entry(Adhesion, history::pull_without_adhesion),
     Rule::entry(Adhesion, history::oblique_under_adhesion),
     Rule::entry(Adhesion, history::impact_with_rate),
-    Rule::entry(Rubbing, history::slide_without_friction),
-    Rule::entry(Rubbing, history::shake_in_gross_sliding),
+    Rule::entry(Friction, history::slide_without_friction),
+    Rule::entry(Friction, history::shake_in_gross_sliding),
     Rule::entry(Springs, history::impact_on_springs),
     Rule::entry(History, history::impact_beside_others),
     Rule::entry(History, history::nothing_to_part),
     Rule::many(History, Shape, depth::too_deep),
-    Rule::many(History, Rubbing, depth::too_fast),
+    Rule::many(History, Friction, depth::too_fast),
     Rule::many(Plots, History, plots::not_drawn),
 ];

@@ -98,7 +98,7 @@ pub(super) fn friction_of_bodies_in_series(draft: &Draft<'_>) -> Option<Problem>
 
 pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
     draft.relaxation()?;
-    let friction = draft.rubbing()?;
+    let friction = draft.friction_of_history()?;
     match friction.slip() {
         Slip::Local(_) => None,
         Slip::Gross => refused(
@@ -114,7 +114,7 @@ pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem
 /// A sheared adhesive contact is known under uniform stress.
 pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     draft.bodies?;
-    let (friction, adhesion) = (draft.rubbing()?, draft.scene.adhesion.as_ref()?.traits());
+    let (friction, adhesion) = (draft.friction_of_history()?, draft.scene.adhesion.as_ref()?.traits());
     let (one, other) = (friction.name(), adhesion.name);
     match (adhesion.range, friction) {
         (Range::Vanishing(_), Friction::Coulomb(_)) => refused(
