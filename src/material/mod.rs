@@ -26,6 +26,17 @@ pub enum Body {
     Viscoelastic(Viscoelastic),
 }
 
+impl Body {
+    /// Whether it relaxes.
+    #[must_use]
+    pub fn relaxes(&self) -> bool {
+        match self {
+            Self::Rigid | Self::Elastic(_) => false,
+            Self::Viscoelastic(_) => true,
+        }
+    }
+}
+
 /// Isotropic, linearly elastic material.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]

@@ -185,6 +185,14 @@ impl ContactLaw {
         size_of::<QuasiStatic>() + 16 * self.springs()
     }
 
+    /// The attraction of elastic bodies on the direct path.
+    pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
+        match self {
+            Self::Direct(adhesion) => Some(*adhesion),
+            Self::Springs { .. } | Self::Continuous { .. } | Self::ViscoelasticSprings { .. } => None,
+        }
+    }
+
     /// E*(t) of bodies that relax.
     #[must_use]
     pub fn relaxation(&self) -> Option<&Arc<Relaxation>> {
@@ -268,6 +276,22 @@ impl ImpactLaw {
             Self::Elastic(adhesion) => adhesion.pieces(),
             Self::Viscoelastic { edge: Some(_), .. } => vec![Piece::VanishingRange, Piece::Prony],
             Self::Viscoelastic { edge: None, .. } => vec![Piece::Prony],
+        }
+    }
+
+    /// The attraction of elastic bodies on the direct path.
+    pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
+        match self {
+            Self::Elastic(adhesion) => Some(*adhesion),
+            Self::Viscoelastic { .. } => None,
+        }
+    }
+
+    /// E*(t) of bodies that relax.
+    pub(super) fn relaxation(&self) -> Option<&Arc<Relaxation>> {
+        match self {
+            Self::Elastic(_) => None,
+            Self::Viscoelastic { relaxation, .. } => Some(relaxation),
         }
     }
 

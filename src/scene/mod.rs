@@ -92,7 +92,6 @@ impl Scene {
     /// Whether one of the bodies is viscoelastic.
     #[must_use]
     pub fn relaxes(&self) -> bool {
-        let relaxes = |body: &Body| matches!(body, Body::Viscoelastic(_));
-        relaxes(&self.bodies.0) || relaxes(&self.bodies.1)
+        self.bodies.0.relaxes() || self.bodies.1.relaxes()
     }
 }

@@ -210,23 +210,60 @@ impl Plan {
         SceneSettings { accuracy: self.scene.accuracy, springs: self.scene.springs, steps: self.scene.steps }
     }
 
+    /// What a round scene says, led through a history or in an impact; `None` of a scene that is not round.
+    fn of_round<'p, T>(
+        &'p self,
+        history: impl FnOnce(&'p RoundPlan) -> Option<T>,
+        impact: impl FnOnce(&'p ImpactPlan) -> Option<T>,
+    ) -> Option<T> {
+        match self {
+            Self::Round(plan) => history(plan),
+            Self::Impact(plan) => impact(plan),
+            Self::Plane(_) | Self::Rough(_) => None,
+        }
+    }
+
     /// The plan of a round contact that is led through a history, if it is one.
     #[must_use]
     pub fn round(&self) -> Option<&RoundPlan> {
-        match self {
-            Self::Round(plan) => Some(plan),
-            Self::Impact(_) | Self::Plane(_) | Self::Rough(_) => None,
-        }
+        self.of_round(Some, |_| None)
     }
 
     /// What the indenter is pressed into, if it is round.
     #[must_use]
     pub fn ground(&self) -> Option<HalfSpace> {
-        match self {
-            Self::Round(plan) => Some(plan.ground()),
-            Self::Impact(plan) => Some(plan.ground()),
-            Self::Plane(_) | Self::Rough(_) => None,
-        }
+        self.of_round(|plan| Some(plan.ground()), |plan| Some(plan.ground()))
+    }
+
+    /// E*(t) of bodies that relax.
+    #[must_use]
+    pub fn relaxation(&self) -> Option<&Relaxation> {
+        self.of_round(|plan| plan.contact.relaxation(), |plan| plan.law.relaxation()).map(Arc::as_ref)
+    }
+
+    /// Work of adhesion [J/m²] of an attraction of vanishing range.
+    #[must_use]
+    pub fn edge_work(&self) -> Option<f64> {
+        self.of_round(|plan| plan.contact.edge_work(), |plan| plan.law.edge_work())
+    }
+
+    /// What holds the edge of bodies that relax.
+    #[must_use]
+    pub fn held_edge(&self) -> Option<&HeldEdge> {
+        self.of_round(|plan| plan.contact.held_edge(), |plan| plan.law.held_edge())
+    }
+
+    /// The attraction of elastic bodies on the direct path; `None` where another solver is at work.
+    #[must_use]
+    pub fn direct(&self) -> Option<ElasticAdhesion> {
+        self.of_round(|plan| plan.contact.direct(), |plan| plan.law.direct())
+    }
+
+    /// Whether friction acts in a round contact.
+    #[must_use]
+    pub fn has_friction(&self) -> bool {
+        let some = self.of_round(|plan| plan.friction.as_ref().map(drop), |plan| plan.ball.as_ref().map(drop));
+        some.is_some()
     }
 
     /// The smooth profile, if there is one over a radius.
@@ -240,63 +277,12 @@ impl Plan {
         }
     }
 
-    /// E*(t) of bodies that relax.
-    #[must_use]
-    pub fn relaxation(&self) -> Option<&Relaxation> {
-        match self {
-            Self::Round(plan) => plan.contact.relaxation().map(Arc::as_ref),
-            Self::Impact(ImpactPlan { law: ImpactLaw::Viscoelastic { relaxation, .. }, .. }) => Some(relaxation),
-            Self::Impact(ImpactPlan { law: ImpactLaw::Elastic(_), .. }) | Self::Plane(_) | Self::Rough(_) => None,
-        }
-    }
-
-    /// Work of adhesion [J/m²] of an attraction of vanishing range.
-    #[must_use]
-    pub fn edge_work(&self) -> Option<f64> {
-        match self {
-            Self::Round(plan) => plan.contact.edge_work(),
-            Self::Impact(plan) => plan.law.edge_work(),
-            Self::Plane(_) | Self::Rough(_) => None,
-        }
-    }
-
-    /// What holds the edge of bodies that relax.
-    #[must_use]
-    pub fn held_edge(&self) -> Option<&HeldEdge> {
-        match self {
-            Self::Round(plan) => plan.contact.held_edge(),
-            Self::Impact(plan) => plan.law.held_edge(),
-            Self::Plane(_) | Self::Rough(_) => None,
-        }
-    }
-
-    /// Whether friction acts.
-    #[must_use]
-    pub fn has_friction(&self) -> bool {
-        match self {
-            Self::Round(plan) => plan.friction.is_some(),
-            Self::Impact(plan) => plan.ball.is_some(),
-            Self::Plane(plan) => plan.section.slides(),
-            Self::Rough(_) => false,
-        }
-    }
-
     /// The roughness, if there is one.
     #[must_use]
     pub fn surface(&self) -> Option<&Surface> {
         match self {
             Self::Rough(plan) => Some(&plan.surface),
             Self::Round(_) | Self::Impact(_) | Self::Plane(_) => None,
-        }
-    }
-
-    /// The attraction of elastic bodies on the direct path; `None` where another solver is at work.
-    #[must_use]
-    pub fn direct(&self) -> Option<ElasticAdhesion> {
-        match self {
-            Self::Round(RoundPlan { contact: ContactLaw::Direct(adhesion), .. })
-            | Self::Impact(ImpactPlan { law: ImpactLaw::Elastic(adhesion), .. }) => Some(*adhesion),
-            Self::Round(_) | Self::Impact(_) | Self::Plane(_) | Self::Rough(_) => None,
         }
     }
 }

@@ -209,6 +209,6 @@ pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
 
 pub(super) fn viscoelastic_on_shape(draft: &Draft<'_>) -> Vec<Problem> {
     let bodies = [("bodies.0", &draft.scene.bodies.0), ("bodies.1", &draft.scene.bodies.1)];
-    let viscoelastic = bodies.into_iter().filter(|(_, body)| matches!(body, Body::Viscoelastic(_)));
+    let viscoelastic = bodies.into_iter().filter(|(_, body)| body.relaxes());
     viscoelastic.filter_map(|(path, _)| cannot_be_on(draft, path, "a viscoelastic body")).collect()
 }
