@@ -5,10 +5,10 @@
 
 use crate::contact::adhesion::equilibrium::{Balance, BranchError, Branches, Control, Equilibrium, Leap, Search};
 use crate::contact::adhesion::line::{EdgeLine, Energy};
-use crate::contact::adhesion::range::{RangeDisc, attraction};
+use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::foundation::{Foundation, HalfSpace};
+use crate::contact::loaded::Loaded;
 use crate::shape::{Profile, Rim};
-use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, PI};
 
 /// What holds the edge of the contact.
 #[derive(Debug, Clone)]
@@ -319,62 +319,44 @@ impl QuasiStatic {
         }
     }
 
-    fn edge_of(&self, balance: &Balance) -> f64 {
-        balance.indentation - self.profile().reduced(balance.contact_radius)
-    }
-
-    /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] at the edge of the contact; zero without adhesion
-    /// and for attraction of finite range, negative under the sharp edge of a punch.
+    /// The contact as it is now, under its load.
     #[must_use]
-    pub fn stress_intensity(&self) -> f64 {
-        let a = self.present.balance.contact_radius;
-        if a <= 0.0 { 0.0 } else { -self.edge_load() / (PI * a).sqrt() }
+    pub fn loaded(&self) -> Loaded {
+        let balance = self.present.balance;
+        match &self.attraction {
+            Attraction::Range(disc) if self.present.joined => Loaded::attracted(disc.clone(), balance),
+            _ => Loaded::elastic(self.ground().clone(), balance.contact_radius, self.edge_load())
+                .at_depth(balance.indentation),
+        }
     }
 
     /// q(a) = E*(d − g(a)) [N/m], the singular load at the edge.
     fn edge_load(&self) -> f64 {
+        let Balance { contact_radius, indentation, .. } = self.present.balance;
         match &self.attraction {
-            Attraction::Line(_) if self.is_smooth() => 0.0,
-            Attraction::Line(_) => self.ground().modulus() * self.edge_of(&self.present.balance),
-            Attraction::Range(_) => 0.0,
+            Attraction::Line(line) if self.present.joined && !self.is_smooth() => {
+                line.ground().modulus() * (indentation - line.ground().depth(contact_radius))
+            }
+            _ => 0.0,
         }
     }
 
-    /// Pressure p(r) [Pa] at the radius `r` [m], compression positive.
-    ///
-    /// p(r) = (1/π)∫_r^a (−q′) dx/√(x²−r²) + q(a)/(π√(a²−r²)) (Popov & Heß 2015, eq. 3.37);
-    /// infinite at r = a if the edge carries a load, and at the apex of a cone.
+    /// Pressure [Pa] at the radius `r` [m], see [`Loaded::pressure`].
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
-        let balance = &self.present.balance;
-        let a = balance.contact_radius;
-        let drawn =
-            if let Attraction::Range(disc) = &self.attraction { attraction(disc.stress(), balance, r) } else { 0.0 };
-        if !self.present.joined || r > a {
-            return drawn;
-        }
-        let edge = self.edge_load();
-        let singular = if edge.abs() > 0.0 { FRAC_1_PI * edge / ((a - r) * (a + r)).sqrt() } else { 0.0 };
-        self.ground().modulus() * self.profile().pressure_integral(r, a) + singular + drawn
+        self.loaded().pressure(r)
     }
 
-    /// Displacement u_z(r) [m] of the surface into the body, relative to the undeformed plane.
-    ///
-    /// d − f(r) in the contact and (2/πE*)∫₀^min(r,c) q dx/√(r²−x²) outside.
+    /// Displacement [m] of the surface at the radius `r` [m], see [`Loaded::surface`].
     #[must_use]
     pub fn surface(&self, r: f64) -> f64 {
-        let balance = &self.present.balance;
-        let a = balance.contact_radius;
-        if !self.present.joined {
-            return 0.0;
-        }
-        if r <= a && a > 0.0 {
-            return balance.indentation - self.profile().height(r);
-        }
-        let drawn = if let Attraction::Range(disc) = &self.attraction { disc.pulled_up(balance, r) } else { 0.0 };
-        let edge = self.edge_of(balance) * FRAC_2_PI * (a / r).min(1.0).asin();
-        let pressed = if a > 0.0 { self.profile().displacement_integral(r, a) + edge } else { 0.0 };
-        pressed + drawn
+        self.loaded().surface(r)
+    }
+
+    /// Stress intensity of the edge [Pa √m], see [`Loaded::stress_intensity`].
+    #[must_use]
+    pub fn stress_intensity(&self) -> f64 {
+        self.loaded().stress_intensity()
     }
 }
 
@@ -437,6 +419,7 @@ mod tests {
     use crate::input::quantity::{Length, Positive};
     use crate::numerics::root;
     use crate::shape::{Cone, Paraboloid, TruncatedCone};
+    use std::f64::consts::PI;
     use std::sync::Arc;
 
     fn paraboloid(radius: f64) -> Paraboloid {

@@ -36,7 +36,7 @@ pub trait Foundation: Debug + Clone + Send + Sync + 'static {
     /// s(a) = k(a)/2E* [m]; grows with a from 0.
     fn measure(&self, a: f64) -> f64;
 
-    /// s′(a) [1].
+    /// s′(a) [1]. Where it is zero at the apex, [`elongation`](Self::elongation) needs its limit there.
     fn density(&self, a: f64) -> f64;
 
     /// d ln s′/d ln a [1]; n of a power-law graded body.
@@ -144,6 +144,12 @@ impl HalfSpace {
         self.profile.as_ref()
     }
 
+    /// The profile, to be held on its own.
+    #[must_use]
+    pub fn shared_profile(&self) -> Arc<dyn Profile> {
+        self.profile.clone()
+    }
+
     /// Effective modulus E* [Pa].
     #[must_use]
     pub fn modulus(&self) -> f64 {
@@ -229,6 +235,9 @@ mod tests {
         }
         fn density_growth(&self, _a: f64) -> f64 {
             self.exponent
+        }
+        fn elongation(&self, a: f64, work: f64) -> f64 {
+            (2.0 * PI * work * a.powf(1.0 - self.exponent)).sqrt()
         }
         fn depth(&self, a: f64) -> f64 {
             self.profile.reduced(a) / (1.0 + self.exponent)

@@ -1,11 +1,11 @@
-//! Stresses on the axis below the surface.
+//! Stresses below the surface of a loaded contact.
 //!
-//! A profile is a superposition of flat punches of radius x, each with the load 2x(−q′) dx, and one
-//! of radius a with the load 2aq(a) for a singular edge.
+//! A contact is a sum of flat punches of radius x, each with the load 2x(−q′) dx, and one of radius a
+//! with the load 2aq(a) for a singular edge; where q alone is known, by parts, of line loads q dx.
 
-use crate::contact::foundation::HalfSpace;
-use crate::numerics::quadrature;
-use std::f64::consts::{FRAC_1_PI, PI};
+use super::loaded::{Bed, Loaded};
+use super::punch::{Point, Stress};
+use crate::numerics::{extremum, quadrature};
 
 /// Stresses on the axis below the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,83 +20,183 @@ pub struct StressRow {
     pub shear: f64,
 }
 
-/// Load of a contact: E* [Pa], Poisson's ratio, contact radius a [m] and q(a) at the edge [N/m].
-#[derive(Debug, Clone)]
-pub struct Loading {
-    /// What the indenter is pressed into.
-    pub ground: HalfSpace,
-    /// Poisson's ratio ν of the body looked into.
-    pub poisson: f64,
-    /// Contact radius a [m].
-    pub contact_radius: f64,
-    /// Load q(a) of the edge [N/m].
-    pub edge_load: f64,
-}
+/// Depths at which the hardest place is looked for.
+const LOOKS: usize = 96;
 
-impl Loading {
-    /// Stresses on the axis at the depth `z` > 0 [m].
+impl Loaded {
+    /// Stresses [Pa] at the distance `point.radius` from the axis and the depth `point.depth` > 0 [m].
     ///
-    /// Of a flat punch of radius x and load P: σ_zz = −(P/2π)(x²+3z²)/(x²+z²)² and
-    /// σ_xx = −(1+ν)P/(2π(x²+z²)) − σ_zz/2, from Boussinesq's solution (Johnson 1985, §3.4).
-    /// Check: Hertz gives σ_zz = −p₀/(1+z²/a²) (Popov, Contact Mechanics and Friction, eq. 5.47).
+    /// Check: Hertz gives σ_zz = −p₀/(1+z²/a²) on the axis (Popov, Contact Mechanics and Friction, eq. 5.47).
     #[must_use]
-    pub fn on_axis(&self, z: f64) -> StressRow {
+    pub fn stress_at(&self, point: &Point) -> Stress {
         let a = self.contact_radius;
-        let edge = FRAC_1_PI * a * self.edge_load;
-        let weight = |x: f64| FRAC_1_PI * self.ground.modulus() * x * self.ground.profile().reduced_slope(x);
-        let mut breaks = self.ground.profile().breaks(a);
-        // Panels that grow with the distance from the poles at x = ±iz.
-        breaks.extend((-2..10).map(|k| 4f64.powi(k) * z));
-        breaks.sort_by(f64::total_cmp);
-        let axial_kernel = |x: f64| (x * x + 3.0 * z * z) / (x * x + z * z).powi(2);
-        let radial_kernel = |x: f64| 1.0 / (x * x + z * z);
-        let sum = |kernel: &dyn Fn(f64) -> f64| {
-            quadrature::panels(|x| weight(x) * kernel(x), (0.0, a), &breaks) + edge * kernel(a)
-        };
-        let axial = -sum(&axial_kernel);
-        let radial = -(1.0 + self.poisson) * sum(&radial_kernel) - 0.5 * axial;
+        match &self.bed {
+            Bed::Elastic(ground, ring) => {
+                let weight = |x: f64| ground.modulus() * self.profile.reduced_slope(x);
+                let punches = summed(|x| weight(x) * point.under_punch(x), (0.0, a), &self.panels(point));
+                let edge = if a > 0.0 { self.edge_load * point.under_punch(a) } else { Stress::default() };
+                let Some((disc, balance)) = ring else { return punches + edge };
+                // −q′ = −2σ₀x/√(c²−x²) on a < x < c; t = √(c²−x²).
+                let c = balance.reach;
+                let drawn = |t: f64| (-2.0 * disc.stress()) * point.under_punch(((c - t) * (c + t)).sqrt());
+                let inner = |x: f64| ((c - x) * (c + x)).sqrt();
+                let mut breaks: Vec<f64> = about(point).into_iter().filter(|&x| x > a && x < c).map(inner).collect();
+                breaks.reverse();
+                punches + edge + summed(drawn, (0.0, inner(a)), &breaks)
+            }
+            Bed::Remembered(load, _) => {
+                // Less q at the nearest place, where a line load is nearly singular.
+                let near = load.at(point.radius.min(a));
+                let lines = |x: f64| (load.at(x) - near) * point.under_line(x);
+                near * point.under_punch(a) + summed(lines, (0.0, a), &self.panels(point))
+            }
+        }
+    }
+
+    /// Stresses on the axis at the depth `z` > 0 [m] in a body of Poisson's ratio `poisson`.
+    #[must_use]
+    pub fn on_axis(&self, z: f64, poisson: f64) -> StressRow {
+        let Stress { axial, radial, .. } = self.stress_at(&Point { radius: 0.0, depth: z, poisson });
         StressRow { depth: z, axial, radial, shear: 0.5 * (axial - radial).abs() }
     }
 
     /// Stresses at `count` depths down to three contact radii, denser near the surface.
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "a profile has far fewer than 2^53 points")]
-    pub fn profile_down(&self, count: usize) -> Vec<StressRow> {
-        let depth = |k: usize| 3.0 * self.contact_radius * ((k as f64 + 1.0) / count as f64).powi(2);
-        (0..count).map(|k| self.on_axis(depth(k))).collect()
+    pub fn down_the_axis(&self, count: usize, poisson: f64) -> Vec<StressRow> {
+        let depth = |k: usize| 3.0 * self.reach() * ((k as f64 + 1.0) / count as f64).powi(2);
+        (0..count).map(|k| self.on_axis(depth(k), poisson)).collect()
     }
 
-    /// Mean load over the contact, F/(πa²) [Pa].
+    /// Where on the axis the stress of von Mises |σ_zz − σ_xx| is largest: there the body yields first.
+    ///
+    /// Check: Hertz at ν = 0.3 has its largest shear 0.3100205020 p₀ at z = 0.480864 a, so it yields at
+    /// p₀ = 1.6127965630 Y.
     #[must_use]
-    pub fn mean_pressure(&self) -> f64 {
-        let a = self.contact_radius;
-        2.0 * (self.ground.modulus() * self.ground.profile().load_integral(a) + a * self.edge_load) / (PI * a * a)
+    pub fn hardest(&self, poisson: f64) -> Option<StressRow> {
+        let rows = self.down_the_axis(LOOKS, poisson);
+        let at = (0..rows.len()).max_by(|&i, &j| rows[i].shear.total_cmp(&rows[j].shear))?;
+        let depth = |k: usize| rows.get(k).map_or(rows[at].depth, |row| row.depth);
+        let (low, high) = (depth(at.wrapping_sub(1)), depth(at + 1));
+        let peak = extremum::greatest(|z| self.on_axis(z, poisson).shear, low, high);
+        Some(self.on_axis(peak.place, poisson)).filter(|row| row.shear >= rows[at].shear).or(Some(rows[at]))
+    }
+
+    /// Borders of the panels of q and of those about the point.
+    fn panels(&self, point: &Point) -> Vec<f64> {
+        let mut breaks = match &self.bed {
+            Bed::Elastic(..) => self.profile.breaks(self.contact_radius),
+            Bed::Remembered(load, _) => load.ends().to_vec(),
+        };
+        breaks.extend(about(point));
+        breaks.sort_by(f64::total_cmp);
+        breaks
+    }
+}
+
+/// Borders of panels that grow with the distance from the poles at x = ±r ± iz.
+fn about(point: &Point) -> Vec<f64> {
+    let steps = (-2..10).map(|k| 4f64.powi(k) * point.depth);
+    let mut places: Vec<f64> = steps.flat_map(|step| [point.radius - step, point.radius + step]).collect();
+    places.push(point.radius);
+    places.sort_by(f64::total_cmp);
+    places
+}
+
+/// ∫ of all components over `range`.
+fn summed(at: impl Fn(f64) -> Stress, range: (f64, f64), breaks: &[f64]) -> Stress {
+    let part = |of: fn(&Stress) -> f64| quadrature::panels(|x| of(&at(x)), range, breaks);
+    Stress {
+        radial: part(|stress| stress.radial),
+        hoop: part(|stress| stress.hoop),
+        axial: part(|stress| stress.axial),
+        shear: part(|stress| stress.shear),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::foundation::HalfSpace;
+    use crate::contact::loaded::Curve;
     use crate::input::quantity::Length;
-    use crate::shape::Paraboloid;
+    use crate::shape::{Paraboloid, Profile};
+    use std::f64::consts::FRAC_1_PI;
     use std::sync::Arc;
+
+    fn ball() -> Arc<dyn Profile> {
+        Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() })
+    }
+
+    /// A ball of R = 1 with E* = 1: p₀ = 2a/π.
+    fn hertz(a: f64) -> Loaded {
+        Loaded::elastic(HalfSpace::new(ball(), 1.0), a, 0.0)
+    }
+
+    /// The same contact, of which the loads alone are known.
+    fn remembered(a: f64) -> Loaded {
+        let load = Curve::new(move |x| (a - x) * (a + x), vec![a]);
+        Loaded::remembered(ball(), a * a, load.clone(), load)
+    }
 
     #[test]
     fn hertz_on_the_axis() {
-        let ball = Paraboloid { radius: Length::new(1.0).unwrap() };
         let a = 0.1;
-        let load =
-            Loading { ground: HalfSpace::new(Arc::new(ball), 1.0), poisson: 0.33, contact_radius: a, edge_load: 0.0 };
         let peak = 2.0 * a * FRAC_1_PI;
         for part in [0.01, 0.1, 0.49, 1.0, 3.0, 30.0] {
-            let z = part * a;
-            let row = load.on_axis(z);
             let axial = -peak / (1.0 + part * part);
-            let radial = -peak * (1.33 * (1.0 - part * (1.0 / part).atan()) - 0.5 / (1.0 + part * part));
-            assert!((row.axial / axial - 1.0).abs() < 1e-13, "{part}: {}", row.axial / axial - 1.0);
-            assert!((row.radial - radial).abs() < 1e-13 * peak, "{part}");
+            let radial = -peak * (1.33 * (1.0 - part * (1.0f64 / part).atan()) - 0.5 / (1.0 + part * part));
+            for load in [hertz(a), remembered(a)] {
+                let row = load.on_axis(part * a, 0.33);
+                assert!((row.axial / axial - 1.0).abs() < 1e-13, "{part}: {}", row.axial / axial - 1.0);
+                assert!((row.radial - radial).abs() < 1e-13 * peak, "{part}");
+            }
         }
-        let shear = |part: f64| load.on_axis(part * a).shear;
-        assert!(shear(0.49) > shear(0.46) && shear(0.49) > shear(0.52));
+    }
+
+    /// Hertz at ν = 0.3 in p₀ and a, by Boussinesq's point loads and quadrature.
+    #[test]
+    fn hertz_off_the_axis() {
+        let a = 0.7;
+        let peak = 2.0 * a * FRAC_1_PI;
+        for (r, z, exact) in [
+            (0.5, 0.5, [-0.162_947_161_611, -0.142_309_653_636, -0.650_850_826_035, -0.153_645_038_156]),
+            (1.0, 0.2, [-0.188_203_749_364, -0.138_080_182_064, -0.191_552_679_283, -0.173_352_792_240]),
+            (2.0, 1.0, [-0.053_464_272_216, -0.008_222_032_631, -0.025_647_239_127, -0.041_498_104_625]),
+        ] {
+            let point = Point { radius: r * a, depth: z * a, poisson: 0.3 };
+            for load in [hertz(a), remembered(a)] {
+                let found = load.stress_at(&point);
+                for (found, exact) in [found.radial, found.hoop, found.axial, found.shear].into_iter().zip(exact) {
+                    assert!((found / peak - exact).abs() < 2e-12, "{r} {z}: {} {exact}", found / peak);
+                }
+            }
+        }
+    }
+
+    /// Near the surface σ_zz is the pressure.
+    #[test]
+    fn the_surface_carries_the_pressure() {
+        for load in [hertz(0.7), remembered(0.7), Loaded::elastic(HalfSpace::new(ball(), 1.0), 0.7, -0.1)] {
+            for r in [0.0, 0.2, 0.5, 0.9] {
+                let axial = load.stress_at(&Point { radius: r, depth: 1e-7, poisson: 0.3 }).axial;
+                let pressure = load.pressure(r);
+                // σ_zz leaves the pressure with z² (with z outside of an edge).
+                assert!((axial + pressure).abs() < 1e-6, "{r}: {axial} {pressure}");
+            }
+        }
+    }
+
+    #[test]
+    fn hertz_yields_first_below_the_surface() {
+        for (poisson, ratio) in [(0.3, 1.612_796_563_0), (0.5, 1.877_239_337_1), (0.25, 1.554_347_432_4)] {
+            for load in [hertz(0.1), remembered(0.1)] {
+                let row = load.hardest(poisson).unwrap();
+                assert!((load.pressure(0.0) / (2.0 * row.shear) - ratio).abs() < 2e-10, "{poisson}");
+            }
+        }
+        let row = hertz(0.1).hardest(0.3).unwrap();
+        // The place of a maximum is known to the root of its rounding.
+        assert!((row.depth / 0.1 - 0.480_864).abs() < 1e-6, "{}", row.depth);
     }
 }

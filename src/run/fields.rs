@@ -3,9 +3,9 @@
 use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::loaded::Loaded;
 use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
-use crate::contact::stress::Loading;
 use crate::contact::stress::StressRow;
 use crate::material::Body;
 use crate::run::record::{Field, FieldRow, Record};
@@ -103,10 +103,9 @@ pub fn stresses(shared: &Shared, ground: &HalfSpace, normal: &Normal) -> Option<
     let a = normal.contact_radius.filter(|&a| a > 0.0)?;
     let profile = ground.profile();
     let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
-    let edge_load = ground.modulus() * edge;
-    let poisson = poisson(&shared.scene.bodies);
-    let loading = Loading { ground: ground.clone(), poisson, contact_radius: a, edge_load };
-    Some(Table::new("stress").with(&STRESS, loading.profile_down(DEPTHS).iter()))
+    let loaded = Loaded::elastic(ground.clone(), a, ground.modulus() * edge);
+    let rows = loaded.down_the_axis(DEPTHS, poisson(&shared.scene.bodies));
+    Some(Table::new("stress").with(&STRESS, rows.iter()))
 }
 
 fn poisson(bodies: &(Body, Body)) -> f64 {

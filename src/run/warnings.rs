@@ -3,8 +3,8 @@
 use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::loaded::Loaded;
 use crate::contact::state::Normal;
-use crate::contact::stress::Loading;
 use crate::material::Body;
 use crate::scene::plan::{Plan, Shared};
 use crate::shape::{Profile, Shape, Sphere};
@@ -168,8 +168,7 @@ fn yielding(largest: &Largest, body: &Body) -> Option<String> {
         ));
     }
     let edge_load = ground.modulus() * (largest.state.indentation? - ground.profile().reduced(a));
-    let loading = Loading { ground: ground.clone(), poisson: elastic.poisson.si(), contact_radius: a, edge_load };
-    let worst = loading.profile_down(96).into_iter().max_by(|x, y| x.shear.total_cmp(&y.shear))?;
+    let worst = Loaded::elastic(ground.clone(), a, edge_load).hardest(elastic.poisson.si())?;
     (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
         format!(
             "the stress passes first yield: |σ_zz − σ_xx| = {:.3e} Pa at the depth {:.2} a, yield stress {limit:.3e} Pa, mean pressure {:.3e} Pa",

@@ -17,6 +17,7 @@ pub mod layout;
 pub mod lazy;
 pub mod ledger;
 pub mod memory;
+mod loaded;
 pub(crate) mod opening;
 pub mod pressure;
 pub mod spring;

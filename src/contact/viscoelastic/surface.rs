@@ -43,6 +43,11 @@ impl Memory {
         if strips.len() > 8 { thinned(ends) } else { ends }
     }
 
+    /// Panels of the springs in contact, and of all that have been touched.
+    pub(super) fn borders(&self) -> (Vec<f64>, Vec<f64>) {
+        (self.ends(&self.strips[..self.pressed]), self.ends(&self.strips))
+    }
+
     /// Pressure p(r) [Pa] at the radius `r` ≥ 0 [m]; zero outside the contact.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {

@@ -1,0 +1,233 @@
+//! A loaded contact as a value: pressure, surface and stresses from the present line load q(x).
+
+use super::adhesion::equilibrium::Balance;
+use super::adhesion::range::{RangeDisc, attraction};
+use super::foundation::HalfSpace;
+use crate::numerics::quadrature;
+use crate::shape::Profile;
+use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI};
+use std::fmt::{self, Debug, Formatter};
+use std::sync::Arc;
+
+/// A quantity of the bed over the distance x from the axis, smooth between the ends of its panels.
+#[derive(Clone)]
+pub struct Curve {
+    of: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
+    ends: Vec<f64>,
+}
+
+impl Curve {
+    /// The curve `of`(x); `ends` are the borders of panels on which it is smooth, ascending, and it is zero
+    /// beyond the last [m].
+    pub fn new(of: impl Fn(f64) -> f64 + Send + Sync + 'static, ends: Vec<f64>) -> Self {
+        Self { of: Arc::new(of), ends }
+    }
+
+    /// Borders of the panels on which it is smooth [m].
+    #[must_use]
+    pub fn ends(&self) -> &[f64] {
+        &self.ends
+    }
+
+    /// Its value at `x` [m].
+    #[must_use]
+    pub fn at(&self, x: f64) -> f64 {
+        (self.of)(x)
+    }
+}
+
+impl Debug for Curve {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Curve").field("ends", &self.ends).finish_non_exhaustive()
+    }
+}
+
+/// Where the line load comes from.
+#[derive(Debug, Clone)]
+pub(super) enum Bed {
+    /// Elastic springs: q = E*(g(a) − g(x)) + q(a), and the attraction of finite range, if there is one.
+    Elastic(HalfSpace, Option<(RangeDisc, Balance)>),
+    /// Springs that remember: their loads q [N/m] and displacements [m].
+    Remembered(Curve, Curve),
+}
+
+/// A contact under the line load q(x) [N/m] of its springs, as it is at one instant.
+///
+/// Owned, and independent of how the load came about: pressure, stress intensity and the stresses below
+/// the surface are those of q alone (Popov & Heß 2015, eqs. 3.37 and 3.40).
+#[derive(Debug, Clone)]
+pub struct Loaded {
+    pub(super) bed: Bed,
+    pub(super) profile: Arc<dyn Profile>,
+    pub(super) contact_radius: f64,
+    pub(super) edge_load: f64,
+    indentation: f64,
+}
+
+impl Loaded {
+    /// An elastic contact of the radius `contact_radius` a [m] whose edge carries `edge_load` q(a) [N/m]: positive
+    /// at a wall, negative with adhesion.
+    #[must_use]
+    pub fn elastic(ground: HalfSpace, contact_radius: f64, edge_load: f64) -> Self {
+        let indentation = ground.profile().reduced(contact_radius) + edge_load / ground.modulus();
+        let profile = ground.shared_profile();
+        Self { bed: Bed::Elastic(ground, None), profile, contact_radius, edge_load, indentation }
+    }
+
+    /// The same at the indentation `indentation` [m], where that is known to more digits.
+    #[must_use]
+    pub fn at_depth(self, indentation: f64) -> Self {
+        Self { indentation, ..self }
+    }
+
+    /// A contact held by an attraction of finite range in the state `balance`.
+    #[must_use]
+    pub fn attracted(disc: RangeDisc, balance: Balance) -> Self {
+        let ground = disc.ground().clone();
+        let profile = ground.shared_profile();
+        let (contact_radius, indentation) = (balance.contact_radius, balance.indentation);
+        Self { bed: Bed::Elastic(ground, Some((disc, balance))), profile, contact_radius, edge_load: 0.0, indentation }
+    }
+
+    /// A contact at the indentation `indentation` [m] whose springs carry `load` q(x) [N/m], the last end of its
+    /// panels being the contact radius, and are displaced by `displacement` [m], those let go included.
+    #[must_use]
+    pub fn remembered(profile: Arc<dyn Profile>, indentation: f64, load: Curve, displacement: Curve) -> Self {
+        let contact_radius = load.ends.last().copied().unwrap_or(0.0);
+        let edge_load = load.at(contact_radius);
+        Self { bed: Bed::Remembered(load, displacement), profile, contact_radius, edge_load, indentation }
+    }
+
+    /// Contact radius a [m].
+    #[must_use]
+    pub fn contact_radius(&self) -> f64 {
+        self.contact_radius
+    }
+
+    /// Radius [m] up to which the bodies act on each other.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        match &self.bed {
+            Bed::Elastic(_, Some((_, balance))) => balance.reach,
+            _ => self.contact_radius,
+        }
+    }
+
+    /// Load q(a) of the edge [N/m]; zero where the edge is not singular.
+    #[must_use]
+    pub fn edge_load(&self) -> f64 {
+        self.edge_load
+    }
+
+    /// Profile of the indenter.
+    #[must_use]
+    pub fn profile(&self) -> &dyn Profile {
+        self.profile.as_ref()
+    }
+
+    /// Normal force F = 2∫₀^a q dx over the contact [N].
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        let a = self.contact_radius;
+        match &self.bed {
+            Bed::Elastic(ground, None) => 2.0 * (ground.modulus() * self.profile.load_integral(a) + a * self.edge_load),
+            Bed::Elastic(_, Some((_, balance))) => balance.force,
+            Bed::Remembered(load, _) => 2.0 * quadrature::panels(|x| load.at(x), (0.0, a), &load.ends),
+        }
+    }
+
+    /// Mean pressure F/(πa²) [Pa].
+    #[must_use]
+    pub fn mean_pressure(&self) -> f64 {
+        self.force() / (PI * self.contact_radius * self.contact_radius)
+    }
+
+    /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] of the edge; zero without adhesion and for attraction of
+    /// finite range, negative under the sharp edge of a punch.
+    #[must_use]
+    pub fn stress_intensity(&self) -> f64 {
+        let a = self.contact_radius;
+        if a <= 0.0 || self.edge_load.abs() <= 0.0 { 0.0 } else { -self.edge_load / (PI * a).sqrt() }
+    }
+
+    /// Pressure p(r) [Pa] at the radius `r` [m], compression positive, zero beyond the reach of the bodies.
+    ///
+    /// p(r) = (1/π)∫_r^a (−q′) dx/√(x²−r²) + q(a)/(π√(a²−r²)) (Popov & Heß 2015, eq. 3.37);
+    /// infinite at r = a if the edge carries a load, and at the apex of a cone.
+    #[must_use]
+    pub fn pressure(&self, r: f64) -> f64 {
+        let a = self.contact_radius;
+        if r > a || a <= 0.0 {
+            return self.drawn(r);
+        }
+        if let Bed::Remembered(load, _) = &self.bed {
+            return inverse(&|x| load.at(x), &load.ends, r);
+        }
+        let edge = self.edge_load;
+        let singular = if edge.abs() > 0.0 { FRAC_1_PI * edge / ((a - r) * (a + r)).sqrt() } else { 0.0 };
+        self.regular_pressure(r) + singular + self.drawn(r)
+    }
+
+    /// The same without what the load of the edge and an attraction of finite range add.
+    #[must_use]
+    pub fn regular_pressure(&self, r: f64) -> f64 {
+        match &self.bed {
+            Bed::Elastic(ground, _) => ground.modulus() * self.profile.pressure_integral(r, self.contact_radius),
+            Bed::Remembered(load, _) => inverse(&|x| load.at(x) - self.edge_load, &load.ends, r),
+        }
+    }
+
+    /// Pressure of the attraction of finite range.
+    fn drawn(&self, r: f64) -> f64 {
+        match &self.bed {
+            Bed::Elastic(_, Some((disc, balance))) => attraction(disc.stress(), balance, r),
+            _ => 0.0,
+        }
+    }
+
+    /// Displacement u_z(r) [m] of the surface into the body, relative to the undeformed plane: d − f(r) in the
+    /// contact and (2/π)∫₀^r u dx/√(r²−x²) outside, u the displacement of the springs.
+    #[must_use]
+    pub fn surface(&self, r: f64) -> f64 {
+        let a = self.contact_radius;
+        if r <= a && a > 0.0 {
+            return self.indentation - self.profile.height(r);
+        }
+        let (ground, ring) = match &self.bed {
+            Bed::Elastic(ground, ring) => (ground, ring),
+            Bed::Remembered(_, displacement) => return raised(&|x| displacement.at(x), &displacement.ends, r),
+        };
+        let drawn = ring.as_ref().map_or(0.0, |(disc, balance)| disc.pulled_up(balance, r));
+        let edge = match ring {
+            None => self.edge_load / ground.modulus(),
+            Some(_) => self.indentation - self.profile.reduced(a),
+        };
+        let edge = edge * FRAC_2_PI * (a / r).min(1.0).asin();
+        if a > 0.0 { self.profile.displacement_integral(r, a) + edge + drawn } else { drawn }
+    }
+}
+
+/// p(r) [Pa] from q(x) [N/m] alone, by parts: with x² = r² + s²,
+/// π p(r) = q(r)/√(a²−r²) + ∫ (q(r) − q(x))/s² ds. `ends` as of a [`Curve`].
+pub fn inverse(load: &impl Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+    let Some(&a) = ends.last() else { return 0.0 };
+    if r >= a {
+        return 0.0;
+    }
+    let here = load(r);
+    let to_s = |x: f64| ((x - r) * (x + r)).sqrt();
+    let breaks: Vec<f64> = ends.iter().filter(|&&x| x > r && x < a).map(|&x| to_s(x)).collect();
+    let fall = |s: f64| (here - load(r.hypot(s))) / (s * s);
+    FRAC_1_PI * (here / to_s(a) + quadrature::panels(fall, (0.0, to_s(a)), &breaks))
+}
+
+/// u_z(r) = (2/π) ∫₀^r u(x) dx/√(r²−x²) [m]; x = r sin θ takes the root away.
+///
+/// The transform knows no time: springs let go and still creeping back count with what is left of
+/// their displacement. `ends` as of a [`Curve`].
+pub fn raised(displacement: &impl Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+    let Some(&last) = ends.last() else { return 0.0 };
+    let angle = |x: f64| if x < r { (x / r).asin() } else { FRAC_PI_2 };
+    let breaks: Vec<f64> = ends.iter().map(|&x| angle(x)).collect();
+    FRAC_2_PI * quadrature::panels(|theta| displacement(r * theta.sin()), (0.0, angle(last)), &breaks)
+}

@@ -1,0 +1,186 @@
+//! Stresses below a flat punch (Sneddon 1946), of which every axisymmetric contact is a sum.
+//!
+//! A line load of one over 0 ≤ x < b is the pressure 1/(π√(b²−r²)) of a flat punch. With ζ = z − ib and
+//! ρ = √(r² + ζ²) its stresses are imaginary parts of elementary functions (Johnson 1985, §3.8).
+
+use std::f64::consts::FRAC_1_PI;
+use std::ops::{Add, Mul};
+
+/// Stresses at a point below the surface [Pa], tension positive.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Stress {
+    /// Radial stress σ_rr.
+    pub radial: f64,
+    /// Hoop stress σ_θθ.
+    pub hoop: f64,
+    /// Axial stress σ_zz.
+    pub axial: f64,
+    /// Shear stress τ_rz.
+    pub shear: f64,
+}
+
+impl Stress {
+    /// Equivalent stress of von Mises [Pa].
+    #[must_use]
+    pub fn von_mises(&self) -> f64 {
+        let differences = [self.radial - self.hoop, self.hoop - self.axial, self.axial - self.radial];
+        (0.5 * differences.map(|part| part * part).iter().sum::<f64>() + 3.0 * self.shear * self.shear).sqrt()
+    }
+}
+
+impl Add for Stress {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            radial: self.radial + other.radial,
+            hoop: self.hoop + other.hoop,
+            axial: self.axial + other.axial,
+            shear: self.shear + other.shear,
+        }
+    }
+}
+
+impl Mul<Stress> for f64 {
+    type Output = Stress;
+    fn mul(self, stress: Stress) -> Stress {
+        Stress {
+            radial: self * stress.radial,
+            hoop: self * stress.hoop,
+            axial: self * stress.axial,
+            shear: self * stress.shear,
+        }
+    }
+}
+
+/// A place below the surface of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Distance r from the axis [m].
+    pub radius: f64,
+    /// Depth z > 0 [m].
+    pub depth: f64,
+    /// Poisson's ratio ν of the body.
+    pub poisson: f64,
+}
+
+impl Point {
+    /// Stresses [Pa] here under the line load one [N/m] over 0 ≤ x < `b` [m].
+    #[must_use]
+    pub fn under_punch(&self, b: f64) -> Stress {
+        let (zeta, rho) = self.complex(b);
+        let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
+        let cube = inverse * inverse * inverse;
+        self.stress(
+            inverse.im,
+            self.depth * (zeta * cube).im,
+            (1.0 - 2.0 * self.poisson) * near.im - self.depth * (inverse * near).im,
+            self.depth * self.radius * cube.im,
+        )
+    }
+
+    /// Stresses [Pa/m] here under a line load of one newton at x = `b` [m]: their derivative.
+    #[must_use]
+    pub fn under_line(&self, b: f64) -> Stress {
+        let (zeta, rho) = self.complex(b);
+        let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
+        let cube = inverse * inverse * inverse;
+        let fifth = cube * inverse * inverse;
+        let bend = Complex { re: 3.0 * (zeta * zeta * fifth).re - cube.re, im: 0.0 };
+        self.stress(
+            (zeta * cube).re,
+            self.depth * bend.re,
+            (1.0 - 2.0 * self.poisson) * (inverse * near).re - self.depth * cube.re,
+            3.0 * self.depth * self.radius * (zeta * fifth).re,
+        )
+    }
+
+    /// ζ and ρ for the distance `b`.
+    fn complex(&self, b: f64) -> (Complex, Complex) {
+        let (r, z) = (self.radius, self.depth);
+        let square = Complex { re: (r - b) * (r + b) + z * z, im: -2.0 * b * z };
+        (Complex { re: z, im: -b }, square.sqrt())
+    }
+
+    /// The stresses from the transforms ∫J₀, z∫kJ₀, ∫J₁/r and z∫kJ₁ of the pressure.
+    fn stress(&self, even: f64, bent: f64, spread: f64, shear: f64) -> Stress {
+        FRAC_1_PI
+            * Stress {
+                radial: bent - even + spread,
+                hoop: -2.0 * self.poisson * even - spread,
+                axial: -even - bent,
+                shear: -shear,
+            }
+    }
+}
+
+/// A complex number.
+#[derive(Debug, Clone, Copy)]
+struct Complex {
+    re: f64,
+    im: f64,
+}
+
+impl Complex {
+    fn inverse(self) -> Self {
+        let size = self.re.hypot(self.im);
+        Self { re: self.re / size / size, im: -self.im / size / size }
+    }
+
+    /// The root with a positive real part.
+    fn sqrt(self) -> Self {
+        let size = self.re.hypot(self.im);
+        let half = (0.5 * (size + self.re.abs())).sqrt();
+        let other = 0.5 * self.im / half;
+        if self.re >= 0.0 { Self { re: half, im: other } } else { Self { re: other.abs(), im: half.copysign(self.im) } }
+    }
+}
+
+impl Add for Complex {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { re: self.re + other.re, im: self.im + other.im }
+    }
+}
+
+impl Mul for Complex {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    /// Mean pressure one, by Boussinesq's point loads and quadrature.
+    #[test]
+    fn flat_punch_off_the_axis() {
+        let point = Point { radius: 0.5, depth: 0.5, poisson: 0.3 };
+        let stress = 0.5 * PI * point.under_punch(1.0);
+        for (found, exact) in [
+            (stress.radial, -0.196_653_226_654),
+            (stress.hoop, -0.226_827_927_495),
+            (stress.axial, -0.622_363_469_300),
+            (stress.shear, -0.009_495_785_578),
+        ] {
+            assert!((found - exact).abs() < 2e-12, "{found} {exact}");
+        }
+    }
+
+    #[test]
+    fn lines_are_the_derivative_of_punches() {
+        for (radius, depth) in [(0.0, 0.3), (0.2, 0.7), (1.4, 0.1)] {
+            let point = Point { radius, depth, poisson: 0.3 };
+            for b in [0.1, 0.8, 2.0] {
+                let h = 1e-5;
+                let slope = (0.5 / h) * (point.under_punch(b + h) + -1.0 * point.under_punch(b - h));
+                let off = slope + -1.0 * point.under_line(b);
+                for part in [off.radial, off.hoop, off.axial, off.shear] {
+                    assert!(part.abs() < 1e-5, "{radius} {depth} {b} {part:e}");
+                }
+            }
+        }
+    }
+}
