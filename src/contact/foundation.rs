@@ -259,7 +259,8 @@ mod tests {
             let mut contact = QuasiStatic::new(EdgeLine::new(graded(exponent), 1.0));
             contact.press(0.0).unwrap();
             let parted = contact.press(-9.0).unwrap()[0].before;
-            assert!((parted.force / pull_off - 1.0).abs() < 1e-13, "{exponent}: {}", parted.force);
+            // The default integrals meet xᵐ with a broken m: 32 nodes leave 32^(−2m−2), m ≥ 2.
+            assert!((parted.force / pull_off - 1.0).abs() < 1e-9, "{exponent}: {}", parted.force);
             let mut bed = SpringBed::new(graded(exponent), (4000, 4.0), 1.0);
             bed.press(0.0);
             // Counted springs miss half a cell at the edge, hΔl of F.

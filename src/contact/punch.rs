@@ -8,7 +8,7 @@ use std::ops::{Add, Mul};
 
 /// Stresses at a point below the surface [Pa], tension positive.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Stress {
+pub struct Stresses {
     /// Radial stress σ_rr.
     pub radial: f64,
     /// Hoop stress σ_θθ.
@@ -19,7 +19,7 @@ pub struct Stress {
     pub shear: f64,
 }
 
-impl Stress {
+impl Stresses {
     /// Equivalent stress of von Mises [Pa].
     #[must_use]
     pub fn von_mises(&self) -> f64 {
@@ -28,7 +28,7 @@ impl Stress {
     }
 }
 
-impl Add for Stress {
+impl Add for Stresses {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self {
@@ -40,10 +40,10 @@ impl Add for Stress {
     }
 }
 
-impl Mul<Stress> for f64 {
-    type Output = Stress;
-    fn mul(self, stress: Stress) -> Stress {
-        Stress {
+impl Mul<Stresses> for f64 {
+    type Output = Stresses;
+    fn mul(self, stress: Stresses) -> Stresses {
+        Stresses {
             radial: self * stress.radial,
             hoop: self * stress.hoop,
             axial: self * stress.axial,
@@ -66,7 +66,7 @@ pub struct Point {
 impl Point {
     /// Stresses [Pa] here under the line load one [N/m] over 0 ≤ x < `b` [m].
     #[must_use]
-    pub fn under_punch(&self, b: f64) -> Stress {
+    pub fn under_punch(&self, b: f64) -> Stresses {
         let (zeta, rho) = self.complex(b);
         let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
         let cube = inverse * inverse * inverse;
@@ -80,7 +80,7 @@ impl Point {
 
     /// Stresses [Pa/m] here under a line load of one newton at x = `b` [m]: their derivative.
     #[must_use]
-    pub fn under_line(&self, b: f64) -> Stress {
+    pub fn under_line(&self, b: f64) -> Stresses {
         let (zeta, rho) = self.complex(b);
         let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
         let cube = inverse * inverse * inverse;
@@ -102,9 +102,9 @@ impl Point {
     }
 
     /// The stresses from the transforms ∫J₀, z∫kJ₀, ∫J₁/r and z∫kJ₁ of the pressure.
-    fn stress(&self, even: f64, bent: f64, spread: f64, shear: f64) -> Stress {
+    fn stress(&self, even: f64, bent: f64, spread: f64, shear: f64) -> Stresses {
         FRAC_1_PI
-            * Stress {
+            * Stresses {
                 radial: bent - even + spread,
                 hoop: -2.0 * self.poisson * even - spread,
                 axial: -even - bent,

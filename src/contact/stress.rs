@@ -4,7 +4,7 @@
 //! with the load 2aq(a) for a singular edge; where q alone is known, by parts, of line loads q dx.
 
 use super::loaded::{Bed, Loaded};
-use super::punch::{Point, Stress};
+use super::punch::{Point, Stresses};
 use crate::numerics::{extremum, quadrature};
 
 /// Stresses on the axis below the surface.
@@ -28,13 +28,13 @@ impl Loaded {
     ///
     /// Check: Hertz gives σ_zz = −p₀/(1+z²/a²) on the axis (Popov, Contact Mechanics and Friction, eq. 5.47).
     #[must_use]
-    pub fn stress_at(&self, point: &Point) -> Stress {
+    pub fn stress_at(&self, point: &Point) -> Stresses {
         let a = self.contact_radius;
         match &self.bed {
             Bed::Elastic(ground, ring) => {
                 let weight = |x: f64| ground.modulus() * self.profile.reduced_slope(x);
                 let punches = summed(|x| weight(x) * point.under_punch(x), (0.0, a), &self.panels(point));
-                let edge = if a > 0.0 { self.edge_load * point.under_punch(a) } else { Stress::default() };
+                let edge = if a > 0.0 { self.edge_load * point.under_punch(a) } else { Stresses::default() };
                 let Some((disc, balance)) = ring else { return punches + edge };
                 // −q′ = −2σ₀x/√(c²−x²) on a < x < c; t = √(c²−x²).
                 let c = balance.reach;
@@ -56,7 +56,7 @@ impl Loaded {
     /// Stresses on the axis at the depth `z` > 0 [m] in a body of Poisson's ratio `poisson`.
     #[must_use]
     pub fn on_axis(&self, z: f64, poisson: f64) -> StressRow {
-        let Stress { axial, radial, .. } = self.stress_at(&Point { radius: 0.0, depth: z, poisson });
+        let Stresses { axial, radial, .. } = self.stress_at(&Point { radius: 0.0, depth: z, poisson });
         StressRow { depth: z, axial, radial, shear: 0.5 * (axial - radial).abs() }
     }
 
@@ -104,9 +104,9 @@ fn about(point: &Point) -> Vec<f64> {
 }
 
 /// ∫ of all components over `range`.
-fn summed(at: impl Fn(f64) -> Stress, range: (f64, f64), breaks: &[f64]) -> Stress {
-    let part = |of: fn(&Stress) -> f64| quadrature::panels(|x| of(&at(x)), range, breaks);
-    Stress {
+fn summed(at: impl Fn(f64) -> Stresses, range: (f64, f64), breaks: &[f64]) -> Stresses {
+    let part = |of: fn(&Stresses) -> f64| quadrature::panels(|x| of(&at(x)), range, breaks);
+    Stresses {
         radial: part(|stress| stress.radial),
         hoop: part(|stress| stress.hoop),
         axial: part(|stress| stress.axial),
