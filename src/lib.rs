@@ -96,6 +96,9 @@ pub mod check;
 #[cfg(feature = "cli")]
 pub mod app;
 
+#[cfg(test)]
+mod laws;
+
 /// The example of the README, run as a test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

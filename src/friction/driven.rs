@@ -99,7 +99,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
+        #![proptest_config(crate::laws::cases(64))]
 
         /// Forces prescribed by integers come back as the forces of the slides found.
         #[test]

@@ -324,7 +324,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(48))]
+        #![proptest_config(crate::laws::cases(48))]
 
         /// What the flight loses is what slipping springs have lost; momentum goes to the spin.
         #[test]

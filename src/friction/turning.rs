@@ -496,7 +496,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
+        #![proptest_config(crate::laws::cases(64))]
 
         /// Every spring of the bed and of the memory carries the same, |q_x| ≤ μq, and the forces
         /// agree within the bound of the bed, μE*dΔx.

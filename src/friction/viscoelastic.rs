@@ -284,7 +284,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
+        #![proptest_config(crate::laws::cases(64))]
 
         /// Without terms it is the elastic bed, spring by spring.
         #[test]

@@ -365,7 +365,7 @@ fn obeys_the_laws(problem: &PressedMap<'_>) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(96))]
+    #![proptest_config(crate::laws::cases(96))]
 
     #[test]
     fn free_contact_obeys_its_laws((heights, pixel) in surface(), depth in 1..100_i32, load in any::<bool>()) {

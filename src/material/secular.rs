@@ -36,29 +36,55 @@ impl Zero {
 
     /// λ − τᵢ [s] for every pole.
     pub(super) fn gaps(self, poles: &[Pole]) -> impl Iterator<Item = f64> {
-        let origin = poles[self.pole].time;
-        poles.iter().map(move |pole| (origin - pole.time) + self.distance)
+        poles.iter().map(move |pole| self.gap(poles, pole))
     }
 
-    /// Compliance 1/(λ Σ Wᵢ/(λ−τᵢ)²) [1/Pa], the residue of 1/E(p) at the zero.
-    pub(super) fn compliance(self, poles: &[Pole]) -> f64 {
-        let sum: f64 = poles.iter().zip(self.gaps(poles)).map(|(pole, gap)| pole.weight / gap / gap).sum();
-        (self.value(poles) * sum).recip()
+    /// λ − τᵢ [s] for one pole.
+    fn gap(self, poles: &[Pole], pole: &Pole) -> f64 {
+        (poles[self.pole].time - pole.time) + self.distance
     }
+}
+
+/// Compliances Jₘ = Πᵢ |λₘ − τᵢ| / (F λₘ Π_{j≠m} |λₘ − λⱼ|) [1/Pa], the residues of 1/E(p) at all its
+/// zeros; F is `floor`, or Σ Wᵢ for a liquid.
+///
+/// Not the sum Jₘ = 1/(λₘ Σ Wᵢ/(λₘ−τᵢ)²): about a pole of small weight stand two zeros whose distances
+/// from it feel the rounding of E(p) many times over, and their residues by the sum do not add up.
+/// The product gives those of the one material that has these zeros, and its weights are the given
+/// ones to rounding (Gu & Eisenstat 1994, SIAM J. Matrix Anal. Appl. 15, 1266).
+pub(super) fn compliances(poles: &[Pole], floor: f64, zeros: &[Zero]) -> Vec<f64> {
+    (0..zeros.len()).map(|m| compliance(poles, floor, zeros, m)).collect()
+}
+
+/// Jₘ as quotients near one; a pole stands between two zeros, so every λₘ − λⱼ is a sum of like signs.
+fn compliance(poles: &[Pole], floor: f64, zeros: &[Zero], m: usize) -> f64 {
+    let gap = |pole: usize| zeros[m].gap(poles, &poles[pole]);
+    let between = |other: usize| {
+        let pole = m.max(other);
+        gap(other) / (gap(pole) - zeros[other].gap(poles, &poles[pole]))
+    };
+    let others: f64 = (0..zeros.len()).filter(|&other| other != m).map(between).product();
+    let scale = if floor > 0.0 {
+        floor.recip()
+    } else {
+        -gap(poles.len() - 1) / poles.iter().map(|pole| pole.weight).sum::<f64>()
+    };
+    gap(m) / zeros[m].value(poles) * others * scale
 }
 
 /// The zero between the poles `k − 1` and `k`.
 fn between(poles: &[Pole], floor: f64, k: usize) -> Zero {
     let (below, above) = (poles[k - 1].time, poles[k].time);
-    let gap = above - below;
-    let middle = 0.5 * gap;
+    let middle = 0.5 * (above - below);
+    // Beyond the middle, should the zero be there: with equal weights it is, and rounding picks a side.
+    let most = 1.5 * middle;
     if operational(poles, floor, Zero { pole: k - 1, distance: middle }) > 0.0 {
         let pull: f64 = poles[k..].iter().map(|p| p.weight / ((p.time - below) - middle)).sum();
         let least = 0.5 * poles[k - 1].weight / (floor + pull);
-        return settled(poles, floor, Zero { pole: k - 1, distance: 1.0 }, (least, middle));
+        return settled(poles, floor, Zero { pole: k - 1, distance: 1.0 }, (least, most));
     }
     let pull: f64 = poles[..k].iter().map(|p| p.weight / ((above - p.time) - middle)).sum();
-    settled(poles, floor, Zero { pole: k, distance: -1.0 }, (0.5 * poles[k].weight / pull, middle))
+    settled(poles, floor, Zero { pole: k, distance: -1.0 }, (0.5 * poles[k].weight / pull, most))
 }
 
 /// The zero beyond the last pole.

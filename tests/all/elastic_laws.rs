@@ -73,7 +73,7 @@ fn stretch(n: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(crate::laws::cases(128))]
 
     #[test]
     fn cone(modulus in decades(0, 13), slope in decades(-6, 0), d in decades(-12, 1)) {
@@ -187,7 +187,7 @@ fn maugis(lambda: f64, m: f64) -> (f64, f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::laws::cases(64))]
 
     /// Radius, depth and force of Maugis–Dugdale under a load, over twelve decades of E*, R and w.
     #[test]
@@ -235,7 +235,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(crate::laws::cases(128))]
 
     /// Maugis–Dugdale on a truncated cone, with the edge as near to the kink at b as 1e-14 b: a and c are
     /// drawn, the range of the attraction follows from them in variables in which nothing is singular.

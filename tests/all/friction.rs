@@ -104,7 +104,7 @@ fn knots() -> impl Strategy<Value = Vec<(i32, i32)>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(crate::laws::cases(48))]
 
     /// Load and slide vary together in any way, parting and touching again: |F_x| ≤ μF, energy is only
     /// ever lost, and mirrored slides give the mirrored force, to the last bit.

@@ -1,6 +1,6 @@
 //! Whatever the bytes, the readers answer: a scene, a table, or a fault. They never panic.
 //!
-//! `FUZZ_INPUTS=1000000 cargo test --release --test fuzz` tries a million inputs of each kind.
+//! `FUZZ_INPUTS=1000000 cargo test --release --test all fuzz` tries a million inputs of each kind.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};

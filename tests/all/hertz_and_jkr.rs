@@ -47,7 +47,7 @@ fn jkr_depth(a: f64, (radius, modulus, work): (f64, f64, f64)) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
+    #![proptest_config(crate::laws::cases(256))]
 
     #[test]
     fn hertz(modulus in decades(0, 13), radius in decades(-9, 7), part in decades(-15, -1)) {
@@ -193,7 +193,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::laws::cases(24))]
 
     /// Maugis–Dugdale tends to JKR as the range of the attraction goes to zero.
     #[test]

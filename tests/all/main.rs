@@ -12,6 +12,8 @@ mod friction;
 #[cfg(feature = "cli")]
 mod fuzz;
 mod hertz_and_jkr;
+#[path = "../../src/laws.rs"]
+mod laws;
 mod layers;
 #[cfg(feature = "cli")]
 mod program;

@@ -186,7 +186,7 @@ fn kelvin_voigt_creep() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::laws::cases(24))]
 
     /// Times over twenty decades: the force lies between those of E∞ and E(0) while the contact grows, heat
     /// never comes back, and a bed of springs says the same to the order of its width.

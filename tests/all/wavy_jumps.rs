@@ -160,7 +160,7 @@ fn the_jumps_are_those_of_a_scan_of_its_own() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::laws::cases(24))]
 
     /// Any lens: the same jumps and the same loss in one stride as in many.
     #[test]

@@ -216,7 +216,7 @@ fn panels() -> impl Strategy<Value = Panel> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(256))]
+    #![proptest_config(crate::laws::cases(256))]
 
     #[test]
     fn whatever_the_values_there_is_a_figure(panels in prop::collection::vec(panels(), 0..5), title in ".{0,200}") {

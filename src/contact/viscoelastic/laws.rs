@@ -56,7 +56,7 @@ pub(crate) fn unit_ball() -> Paraboloid {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(128))]
+    #![proptest_config(crate::laws::cases(128))]
 
     /// Force of both beds after every motion; the bound is the rounding of the sums, relative to the
     /// greatest force of the history.
@@ -154,7 +154,7 @@ fn triangles_by_springs() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::laws::cases(64))]
 
     /// One motion in one step or in many: the same states to rounding. Each piece rounds the depth
     /// anew, and the force feels that with at most the stiffness 2E(0)a of the whole bed.

@@ -415,7 +415,7 @@ fn settled(ground: &Ground, strip: &mut Strip, detail: Detail) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::laws::{TRIANGLES, history, recipe, unit_ball};
+    use super::super::laws::{Recipe, TRIANGLES, history, recipe, unit_ball};
     use super::super::{layout::Layout, lazy::Lazy};
     use super::*;
     use crate::input::quantity::{Length, Positive};
@@ -582,35 +582,95 @@ mod tests {
         }
     }
 
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(48))]
+    /// The continuous bed against 500 springs up to the radius 1.
+    ///
+    /// A spring nearer to the axis is pressed whenever one further out is, so it has given way more:
+    /// −dq/dg grows outwards, at most to E(0), and q(x) is concave up to the edge. The midpoint rule is
+    /// off by −∫ K dq′ with 0 ≤ K ≤ Δx²/8 (Peano), and q′ falls to −E(0)g′(a) at most before it jumps to
+    /// zero: 2·Δx²/8·E(0)·2a for both halves, 3/8 Δx² of the force of E(0) at a = 1. (−1/4 to 1/8
+    /// holds for a parabola with one edge; a slow motion before a fast one bends q within one cell.)
+    /// The work is off by the integral of that over the way gone.
+    fn limit_of_many_springs(recipe: &Recipe, history: &[Motion]) -> Result<(), TestCaseError> {
+        let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
+        let glassy = 4.0 / 3.0 * spectrum.instantaneous();
+        let bound = 0.375 / 250_000.0 * glassy;
+        let mut lazy = Lazy::new(spectrum.clone(), Layout::uniform(&unit_ball(), 1.0, 500));
+        let mut bed = bed(spectrum);
+        let (mut heat, mut way) = (0.0, 0.0);
+        for motion in history {
+            lazy.advance(motion.speed, motion.duration);
+            bed.advance(motion.speed, motion.duration).unwrap();
+            way += (motion.speed * motion.duration).abs();
+            prop_assert!((lazy.force() - bed.force()).abs() < bound, "{:e} {:e}", lazy.force(), bed.force());
+            let (a, b) = (lazy.ledger(), bed.ledger());
+            prop_assert!(b.dissipated >= heat - 1e-11 * glassy, "{heat:e} {b:?}");
+            heat = b.dissipated;
+            prop_assert!((a.work - b.work).abs() <= bound * way, "{a:?} {b:?}");
+            prop_assert!((a.stored - b.stored).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
+        }
+        Ok(())
+    }
 
-        /// Bound: −1/4 ≤ error·(a/Δx)² ≤ 1/8 of the cells, relative to the force of the instantaneous
-        /// modulus at the greatest depth.
+    /// Every motion at once or in pieces, springs let go and met again included.
+    ///
+    /// Bound: 1e-9 of the greatest force (the panels of strips with more than one contact), 1e-11 of the
+    /// force of the instantaneous modulus, of whose depths a force may be a small difference, and the
+    /// dashpot's 2η|v| √δ: each piece rounds the depth anew, and where the bodies just touch a depth
+    /// of δ opens a contact of the radius √δ.
+    fn steps_do_not_matter(recipe: &Recipe, history: &[Motion], pieces: u32) -> Result<(), TestCaseError> {
+        let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
+        let (glassy, viscosity) = (4.0 / 3.0 * spectrum.instantaneous(), spectrum.viscosity());
+        let (mut once, mut often) = (bed(spectrum.clone()), bed(spectrum));
+        let (mut greatest, mut rounding) = (0f64, 0.0);
+        for motion in history {
+            once.advance(motion.speed, motion.duration).unwrap();
+            for _ in 0..pieces {
+                often.advance(motion.speed, motion.duration / f64::from(pieces)).unwrap();
+                rounding += f64::EPSILON * motion.start.abs().max(motion.end().abs());
+            }
+            greatest = greatest.max(once.force());
+            let bound = 1e-9 * greatest + 1e-11 * glassy + 2.0 * viscosity * motion.speed.abs() * rounding.sqrt();
+            prop_assert!((once.force() - often.force()).abs() <= bound, "{:e} {:e}", once.force(), often.force());
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_dashpot_that_just_touches() {
+        let recipe = Recipe { equilibrium: None, terms: vec![(0, 0)], viscosity: Some(0) };
+        let away = Motion { start: 0.0, speed: -0.01, duration: 1.0 };
+        let back = Motion { start: -0.01, speed: 0.01, duration: 1.0 };
+        steps_do_not_matter(&recipe, &[away, back], 3).unwrap();
+    }
+
+    /// Exact force 1.237 375 363 128 97 (quadrature to 30 digits); 500 springs are off by −0.25002 Δx².
+    #[test]
+    fn a_slow_motion_before_a_fast_one() {
+        let recipe = Recipe { equilibrium: None, terms: vec![(0, -7)], viscosity: None };
+        let (slow, fast) = (10f64.powf(1.4), 10f64.powf(-2.1));
+        let history = [
+            Motion { start: 0.0, speed: 0.12 / slow, duration: slow },
+            Motion { start: 0.12, speed: 0.87 / fast, duration: fast },
+        ];
+        limit_of_many_springs(&recipe, &history).unwrap();
+        let mut bed = bed(Arc::new(Spectrum::new(&recipe.relaxation())));
+        history.iter().for_each(|motion| bed.advance(motion.speed, motion.duration).unwrap());
+        assert!((bed.force() / 1.237_375_363_128_97 - 1.0).abs() < 1e-13, "{:e}", bed.force());
+    }
+
+    proptest! {
+        #![proptest_config(crate::laws::cases(48))]
+
+        /// See [`limit_of_many_springs`].
         #[test]
         fn is_the_limit_of_many_springs(recipe in recipe(5), history in history(6)) {
-            let recipe = super::super::laws::Recipe { viscosity: None, ..recipe };
-            let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
-            let glassy = 4.0 / 3.0 * spectrum.instantaneous();
-            let mut lazy = Lazy::new(spectrum.clone(), Layout::uniform(&unit_ball(), 1.0, 500));
-            let mut bed = bed(spectrum);
-            let mut heat = 0.0;
-            for motion in history {
-                lazy.advance(motion.speed, motion.duration);
-                bed.advance(motion.speed, motion.duration).unwrap();
-                prop_assert!((lazy.force() - bed.force()).abs() < 0.25 / 250_000.0 * glassy, "{:e} {:e}", lazy.force(), bed.force());
-                let (a, b) = (lazy.ledger(), bed.ledger());
-                prop_assert!(b.dissipated >= heat - 1e-11 * glassy, "{heat:e} {b:?}");
-                heat = b.dissipated;
-                prop_assert!((a.work - b.work).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
-                prop_assert!((a.stored - b.stored).abs() < 1.0 / 250_000.0 * glassy, "{a:?} {b:?}");
-            }
+            limit_of_many_springs(&Recipe { viscosity: None, ..recipe }, &history)?;
         }
 
         /// 2π ∫ p r dr = F, whatever the history; bound: the quadrature over r here.
         #[test]
         fn pressure_adds_up_to_the_force(recipe in recipe(3), history in history(4)) {
-            let recipe = super::super::laws::Recipe { viscosity: None, ..recipe };
+            let recipe = Recipe { viscosity: None, ..recipe };
             let mut bed = bed(Arc::new(Spectrum::new(&recipe.relaxation())));
             let glassy = 4.0 / 3.0 * bed.ground.spectrum.instantaneous();
             for motion in history {
@@ -652,24 +712,10 @@ mod tests {
             prop_assert!(force >= of(&one).0 * (1.0 - 1e-12), "a greater modulus, a greater force");
         }
 
-        /// Springs let go and met again included. Bound: 1e-9 of the greatest force (the panels of strips
-        /// with more than one contact, worst of some thousand histories 1e-10), and 1e-11 of the force of
-        /// the instantaneous modulus, of whose depths a force may be a small difference.
+        /// See [`steps_do_not_matter`].
         #[test]
         fn answer_does_not_depend_on_the_steps(recipe in recipe(4), history in history(5), pieces in 2u32..6) {
-            let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
-            let glassy = 4.0 / 3.0 * spectrum.instantaneous();
-            let (mut once, mut often) = (bed(spectrum.clone()), bed(spectrum));
-            let mut greatest = 0f64;
-            for motion in history {
-                once.advance(motion.speed, motion.duration).unwrap();
-                for _ in 0..pieces {
-                    often.advance(motion.speed, motion.duration / f64::from(pieces)).unwrap();
-                }
-                greatest = greatest.max(once.force());
-                let bound = 1e-9 * greatest + 1e-11 * glassy;
-                prop_assert!((once.force() - often.force()).abs() <= bound, "{:e} {:e}", once.force(), often.force());
-            }
+            steps_do_not_matter(&recipe, &history, pieces)?;
         }
     }
 }

@@ -152,7 +152,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(32))]
+        #![proptest_config(crate::laws::cases(32))]
         /// The height map made from a spectrum has the rings of the spectrum, ring by ring.
         #[test]
         fn the_spectrum_is_recovered(h in 10i32..=100, points in 8usize..50, seed in 0u64..100) {

@@ -323,7 +323,7 @@ fn kinked(b: f64, slope: f64) -> [Box<dyn Profile>; 4] {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::laws::cases(64))]
 
     /// Scaling of lengths over 12 decades: g as L, N and force as L², E as L³, pressure as 1. Rounding of
     /// a/b at the distance a − b from the kink counts (b/(a − b))-fold.

@@ -168,7 +168,7 @@ fn shape() -> impl Strategy<Value = Arc<dyn Profile>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(crate::laws::cases(48))]
 
     /// 0 ≤ e ≤ 1, heat never negative and never given back, the error is the one asked for; and the records stand where they
     /// stand however many there are.
