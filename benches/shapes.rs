@@ -1,4 +1,4 @@
-//! Time of one evaluation of each shape: `cargo bench --bench shapes`.
+//! Time of one evaluation of each shape: `cargo bench -p benches --bench shapes`.
 #![expect(clippy::unwrap_used, reason = "a benchmark of known good inputs")]
 
 use criterion::{Criterion, criterion_group, criterion_main};

@@ -1,4 +1,4 @@
-//! One state, one curve, many scenes: `cargo bench --bench states`.
+//! One state, one curve, many scenes: `cargo bench -p benches --bench states`.
 #![expect(clippy::unwrap_used, reason = "a benchmark of known good inputs")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};

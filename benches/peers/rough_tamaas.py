@@ -2,7 +2,7 @@
 
 usage: rough_tamaas.py N [HEIGHTS.npy]
 H = 0.8, wave numbers 4…n/8 of 1/L, rms slope 0.1, pressures 0.0005…0.005 E*; writes the heights if a name is given,
-for `cargo run --release --example halfspace_rough -- HEIGHTS.npy`.
+for `cargo run --release -p benches --example halfspace_rough -- HEIGHTS.npy`.
 """
 import os
 import resource

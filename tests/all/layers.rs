@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
+pub(super) fn sources(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -16,12 +16,12 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-fn src() -> PathBuf {
+pub(super) fn src() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
 }
 
 /// The code of a file without its comments and without the tests at its end.
-fn code(path: &Path) -> String {
+pub(super) fn code(path: &Path) -> String {
     let text = std::fs::read_to_string(path).unwrap();
     let tested = ["\n#[cfg(test)]\nmod ", "\n#[cfg(test)]\npub mod ", "\n#[cfg(test)]\npub(crate) mod "];
     let tested = tested.iter().filter_map(|mark| text.find(mark)).min();
@@ -30,9 +30,9 @@ fn code(path: &Path) -> String {
 }
 
 /// Files that hold nothing but tests, such as `laws.rs` behind `#[cfg(test)] mod laws;`.
-fn only_tests(path: &Path) -> bool {
+pub(super) fn only_tests(path: &Path) -> bool {
     let name = path.file_stem().unwrap().to_string_lossy();
-    let inside = path.components().any(|part| part.as_os_str() == "tests");
+    let inside = path.strip_prefix(src()).unwrap().components().any(|part| part.as_os_str() == "tests");
     let declared = |file: PathBuf| {
         std::fs::read_to_string(file).is_ok_and(|text| {
             ["mod", "pub mod", "pub(crate) mod"]

@@ -5,6 +5,7 @@
 mod allocation;
 #[cfg(feature = "cli")]
 mod bad_scenes;
+mod circles;
 #[cfg(feature = "cli")]
 mod compare;
 mod elastic_laws;

@@ -20,7 +20,7 @@ pub struct Peer {
     pub source: String,
 }
 
-const TABLE: &str = include_str!("../../../../benches/peers/points.csv");
+const TABLE: &str = include_str!("peers.csv");
 
 /// All measurements.
 ///

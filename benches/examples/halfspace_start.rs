@@ -1,5 +1,5 @@
 //! What a good start saves: iterations of the half-space solver on the Hertz contact from nothing, from a coarser grid and from
-//! the pressure of the spring bed: `cargo run --release --example halfspace_start -- 128 256 512`.
+//! the pressure of the spring bed: `cargo run --release -p benches --example halfspace_start -- 128 256 512`.
 use ndarray::Array2;
 use springbed::contact::foundation::HalfSpace;
 use springbed::contact::model::Loading;

@@ -1,4 +1,4 @@
-//! Error, time and memory of the half-space solver on the Hertz contact: `cargo run --release --example halfspace_hertz 512 1024`.
+//! Error, time and memory of the half-space solver on the Hertz contact: `cargo run --release -p benches --example halfspace_hertz 512 1024`.
 use ndarray::Array2;
 use springbed::halfspace::{Boundary, Prescribed, PressedMap, Settings, Start, solve};
 

@@ -1,6 +1,6 @@
 //! Table of agreement of the rough bed with the full half-space over seeds and H = 0.2 … 0.9.
 //!
-//! `cargo run --release --example rough_agreement -- [points [seeds]]`
+//! `cargo run --release -p benches --example rough_agreement -- [points [seeds]]`
 
 use springbed::check::agreement::{Agreement, AgreementError, Compared};
 

@@ -1,5 +1,5 @@
 //! Ten loads on a periodic self-affine surface, time and iterations:
-//! `cargo run --release --example halfspace_rough -- 256 512` makes its own surfaces (Hurst exponent 0.8,
+//! `cargo run --release -p benches --example halfspace_rough -- 256 512` makes its own surfaces (Hurst exponent 0.8,
 //! wave numbers from 4 to n/8 of 1/L, rms slope 0.1); `-- heights.npy` reads one (square, f64, period 1 m).
 use ndarray::Array2;
 use rustfft::{FftPlanner, num_complex::Complex};
