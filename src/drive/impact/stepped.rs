@@ -71,8 +71,9 @@ impl Way<'_> {
     fn step(&mut self, duration: f64) -> Result<bool, ContactError> {
         let mean = self.mean_speed(duration)?;
         let parted = mean < 0.0 && !self.joined_after(mean, duration)?;
-        let duration = if parted { self.parting(mean, duration)? } else { duration };
-        self.speed -= self.impulse(mean, duration)? / self.impact.mass;
+        // The pull at the moment of parting belongs to the impulse, the nothing after it does not.
+        let (held, duration) = if parted { self.parting(mean, duration)? } else { (duration, duration) };
+        self.speed -= self.impulse(mean, held)? / self.impact.mass;
         self.contact.follow(&ahead(self.contact, mean, duration))?;
         self.time += duration;
         let most = &mut self.most;
@@ -119,14 +120,14 @@ impl Way<'_> {
         Ok(mean)
     }
 
-    /// When in the step the bodies part.
-    fn parting(&mut self, mean: f64, duration: f64) -> Result<f64, ContactError> {
+    /// The last time in the step at which the bodies hold, and the first at which they have parted.
+    fn parting(&mut self, mean: f64, duration: f64) -> Result<(f64, f64), ContactError> {
         let (mut low, mut high) = (0.0, duration);
         for _ in 0..48 {
             let middle = 0.5 * (low + high);
             *(if self.joined_after(mean, middle)? { &mut low } else { &mut high }) = middle;
         }
-        Ok(high)
+        Ok((low, high))
     }
 }
 
