@@ -1,5 +1,17 @@
 //! A case: what is computed, what is right, how far apart they may be and why.
 
+use super::extreme::Extreme;
+
+use super::row::Row;
+use super::stated::Stated;
+use super::study::{Effort, Study};
+
+/// What an attempt gives, or why it gives nothing.
+pub type Attempt<T> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
+
+/// Pairs (computed, right).
+pub type Pairs = Vec<(f64, f64)>;
+
 /// Strength of a proof.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -30,6 +42,17 @@ impl Proof {
     }
 }
 
+/// What a case asks.
+#[derive(Debug, Clone, Copy)]
+pub enum Question {
+    /// Numbers of one computation beside the right ones.
+    Numbers(fn() -> Attempt<Pairs>),
+    /// Whether the error a scene states bounds its true one, at several accuracies.
+    Stated(Stated),
+    /// The largest error over a range of values.
+    Over(Extreme),
+}
+
 /// A case with its exact answer.
 #[derive(Debug, Clone, Copy)]
 pub struct Case {
@@ -40,40 +63,51 @@ pub struct Case {
     /// Largest relative error allowed.
     pub bound: f64,
     /// Why this bound.
-    pub reason: &'static str,
+    pub because: &'static str,
     /// Where the case is weak, in one line.
     pub weak: &'static str,
-    /// Computes the largest relative error; NaN if the computation fails.
-    pub error: fn() -> f64,
-}
-
-/// What a case gave.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct Verdict {
-    /// Name of the case.
-    pub name: &'static str,
-    /// Strength of the proof.
-    pub proof: Proof,
-    /// Largest relative error found.
-    pub error: f64,
-    /// Largest relative error allowed.
-    pub bound: f64,
-    /// Whether the error is within the bound.
-    pub passed: bool,
+    /// What is computed.
+    pub question: Question,
+    /// The ways to compute it that are measured against each other, if any.
+    pub ways: Option<fn(Effort) -> Attempt<Study>>,
 }
 
 impl Case {
-    /// Runs the case.
+    /// A case still without its question.
+    pub(super) const fn new(name: &'static str, proof: Proof, bound: f64, because: &'static str) -> Self {
+        let question = Question::Numbers(|| Err("the case asks nothing".into()));
+        Self { name, proof, bound, because, weak: "", question, ways: None }
+    }
+
+    pub(super) const fn weak(self, weak: &'static str) -> Self {
+        Self { weak, ..self }
+    }
+
+    pub(super) const fn by(self, numbers: fn() -> Attempt<Pairs>) -> Self {
+        Self { question: Question::Numbers(numbers), ..self }
+    }
+
+    pub(super) const fn asks(self, question: Question) -> Self {
+        Self { question, ..self }
+    }
+
+    pub(super) const fn ways(self, ways: fn(Effort) -> Attempt<Study>) -> Self {
+        Self { ways: Some(ways), ..self }
+    }
+
+    /// Runs the case; what cannot be computed says why.
     #[must_use]
-    pub fn verdict(&self) -> Verdict {
-        let error = (self.error)();
-        // Written so that a NaN fails.
-        let passed = error <= self.bound;
-        Verdict { name: self.name, proof: self.proof, error, bound: self.bound, passed }
+    pub fn verdict(&self) -> Row {
+        let row = match &self.question {
+            Question::Numbers(numbers) => Row::of(numbers().map(|pairs| worst(&pairs))),
+            Question::Stated(stated) => stated.verdict(),
+            Question::Over(extreme) => extreme.verdict(),
+        };
+        Row { case: self.name, proof: Some(self.proof), bound: Some(self.bound), ..row }
     }
 }
 
-/// Largest relative difference of pairs (computed, right); absolute where the right value is zero.
+/// Largest relative difference of pairs (computed, right); absolute where the right value is zero. NaN if one is.
 #[must_use]
 pub fn worst(pairs: &[(f64, f64)]) -> f64 {
     let difference = |&(value, right): &(f64, f64)| {

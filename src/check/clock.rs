@@ -1,55 +1,60 @@
 //! How long a computation takes: set-up, first run and the quickest of the warm repeats.
 
-use serde::Serialize;
+use super::case::Attempt;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// Least length of a batch that the clock tells well: a thousand times its own reading.
 const BATCH: Duration = Duration::from_micros(50);
+/// A first run this many times longer than the budget is not repeated: it has warmed up on its way.
+const LONG: u32 = 10;
 
 /// Times of a computation [s].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Times {
     /// Least time of a warm run.
-    #[serde(rename = "time_s")]
     pub warm: f64,
     /// Set-up.
-    #[serde(rename = "setup_s")]
     pub setup: f64,
     /// First run after the set-up, caches cold.
-    #[serde(rename = "first_s")]
     pub first: f64,
 }
 
-/// Sets up and runs a computation; repeats it for about `budget`, at least once more.
+/// Sets up and runs a computation; repeats it for about `budget`.
 ///
 /// The least time counts: everything else a machine does makes a run longer, never shorter. Runs
-/// shorter than the clock tells are timed in batches. `None` if the computation gives no answer.
-pub fn timed<T, R: FnMut() -> Option<T>>(prepare: impl FnOnce() -> Option<R>, budget: Duration) -> Option<(T, Times)> {
+/// shorter than the clock tells are timed in batches.
+///
+/// # Errors
+/// What the set-up or a run fails with.
+pub fn timed<T, R: FnMut() -> Attempt<T>>(
+    prepare: impl FnOnce() -> Attempt<R>,
+    budget: Duration,
+) -> Attempt<(T, Times)> {
     let start = Instant::now();
     let mut run = prepare()?;
     let setup = start.elapsed().as_secs_f64();
     let start = Instant::now();
     let answer = run()?;
     let first = start.elapsed();
-    let warm = quickest(&mut || black_box(run()).is_some(), first, budget);
-    Some((answer, Times { warm, setup, first: first.as_secs_f64() }))
+    let warm = if first > LONG * budget { first.as_secs_f64() } else { quickest(run, first, budget)? };
+    Ok((answer, Times { warm, setup, first: first.as_secs_f64() }))
 }
 
-/// Least time [s] of one of the runs that fit into the budget.
-pub fn quickest(run: &mut dyn FnMut() -> bool, first: Duration, budget: Duration) -> f64 {
+/// Least time [s] of one of the runs that fit into the budget, at least one.
+fn quickest<T>(mut run: impl FnMut() -> Attempt<T>, first: Duration, budget: Duration) -> Attempt<f64> {
     let mut batch = 1u32;
     let mut least = f64::INFINITY;
     let end = Instant::now() + budget;
     loop {
         let start = Instant::now();
         for _ in 0..batch {
-            black_box(run());
+            black_box(run()?);
         }
         let took = start.elapsed();
         least = least.min(took.as_secs_f64() / f64::from(batch));
         if Instant::now() >= end || first > budget {
-            return least;
+            return Ok(least);
         }
         if took < BATCH {
             batch *= 2;
@@ -67,10 +72,10 @@ mod tests {
         let prepare = || {
             std::thread::sleep(Duration::from_millis(4));
             let mut left = 8;
-            Some(move || {
+            Ok(move || {
                 std::thread::sleep(Duration::from_millis(left));
                 left = 1;
-                Some(left)
+                Ok(left)
             })
         };
         let (answer, times) = timed(prepare, Duration::from_millis(10)).unwrap();
@@ -83,9 +88,9 @@ mod tests {
     fn a_run_far_below_the_reading_of_the_clock_has_a_time_above_zero() {
         let mut x = 1.0f64;
         let prepare = || {
-            Some(move || {
+            Ok(move || {
                 x = black_box(x) * 1.000_000_1;
-                Some(x)
+                Ok(x)
             })
         };
         let (_, times) = timed(prepare, Duration::from_millis(2)).unwrap();
@@ -93,7 +98,22 @@ mod tests {
     }
 
     #[test]
-    fn no_answer_is_no_time() {
-        assert!(timed(|| Some(|| None::<f64>), Duration::ZERO).is_none());
+    fn a_failure_is_no_time_but_its_reason() {
+        let failed = timed(|| Ok(|| Err::<f64, _>("no contact".into())), Duration::ZERO);
+        assert_eq!(failed.unwrap_err().to_string(), "no contact");
+    }
+
+    #[test]
+    fn a_long_run_is_not_repeated() {
+        let runs = std::cell::Cell::new(0);
+        let long = || {
+            Ok(|| {
+                runs.set(runs.get() + 1);
+                std::thread::sleep(Duration::from_millis(11));
+                Ok(())
+            })
+        };
+        let (_, times) = timed(long, Duration::from_millis(1)).unwrap();
+        assert!(runs.get() == 1 && (times.first - times.warm).abs() <= 0.0);
     }
 }

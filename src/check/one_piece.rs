@@ -63,7 +63,7 @@ fn sealed(setup: &Plan, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
 }
 
 /// The largest force of the scene [N], whether its contact was in one piece or not.
-pub(super) fn largest_force(setup: &Plan, outcome: &Outcome) -> f64 {
+pub fn largest_force(setup: &Plan, outcome: &Outcome) -> f64 {
     let found = outcome.records.iter().map(|record| record.normal.force);
     let pressed = setup.scene.history.iter().map(|entry| match entry {
         Entry::Press(press) => press.to.si(),

@@ -1,12 +1,12 @@
 //! `springbed verify`: every case against its exact answer.
 
-use super::Common;
+use super::{Common, report};
 use crate::app::console::{Console, Failure};
-use crate::app::export;
-use crate::check::case::{Case, Verdict};
+use crate::app::export::{self, reports};
+use crate::app::progress::Progress;
 use crate::check::cases;
+use crate::check::row::Row;
 use crate::text::nearest;
-use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// How the verdicts are shown.
@@ -37,34 +37,30 @@ pub fn run(filter: &str, form: Form, console: &Console) -> Result<(), Failure> {
     if cases.is_empty() {
         return Err(Failure::Usage(unmatched(filter)));
     }
-    let progress = console.progress(cases.len(), "cases");
-    let verdicts: Vec<Verdict> = cases.par_iter().map(Case::verdict).inspect(|_| progress.inc(1)).collect();
-    progress.finish_and_clear();
+    let progress = Progress::of("verify", console);
+    let rows = report::verdicts(&cases, &|share| progress.done(share));
+    drop(progress);
     match form {
-        Form::Table => console.say(&export::verdict_table(&verdicts))?,
-        Form::Markdown => console.result(&export::validation(&cases, &verdicts))?,
-        Form::Json => console.result(&json(&verdicts)?)?,
+        Form::Table => console.say(&reports::verdict_table(&rows))?,
+        Form::Markdown => console.result(&export::validation(&cases, &rows))?,
+        Form::Json => console.result(&json(&rows)?)?,
     }
-    outcome(&verdicts)
+    outcome(&rows)
 }
 
-fn json(verdicts: &[Verdict]) -> Result<String, Failure> {
-    let passed = verdicts.iter().all(|verdict| verdict.passed);
-    let value = serde_json::json!({ "passed": passed, "cases": verdicts });
+fn json(rows: &[Row]) -> Result<String, Failure> {
+    let passed = rows.iter().all(Row::passed);
+    let value = serde_json::json!({ "passed": passed, "cases": reports::objects(reports::VERDICTS, rows) });
     serde_json::to_string_pretty(&value).map_err(Failure::failed)
 }
 
-fn outcome(verdicts: &[Verdict]) -> Result<(), Failure> {
-    let failed: Vec<&str> = verdicts.iter().filter(|verdict| !verdict.passed).map(|verdict| verdict.name).collect();
+fn outcome(rows: &[Row]) -> Result<(), Failure> {
+    let failed = report::beyond(rows);
     if failed.is_empty() {
         return Ok(());
     }
-    Err(Failure::Failed(format!(
-        "{} of {} cases outside their bounds: {}",
-        failed.len(),
-        verdicts.len(),
-        failed.join(", ")
-    )))
+    let all = rows.len();
+    Err(Failure::Failed(format!("{} of {all} cases outside their bounds: {}", failed.len(), failed.join(", "))))
 }
 
 /// What to say of a filter that no name contains: the nearest word of a name, and the groups.
@@ -99,9 +95,9 @@ mod tests {
 
     #[test]
     fn a_case_outside_its_bound_is_named() {
-        let mut verdicts = cases::verdicts("hertz/steel ball");
-        assert!(outcome(&verdicts).is_ok());
-        verdicts[0].passed = false;
-        assert!(matches!(outcome(&verdicts), Err(Failure::Failed(text)) if text.contains("hertz/steel ball")));
+        let mut row = cases::matching("hertz/steel ball")[0].verdict();
+        assert!(outcome(std::slice::from_ref(&row)).is_ok());
+        row.error = Some(1.0);
+        assert!(matches!(outcome(&[row]), Err(Failure::Failed(text)) if text.contains("hertz/steel ball")));
     }
 }

@@ -1,90 +1,68 @@
 //! A comparison of methods as table, CSV and JSON.
 
+use super::reports::{self, Heading};
 use super::with_prefix;
-use crate::check::comparison::{Comparison, Method, Row, State};
+use crate::check::comparison::{Compared, Comparison};
+use crate::check::row::{Found, Row};
 use std::fmt::Write;
 
 /// The comparison as an aligned table.
 #[must_use]
 pub fn comparison_text(title: &str, comparison: &Comparison) -> String {
-    let mut text = String::new();
-    let mut line = |line: String| {
-        let _ = writeln!(text, "{}", line.trim_end());
+    let mut text = if title.is_empty() { String::new() } else { format!("{title}\n") };
+    let _ = writeln!(text, "  {}", in_words(&comparison.state));
+    let _ = writeln!(text, "  errors relative to: {}", comparison.reference);
+    let compared = comparison.compared;
+    let [first, second, third, last] = match compared {
+        Compared::Round => ["force", "radius", "pressure", "iterations"],
+        Compared::Plane => ["indentation", "half width", "pressure", "iterations"],
+        Compared::Rough => ["indentation", "stiffness", "pressure", "area share"],
     };
-    if !title.is_empty() {
-        line(title.to_owned());
-    }
-    line(format!("  {}", state_in_words(&comparison.state)));
-    line(format!("  errors relative to: {}", comparison.reference));
-    let is_rough = comparison.state.contact_radius_m.is_none();
-    let is_plane = comparison.rows.iter().any(|row| row.method == Method::HalfPlane);
-    let names = if is_rough {
-        ROUGH
-    } else if is_plane {
-        PLANE
-    } else {
-        SMOOTH
-    };
-    let [first, second, third, last] = names;
-    line(format!(
-        "  {:<12}{:>10}{first:>13}{second:>12}{third:>12}{:>12}{:>11}{last:>12}",
-        "method", "fineness", "time", "memory"
-    ));
-    for row in &comparison.rows {
-        line(if is_rough { rough_cells(row) } else { cells(row) });
-    }
+    let head = ["method", "fineness", first, second, third, "time", "memory", last].map(str::to_owned).to_vec();
+    let lines: Vec<_> = std::iter::once(head).chain(comparison.rows.iter().map(|row| cells(row, compared))).collect();
+    text.push_str(&reports::aligned(&lines));
     for note in &comparison.notes {
-        line(format!("  note: {note}"));
+        let _ = writeln!(text, "  note: {note}");
     }
     text
 }
 
-const SMOOTH: [&str; 4] = ["force", "radius", "pressure", "iterations"];
-const PLANE: [&str; 4] = ["indentation", "half width", "pressure", "iterations"];
-const ROUGH: [&str; 4] = ["indentation", "stiffness", "pressure", "area share"];
-
 /// The state compared.
-fn state_in_words(state: &State) -> String {
-    let mut words =
-        vec![format!("at d = {}: F = {}", with_prefix(state.indentation_m, "m"), with_prefix(state.force_n, "N"))];
-    let mut add = |name: &str, value: Option<f64>, unit: &str| {
-        words.extend(value.map(|value| format!("{name} {}", with_prefix(value, unit))));
+fn in_words(state: &Found) -> String {
+    let known =
+        |name: &str, value: Option<f64>, unit: &str| value.map(|value| format!("{name} {}", with_prefix(value, unit)));
+    let area = state.area_fraction.map(|share| format!("contact on {:.2} % of the area", 100.0 * share));
+    let words = [
+        known("at d =", state.indentation_m, "m"),
+        known("F =", state.force_n, "N"),
+        known("a =", state.contact_radius_m, "m"),
+        known("k =", state.stiffness_n_per_m, "N/m"),
+        known("largest pressure", state.peak_pressure_pa, "Pa"),
+        area,
+    ];
+    words.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+fn cells(row: &Row, compared: Compared) -> Vec<String> {
+    let errors = &row.errors;
+    let iterations = row.solved.iterations.map(|count| count.to_string());
+    let share = row.solved.found.area_fraction.map(|share| format!("{:.2} %", 100.0 * share));
+    let (errors, last) = match compared {
+        Compared::Round => ([errors.force, errors.radius, errors.pressure], iterations),
+        Compared::Plane => ([errors.indentation, errors.radius, errors.pressure], iterations),
+        Compared::Rough => ([errors.indentation, errors.stiffness, errors.pressure], share),
     };
-    add("a =", state.contact_radius_m, "m");
-    add("k =", state.stiffness_n_per_m, "N/m");
-    add("largest pressure", state.peak_pressure_pa, "Pa");
-    words.extend(state.area_fraction.map(|share| format!("contact on {:.2} % of the area", 100.0 * share)));
-    words.join(", ")
-}
-
-fn cells(row: &Row) -> String {
-    let iterations = row.iterations.map_or_else(String::new, |count| count.to_string());
-    // Plane contacts are compared under a force.
-    aligned(row, [row.force_error.or(row.indentation_error), row.radius_error, row.pressure_error], &iterations)
-}
-
-fn rough_cells(row: &Row) -> String {
-    let share = row.state.area_fraction.map_or_else(String::new, |share| format!("{:.2} %", 100.0 * share));
-    aligned(row, [row.indentation_error, row.stiffness_error, row.pressure_error], &share)
-}
-
-fn aligned(row: &Row, errors: [Option<f64>; 3], last: &str) -> String {
-    let [first, second, third] = errors.map(|error| error.map_or("–".to_owned(), |error| format!("{error:+.1e}")));
-    let (time, memory) = (short(row.time_s, "s"), short(row.bytes as f64, "B"));
-    format!(
-        "  {:<12}{:>10}{first:>13}{second:>12}{third:>12}{time:>12}{memory:>11}{last:>12}",
-        row.method.name(),
-        fineness(row),
-    )
-}
-
-fn fineness(row: &Row) -> String {
-    match (row.springs, row.grid) {
-        (Some(springs), _) => springs.to_string(),
-        (_, Some(strips)) if row.method == Method::HalfPlane => strips.to_string(),
-        (_, Some(grid)) => format!("{grid}²"),
+    let fineness = match (row.setting.springs, row.setting.grid, compared) {
+        (Some(springs), ..) => springs.to_string(),
+        (_, Some(strips), Compared::Plane) => strips.to_string(),
+        (_, Some(grid), _) => format!("{grid}²"),
         _ => String::new(),
-    }
+    };
+    let errors = errors.map(|error| error.map_or("–".to_owned(), |error| format!("{error:+.1e}")));
+    let time = row.times.map_or_else(String::new, |times| short(times.warm, "s"));
+    let memory = short(row.solved.bytes as f64, "B");
+    let first = [row.method.to_owned(), fineness];
+    first.into_iter().chain(errors).chain([time, memory, last.unwrap_or_default()]).collect()
 }
 
 /// Three digits and a prefix.
@@ -98,54 +76,7 @@ fn short(value: f64, unit: &str) -> String {
 /// # Errors
 /// The table cannot be put together (never for a comparison).
 pub fn comparison_table(comparison: &Comparison) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
-        "method",
-        "springs",
-        "grid",
-        "force_error",
-        "radius_error",
-        "pressure_error",
-        "time_s",
-        "bytes",
-        "iterations",
-        "force_n",
-        "contact_radius_m",
-        "peak_pressure_pa",
-        "indentation_error",
-        "stiffness_error",
-        "indentation_m",
-        "stiffness_n_per_m",
-        "area_fraction",
-    ])?;
-    for row in &comparison.rows {
-        writer.write_record(record(row))?;
-    }
-    super::tables::text(writer)
-}
-
-fn record(row: &Row) -> Vec<String> {
-    let count = |count: Option<usize>| count.map_or_else(String::new, |count| count.to_string());
-    let number = super::tables::cell;
-    vec![
-        row.method.name().to_owned(),
-        count(row.springs),
-        count(row.grid),
-        number(row.force_error),
-        number(row.radius_error),
-        number(row.pressure_error),
-        number(Some(row.time_s)),
-        row.bytes.to_string(),
-        count(row.iterations),
-        number(Some(row.state.force_n)),
-        number(row.state.contact_radius_m),
-        number(row.state.peak_pressure_pa),
-        number(row.indentation_error),
-        number(row.stiffness_error),
-        number(Some(row.state.indentation_m)),
-        number(row.state.stiffness_n_per_m),
-        number(row.state.area_fraction),
-    ]
+    reports::csv(&[COMPARED, &UNDER_FORCE[..], STATE].concat(), &comparison.rows)
 }
 
 /// The comparison as JSON.
@@ -153,5 +84,41 @@ fn record(row: &Row) -> Vec<String> {
 /// # Errors
 /// The text cannot be put together (never for a comparison).
 pub fn comparison_json(comparison: &Comparison) -> Result<String, serde_json::Error> {
-    serde_json::to_string_pretty(comparison).map(|text| text + "\n")
+    let mut rows = reports::objects(&[COMPARED, &UNDER_FORCE[..]].concat(), &comparison.rows);
+    let only_known = ["springs", "grid", "indentation_error", "stiffness_error"];
+    for row in rows.iter_mut().filter_map(|row| row.as_object_mut()) {
+        row.retain(|name, value| !value.is_null() || !only_known.contains(&name.as_str()));
+    }
+    let Comparison { reference, state, notes, .. } = comparison;
+    let value = serde_json::json!({ "reference": reference, "state": state, "rows": rows, "notes": notes });
+    serde_json::to_string_pretty(&value).map(|text| text + "\n")
 }
+
+/// What is known of every contact.
+const COMPARED: &[Heading] = &[
+    ("method", |row| row.method.into()),
+    ("springs", |row| row.setting.springs.into()),
+    ("grid", |row| row.setting.grid.into()),
+    ("force_error", |row| row.errors.force.into()),
+    ("radius_error", |row| row.errors.radius.into()),
+    ("pressure_error", |row| row.errors.pressure.into()),
+    ("time_s", |row| row.times.map(|times| times.warm).into()),
+    ("bytes", |row| row.solved.bytes.into()),
+    ("iterations", |row| row.solved.iterations.into()),
+];
+
+/// What is compared under a force.
+const UNDER_FORCE: [Heading; 2] = [
+    ("indentation_error", |row| row.errors.indentation.into()),
+    ("stiffness_error", |row| row.errors.stiffness.into()),
+];
+
+/// What a method has found.
+const STATE: &[Heading] = &[
+    ("force_n", |row| row.solved.found.force_n.into()),
+    ("contact_radius_m", |row| row.solved.found.contact_radius_m.into()),
+    ("peak_pressure_pa", |row| row.solved.found.peak_pressure_pa.into()),
+    ("indentation_m", |row| row.solved.found.indentation_m.into()),
+    ("stiffness_n_per_m", |row| row.solved.found.stiffness_n_per_m.into()),
+    ("area_fraction", |row| row.solved.found.area_fraction.into()),
+];

@@ -4,14 +4,13 @@ mod comparison;
 mod json;
 mod summary;
 mod tables;
-mod verdicts;
-pub mod work_precision;
-pub mod promise;
-pub mod stability;
-pub mod throughput;
+mod validation;
+pub mod reports;
 
 #[cfg(feature = "plot")]
 mod figures;
+#[cfg(feature = "plot")]
+pub mod report_figures;
 
 pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]
@@ -19,4 +18,4 @@ pub use figures::{comparison_figure, figures};
 pub use json::json;
 pub use summary::{summary, with_prefix};
 pub use tables::csv;
-pub use verdicts::{validation, verdict_table};
+pub use validation::validation;

@@ -2,6 +2,8 @@
 
 mod adhesive;
 mod elastic;
+pub(super) mod estimates;
+pub(super) mod extremes;
 mod friction;
 #[cfg(feature = "half-space")]
 mod half_space;
@@ -10,8 +12,11 @@ mod rough;
 mod shapes;
 mod viscoelastic;
 
-use super::case::{Case, Verdict};
-use rayon::prelude::*;
+use super::case::{Attempt, Case};
+use super::study::{Effort, Study};
+
+/// The usual way, shown beside the extremes and held to nothing.
+pub const USUAL: Case = extremes::EXPLICIT_EULER;
 
 /// Every case.
 #[must_use]
@@ -20,7 +25,7 @@ pub fn all() -> Vec<Case> {
     let half_space = half_space::CASES;
     #[cfg(not(feature = "half-space"))]
     let half_space: &[Case] = &[];
-    [
+    let held = [
         elastic::CASES,
         shapes::CASES,
         adhesive::CASES,
@@ -29,8 +34,9 @@ pub fn all() -> Vec<Case> {
         impact::CASES,
         rough::CASES,
         half_space,
-    ]
-    .concat()
+        estimates::CASES,
+    ];
+    [held.concat(), extremes::all()].concat()
 }
 
 /// The cases whose name contains `filter`, in upper or lower case.
@@ -40,19 +46,23 @@ pub fn matching(filter: &str) -> Vec<Case> {
     all().into_iter().filter(|case| case.name.to_lowercase().contains(&filter)).collect()
 }
 
-/// The verdicts on the cases whose name contains `filter`, in their order; run in parallel.
-#[must_use]
-pub fn verdicts(filter: &str) -> Vec<Verdict> {
-    matching(filter).par_iter().map(Case::verdict).collect()
+/// The cases that can be computed in several ways, with the ways.
+///
+/// # Errors
+/// A way cannot be set up.
+pub fn studies(effort: Effort) -> Attempt<Vec<Study>> {
+    all().iter().filter_map(|case| case.ways).map(|ways| ways(effort)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::row::Row;
+    use rayon::prelude::*;
 
     #[test]
     fn every_case_is_within_its_bound() {
-        let failed: Vec<Verdict> = verdicts("").into_iter().filter(|verdict| !verdict.passed).collect();
+        let failed: Vec<Row> = all().par_iter().map(Case::verdict).filter(|row| !row.passed()).collect();
         assert!(failed.is_empty(), "{failed:#?}");
     }
 
@@ -60,7 +70,7 @@ mod tests {
     fn names_are_unique_and_every_case_says_why_and_where_it_is_weak() {
         let cases = all();
         for (at, case) in cases.iter().enumerate() {
-            assert!(!case.reason.is_empty() && !case.weak.is_empty(), "{}", case.name);
+            assert!(!case.because.is_empty() && !case.weak.is_empty(), "{}", case.name);
             assert!(cases[at + 1..].iter().all(|other| other.name != case.name), "{}", case.name);
         }
     }

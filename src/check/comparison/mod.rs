@@ -1,125 +1,50 @@
 //! One scene by the direct path, by springs and by the full half-space: error against run time.
 
+mod closed;
 #[cfg(feature = "half-space")]
-mod full;
-mod methods;
+mod pixels;
 mod plane;
-mod reference;
 mod rough;
-#[cfg(feature = "half-space")]
-mod rough_full;
+mod round;
 
+use super::one_piece::largest_force;
+use super::row::{Errors, Found, Row};
+use super::study::{Effort, Method, measured};
+use super::theory;
 use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
-use crate::scene::plan::Plan;
-use crate::scene::plan::SceneSettings;
-use serde::Serialize;
-use std::time::Instant;
+use crate::scene::plan::{Plan, SceneSettings};
 
-/// Numbers of springs of the classical bed.
-const SPRINGS: [usize; 6] = [32, 128, 512, 2048, 8192, 32768];
 /// Pixels on the side of the half-space grid.
 #[cfg(feature = "half-space")]
 const GRIDS: [usize; 6] = [32, 64, 128, 256, 512, 1024];
-#[cfg(not(feature = "half-space"))]
-const GRIDS: [usize; 0] = [];
 /// What is said where the solver is left out.
-const NO_HALF_SPACE: &str = "the program was built without the half-space solver";
-/// Repeats end after this time [s]: what is slower is measured once.
-const ENOUGH: f64 = 0.05;
-/// Most repeats of a quick computation; the least time counts.
-const REPEATS: usize = 20;
+const WITHOUT: Option<&str> = match cfg!(feature = "half-space") {
+    true => None,
+    false => Some("the program was built without the half-space solver"),
+};
 
-/// A way to compute a contact.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Method {
-    /// Edge and force as a root and an integral of g(x).
-    Direct,
-    /// The classical bed.
-    Springs,
-    /// The full three-dimensional half-space.
-    HalfSpace,
-    /// The half-plane in strips.
-    HalfPlane,
-}
-
-impl Method {
-    /// Name in tables and figures.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Direct => "direct",
-            Self::Springs => "springs",
-            Self::HalfSpace => "half-space",
-            Self::HalfPlane => "half-plane",
-        }
-    }
-}
-
-/// The state that all methods compute.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct State {
-    /// Indentation [m].
-    pub indentation_m: f64,
-    /// Normal force [N].
-    pub force_n: f64,
-    /// Contact radius [m]; of a contact that is not a circle, of the circle of the same area; `None` of rough shapes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub contact_radius_m: Option<f64>,
-    /// Largest pressure [Pa]; `None` where it is singular.
-    pub peak_pressure_pa: Option<f64>,
-    /// Stiffness [N/m], of rough shapes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stiffness_n_per_m: Option<f64>,
-    /// Real over nominal contact area, of the half-space under rough shapes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub area_fraction: Option<f64>,
-}
-
-/// One method at one fineness. Errors are relative to the reference; `None` where there is nothing to compare, and in
-/// the row that is the reference itself.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Row {
-    /// Method.
-    pub method: Method,
-    /// Springs of the bed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub springs: Option<usize>,
-    /// Pixels on the side of the grid.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub grid: Option<usize>,
-    /// Relative error of the force.
-    pub force_error: Option<f64>,
-    /// Relative error of the contact radius.
-    pub radius_error: Option<f64>,
-    /// Relative error of the largest pressure.
-    pub pressure_error: Option<f64>,
-    /// Relative error of the indentation under the force, of rough shapes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub indentation_error: Option<f64>,
-    /// Relative error of the stiffness, of rough shapes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stiffness_error: Option<f64>,
-    /// Time from the shape to the answer [s], the least of several runs.
-    pub time_s: f64,
-    /// Bytes of state.
-    pub bytes: u64,
-    /// Iterations of the half-space solver on its finest grid.
-    pub iterations: Option<usize>,
-    /// What the method found.
-    #[serde(skip)]
-    pub state: State,
+/// What the methods have in common, and what is compared of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Compared {
+    /// A round contact at an indentation: force, radius, pressure.
+    Round,
+    /// A plane contact under a force: indentation, half width, pressure.
+    Plane,
+    /// A rough contact under a force: indentation, stiffness, pressure.
+    Rough,
 }
 
 /// A scene compared.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone)]
 pub struct Comparison {
+    /// What is compared.
+    pub compared: Compared,
     /// What the errors are relative to.
     pub reference: String,
     /// The state compared, of the largest force in the scene, as the reference has it.
-    pub state: State,
-    /// One row per method and fineness.
+    pub state: Found,
+    /// One row per method and fineness; without errors the row that is the reference itself.
     pub rows: Vec<Row>,
     /// What is left out and why.
     pub notes: Vec<String>,
@@ -136,15 +61,6 @@ pub enum ComparisonError {
     NoContact,
 }
 
-/// What a method gave.
-#[derive(Debug, Clone, Copy)]
-struct Measured {
-    state: State,
-    time: f64,
-    bytes: u64,
-    iterations: Option<usize>,
-}
-
 /// Computes a scene by all methods; `done` is told the share of the work that is behind.
 ///
 /// An elastic contact is compared in the state of its largest force: at its indentation the methods start from the shape. What
@@ -152,112 +68,119 @@ struct Measured {
 ///
 /// # Errors
 /// The scene cannot be run, or the bodies never press on each other.
-pub fn compare(setup: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
-    if setup.scene.shape.is_plane() {
-        return plane::compare(setup, done);
+pub fn compare(plan: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
+    let plan = plan.with(SceneSettings { springs: None, ..plan.settings() }).map_err(SimulationError::from)?;
+    let outcome = run::run(&plan, Wanted::NOTHING)?;
+    if let Plan::Plane(section) = &plan {
+        let force = largest_force(&plan, &outcome);
+        return if force > 0.0 {
+            Ok(plane::contest(section, force)?.judged(done))
+        } else {
+            Err(ComparisonError::NoContact)
+        };
     }
-    let setup = setup.with(SceneSettings { springs: None, ..setup.settings() }).map_err(SimulationError::from)?;
-    let outcome = run::run(&setup, Wanted::NOTHING)?;
-    let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force));
-    let most = most.filter(|record| record.normal.force > 0.0).ok_or(ComparisonError::NoContact)?;
-    if let Some(surface) = setup.surface() {
-        let force = most.normal.force;
-        return Ok(rough::compare(&rough::Rough { setup: &setup, surface, force }, done));
-    }
-    let scenario = methods::Scenario::of(&setup, most);
-    let mut notes = notes(&setup, &scenario);
-    let mut rows = Vec::new();
-    let work: f64 = SPRINGS.iter().map(|&n| cost(Some(n), None)).chain(GRIDS.map(|n| cost(None, Some(n)))).sum();
-    let mut behind = 0.0;
-    for (method, springs, grid) in fineness() {
-        match scenario.measured((method, springs, grid)) {
-            Some(Ok(measured)) => rows.push(row((method, springs, grid), &measured)),
-            Some(Err(note)) => notes.push(note),
-            None => {}
-        }
-        behind += cost(springs, grid);
-        done(behind / work);
-    }
-    let (reference, state) = reference::of(&scenario, &mut rows);
-    Ok(Comparison { reference, state, rows, notes })
+    let most =
+        largest(&outcome.records).filter(|record| record.normal.force > 0.0).ok_or(ComparisonError::NoContact)?;
+    let Plan::Rough(rough) = &plan else { return Ok(round::contest(plan, most).judged(done)) };
+    let force = most.normal.force;
+    let mut comparison = rough::contest(rough.clone(), force).judged(done);
+    let stiffness = comparison.state.stiffness_n_per_m.unwrap_or(0.0);
+    comparison.notes.extend(theory::in_words(&plan, force, stiffness));
+    Ok(comparison)
 }
 
-type Fineness = (Method, Option<usize>, Option<usize>);
-
-fn fineness() -> impl Iterator<Item = Fineness> {
-    let springs = SPRINGS.into_iter().map(|n| (Method::Springs, Some(n), None));
-    let grids = GRIDS.into_iter().map(|n| (Method::HalfSpace, None, Some(n)));
-    std::iter::once((Method::Direct, None, None)).chain(springs).chain(grids)
-}
-
-/// Rough work of a row, in pixels.
-fn cost(springs: Option<usize>, grid: Option<usize>) -> f64 {
-    springs.unwrap_or(0) as f64 + grid.map_or(0.0, |n| (n * n) as f64)
-}
-
-fn row((method, springs, grid): Fineness, measured: &Measured) -> Row {
-    Row {
-        method,
-        springs,
-        grid,
-        force_error: None,
-        radius_error: None,
-        pressure_error: None,
-        indentation_error: None,
-        stiffness_error: None,
-        time_s: measured.time,
-        bytes: measured.bytes,
-        iterations: measured.iterations,
-        state: measured.state,
-    }
-}
-
-/// What the half-space leaves out of the scene.
-fn notes(setup: &Plan, scenario: &methods::Scenario<'_>) -> Vec<String> {
-    let mut notes = Vec::new();
-    let mut left_out = |what: &str| {
-        notes.push(format!(
-            "{what}: the half-space solver computes the frictionless elastic contact only and is left out"
-        ));
-    };
-    if setup.scene.adhesion.is_some() {
-        left_out("adhesion");
-    }
-    if setup.relaxation().is_some() {
-        left_out("viscoelastic bodies");
-    }
-    if setup.scene.friction.is_some() {
-        notes.push("friction: compared is the normal contact, which friction does not change here".to_owned());
-    }
-    if !cfg!(feature = "half-space") {
-        notes.push(NO_HALF_SPACE.to_owned());
-    }
-    notes.extend(scenario.note());
-    notes
-}
-
-/// The answer of a computation and its least time [s] over repeats.
-fn timed<T>(mut work: impl FnMut() -> T) -> (T, f64) {
-    let (mut least, mut total, mut count) = (f64::INFINITY, 0.0, 0);
-    loop {
-        let clock = Instant::now();
-        let answer = work();
-        let time = clock.elapsed().as_secs_f64();
-        least = least.min(time);
-        total += time;
-        count += 1;
-        if total > ENOUGH || count == REPEATS {
-            return (answer, least);
-        }
-    }
+/// The record of the largest force.
+fn largest(records: &[Record]) -> Option<&Record> {
+    records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force))
 }
 
 /// The state of a record; the largest pressure is not in it.
-fn state_of(record: &Record) -> State {
-    State {
-        indentation_m: record.normal.indentation.unwrap_or(f64::NAN),
-        force_n: record.normal.force,
-        contact_radius_m: record.normal.contact_radius,
-        ..State::default()
+fn found(record: &Record) -> Found {
+    let normal = &record.normal;
+    let (indentation_m, contact_radius_m) = (normal.indentation, normal.contact_radius);
+    Found { indentation_m, force_n: Some(normal.force), contact_radius_m, ..Found::default() }
+}
+
+/// A right answer and its name.
+struct Known {
+    name: String,
+    state: Found,
+}
+
+/// A method that may be taken for right: its number, and what it is then called.
+struct Candidate {
+    at: usize,
+    name: String,
+}
+
+/// Methods to be measured against each other.
+struct Contest {
+    compared: Compared,
+    methods: Vec<Method>,
+    /// The closed form, where there is one.
+    exact: Option<Known>,
+    /// Who is right where there is none: the first of these that gives an answer.
+    candidates: Vec<Candidate>,
+    /// Who has the largest pressure where a closed form does not.
+    pressure: Option<Candidate>,
+    /// Members that a run computes one after the other; times are those of one.
+    members: usize,
+    notes: Vec<String>,
+}
+
+impl Contest {
+    fn judged(mut self, done: &dyn Fn(f64)) -> Comparison {
+        let mut rows = measured(&self.methods, Effort::Brief.budget(), &mut |share| done(share));
+        let (mut right, own) = self.right(&rows);
+        let mut own_pressure = own;
+        if let (None, None, Some(candidate)) = (own, right.state.peak_pressure_pa, self.pressure.take())
+            && let Some(pressure) = rows[candidate.at].solved.found.peak_pressure_pa
+        {
+            right.state.peak_pressure_pa = Some(pressure);
+            right.name.push_str(&format!("; largest pressure: {}", candidate.name));
+            own_pressure = Some(candidate.at);
+        }
+        rows.iter_mut().filter_map(|row| row.times.as_mut()).for_each(|times| times.warm /= self.members as f64);
+        for (at, row) in rows.iter_mut().enumerate().filter(|(at, _)| own != Some(*at)) {
+            row.errors = self.compared.errors(&row.solved.found, &right.state);
+            row.errors.pressure = row.errors.pressure.filter(|_| own_pressure != Some(at));
+        }
+        self.notes.extend(rows.iter().filter_map(failure));
+        rows.retain(|row| row.why.is_none());
+        let Self { compared, notes, .. } = self;
+        Comparison { compared, reference: right.name, state: right.state, rows, notes }
     }
+
+    /// What is right, and the number of the method if it is one.
+    fn right(&mut self, rows: &[Row]) -> (Known, Option<usize>) {
+        if let Some(exact) = self.exact.take() {
+            return (exact, None);
+        }
+        let answered = |candidate: &&Candidate| rows[candidate.at].why.is_none();
+        match self.candidates.iter().find(answered) {
+            Some(Candidate { at, name }) => (Known { name: name.clone(), state: rows[*at].solved.found }, Some(*at)),
+            None => (Known { name: "none".to_owned(), state: Found::default() }, None),
+        }
+    }
+}
+
+impl Compared {
+    /// The errors of what is not prescribed.
+    fn errors(self, found: &Found, right: &Found) -> Errors {
+        let errors = Errors::of(found, right);
+        match self {
+            Self::Round => Errors { indentation: None, ..errors },
+            Self::Plane | Self::Rough => Errors { force: None, ..errors },
+        }
+    }
+}
+
+/// Why a method gave nothing.
+fn failure(row: &Row) -> Option<String> {
+    let why = row.why.as_ref()?;
+    Some(match (row.setting.springs, row.setting.grid) {
+        (Some(springs), _) => format!("{springs} springs: {why}"),
+        (_, Some(grid)) => format!("{} on {grid} pixels a side: {why}", row.method),
+        _ => why.clone(),
+    })
 }

@@ -1,137 +1,128 @@
 //! Plane shapes: the closed form or series beside the half-plane solver.
 
-use super::{Comparison, ComparisonError, Measured, Method, Row, State, row, state_of, timed};
-use crate::check::one_piece::largest_force;
-#[cfg(feature = "half-space")]
-use crate::halfspace::{PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, Settings, solve_plane};
-use crate::run::{self, Wanted};
-use crate::scene::plan::Plan;
-use crate::scene::plan::SceneSettings;
-#[cfg(feature = "half-space")]
-use crate::shape::Shape;
+use super::{Candidate, Compared, Contest, found, largest};
+use crate::check::case::Attempt;
+use crate::check::row::{Found, Setting, Solved};
+use crate::check::study::Method;
+use crate::run::{self, SimulationError, Wanted};
+use crate::scene::plan::{Plan, PlanePlan, SceneSettings};
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 
-/// Strips of the half-plane.
-#[cfg(feature = "half-space")]
-const STRIPS: [usize; 6] = [128, 512, 2048, 8192, 32768, 131_072];
-
-/// Compares the methods under the largest force of a plane scene; `done` is told the share behind.
-pub(super) fn compare(setup: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
-    let outcome = run::run(setup, Wanted::NOTHING)?;
-    let force = largest_force(setup, &outcome);
-    if force <= 0.0 {
-        return Err(ComparisonError::NoContact);
+/// The methods under the largest force of a plane scene.
+pub(super) fn contest(plan: &PlanePlan, force: f64) -> Result<Contest, SimulationError> {
+    // The state under the force by the closed form, in one record.
+    let whole = Plan::Plane(plan.clone());
+    let one = Arc::new(whole.with(SceneSettings { steps: NonZeroUsize::new(1), ..whole.settings() })?);
+    let direct = Method::new("direct", Setting::FREE, move || {
+        let (plan, pressure) = (one.clone(), pressure(&one)?);
+        Ok(move || direct(&plan, force, pressure))
+    });
+    let mut methods = vec![direct];
+    let mut candidates = vec![Candidate { at: 0, name: "closed form or series of the half-plane".to_owned() }];
+    for (name, method) in strips::methods(plan, force) {
+        candidates.insert(1, Candidate { at: methods.len(), name });
+        methods.push(method);
     }
-    let (mut rows, mut notes) = (Vec::new(), Vec::new());
-    match direct(setup, force) {
-        Some(measured) => rows.push(row((Method::Direct, None, None), &measured)),
-        None => notes.push("the contact is not in one piece: only the half-plane solver has it".to_owned()),
-    }
-    rows.extend(half_plane(setup, force, done));
-    if !cfg!(feature = "half-space") {
-        notes.push(super::NO_HALF_SPACE.to_owned());
-    }
-    notes.push("compared under the largest force; radius is half of the width of all contact together".to_owned());
-    let Some(own) = (0..rows.len()).rev().find(|&at| rows[at].method == Method::Direct).or(rows.len().checked_sub(1))
-    else {
-        return Err(ComparisonError::NoContact);
-    };
-    let state = rows[own].state;
-    for (_, row) in rows.iter_mut().enumerate().filter(|(at, _)| *at != own) {
-        fill_in(row, &state);
-    }
-    let reference = match rows[own].grid {
-        None => "closed form or series of the half-plane".to_owned(),
-        Some(strips) => format!("half-plane on {strips} strips, the finest"),
-    };
-    Ok(Comparison { reference, state, rows, notes })
+    let under = "compared under the largest force; radius is half of the width of all contact together";
+    let notes = super::WITHOUT.into_iter().chain([under]).map(str::to_owned).collect();
+    Ok(Contest { compared: Compared::Plane, methods, exact: None, candidates, pressure: None, members: 1, notes })
 }
 
-fn fill_in(row: &mut Row, right: &State) {
-    let error = |of: fn(&State) -> Option<f64>| Some(of(&row.state)? / of(right)? - 1.0);
-    let errors = [
-        error(|state| state.contact_radius_m),
-        error(|state| state.peak_pressure_pa),
-        error(|state| Some(state.indentation_m)),
-    ];
-    [row.radius_error, row.pressure_error, row.indentation_error] = errors;
+/// Largest pressure [Pa].
+fn pressure(plan: &Plan) -> Attempt<Option<f64>> {
+    let outcome = run::run(plan, Wanted { fields: true, ..Wanted::NOTHING })?;
+    Ok(outcome.number("peak_pressure_pa"))
 }
 
-/// The state under the force by the closed form, in one record.
-fn direct(setup: &Plan, force: f64) -> Option<Measured> {
-    let setup = setup.with(SceneSettings { steps: NonZeroUsize::new(1), ..setup.settings() }).ok()?;
-    let fields = Wanted { fields: true, ..Wanted::NOTHING };
-    let outcome = run::run(&setup, fields).ok()?;
-    let (_, time) = timed(|| run::run(&setup, Wanted::NOTHING));
-    let most = outcome.records.iter().max_by(|a, b| a.normal.force.total_cmp(&b.normal.force))?;
-    if most.normal.force < force * (1.0 - 1e-12) {
-        return None;
-    }
-    let state = State { peak_pressure_pa: outcome.number("peak_pressure_pa"), ..state_of(most) };
-    Some(Measured { state, time, bytes: outcome.plan.state_bytes as u64, iterations: None })
+fn direct(plan: &Plan, force: f64, peak_pressure_pa: Option<f64>) -> Attempt<Solved> {
+    let outcome = run::run(plan, Wanted::NOTHING)?;
+    let most = largest(&outcome.records).filter(|most| most.normal.force >= force * (1.0 - 1e-12));
+    let most = most.ok_or("the contact is not in one piece: only the half-plane solver has it")?;
+    let found = Found { peak_pressure_pa, ..found(most) };
+    Ok(Solved { found, bytes: outcome.plan.state_bytes, ..Solved::default() })
 }
 
+/// No half-plane in strips.
 #[cfg(not(feature = "half-space"))]
-fn half_plane(_: &Plan, _: f64, _: &dyn Fn(f64)) -> Vec<Row> {
-    Vec::new()
-}
-
-#[cfg(feature = "half-space")]
-fn half_plane(setup: &Plan, force: f64, done: &dyn Fn(f64)) -> Vec<Row> {
-    let mut rows = Vec::new();
-    for (k, strips) in STRIPS.into_iter().enumerate() {
-        let (solution, time) = timed(|| solved(setup, force, strips));
-        if let Some(solution) = solution {
-            // Eleven vectors and the kernel of a padded line.
-            let measured = Measured {
-                state: state(&solution, force),
-                time,
-                bytes: 8 * 16 * strips as u64,
-                iterations: Some(solution.iterations),
-            };
-            rows.push(row((Method::HalfPlane, None, Some(strips)), &measured));
-        }
-        done((k + 1) as f64 / STRIPS.len() as f64);
-    }
-    rows
-}
-
-#[cfg(feature = "half-space")]
-fn state(solution: &PlaneSolution, force: f64) -> State {
-    State {
-        indentation_m: solution.indentation,
-        force_n: force,
-        contact_radius_m: Some(0.5 * solution.contact_width()),
-        peak_pressure_pa: Some(solution.peak_pressure()),
-        ..State::default()
+mod strips {
+    pub(super) fn methods(_: &super::PlanePlan, _: f64) -> Vec<(String, super::Method)> {
+        Vec::new()
     }
 }
 
-/// The half-plane under a force [N]; `None` if the solver refuses.
+/// The half-plane in strips.
 #[cfg(feature = "half-space")]
-fn solved(setup: &Plan, force: f64, strips: usize) -> Option<PlaneSolution> {
-    let modulus = setup.pair.normal;
-    let (window, boundary, width, height): (f64, _, f64, Box<dyn Fn(f64) -> f64>) = match &setup.scene.shape {
-        Shape::PlaneWave(wave) => {
-            let (amplitude, k) = (wave.amplitude.si(), std::f64::consts::PI / wave.wavelength.si());
-            let height = move |x: f64| 2.0 * amplitude * (k * x).sin().powi(2);
-            (wave.wavelength.si(), PlaneBoundary::Periodic, wave.width(), Box::new(height))
-        }
-        Shape::PlaneWavy(wavy) => {
-            let radius = wavy.radius.si();
-            let hertz = 2.0 * (force / wavy.width() * radius / (std::f64::consts::PI * modulus)).sqrt();
-            // Waves widen the contact, by what their slope adds to that of the parabola.
-            let window = 3.0 * (hertz + radius * wavy.rms_slope());
-            let datum = wavy.datum.si();
-            let height = move |x: f64| 0.5 * x * x / radius + wavy.ripple(x);
-            (window.min(datum), PlaneBoundary::Free { datum }, wavy.width(), Box::new(height))
-        }
-        _ => return None,
-    };
-    let step = window / strips as f64;
-    let place = |i: usize| (i as f64 - (strips / 2) as f64) * step;
-    let heights = ndarray::Array1::from_shape_fn(strips, |i| height(place(i)));
-    let problem =
-        PlaneProblem { heights: heights.view(), step, modulus, boundary, control: Prescribed::Force(force / width) };
-    solve_plane(&problem, None, &Settings::default()).ok()
+mod strips {
+    use super::{Attempt, Found, Method, PlanePlan, Setting, Solved};
+    use crate::halfspace::{PlaneBoundary, PlaneProblem, Prescribed, Settings, solve_plane};
+    use crate::scene::plan::Section;
+    use crate::shape::{PlaneWave, PlaneWavy};
+    use ndarray::Array1;
+    use std::f64::consts::PI;
+
+    /// Strips of the half-plane.
+    const STRIPS: [usize; 6] = [128, 512, 2048, 8192, 32768, 131_072];
+
+    /// The half-plane on all numbers of strips, and what it is called where it is right.
+    pub(super) fn methods(plan: &PlanePlan, force: f64) -> Vec<(String, Method)> {
+        let method = |strips: usize| {
+            let plan = plan.clone();
+            Method::new("half-plane", Setting::grid(strips), move || {
+                let plan = plan.clone();
+                Ok(move || solved(&plan, force, strips))
+            })
+        };
+        STRIPS.map(|strips| (format!("half-plane on {strips} strips, the finest"), method(strips))).into()
+    }
+
+    /// What the strips are pressed by.
+    struct Pressed {
+        boundary: PlaneBoundary,
+        /// Width of the window [m].
+        window: f64,
+        /// Width across the section [m].
+        width: f64,
+        heights: Box<dyn Fn(f64) -> f64>,
+    }
+
+    fn wave(wave: &PlaneWave) -> Pressed {
+        let (amplitude, k) = (wave.amplitude.si(), PI / wave.wavelength.si());
+        let heights = Box::new(move |x: f64| 2.0 * amplitude * (k * x).sin().powi(2));
+        let (window, width) = (wave.wavelength.si(), wave.width());
+        Pressed { boundary: PlaneBoundary::Periodic, window, width, heights }
+    }
+
+    fn wavy(wavy: &PlaneWavy, modulus: f64, force: f64) -> Pressed {
+        let (radius, width, datum) = (wavy.radius.si(), wavy.width(), wavy.datum.si());
+        let hertz = 2.0 * (force / width * radius / (PI * modulus)).sqrt();
+        // Waves widen the contact, by what their slope adds to that of the parabola.
+        let window = 3.0 * (hertz + radius * wavy.rms_slope());
+        let wavy = wavy.clone();
+        let heights = Box::new(move |x: f64| 0.5 * x * x / radius + wavy.ripple(x));
+        Pressed { boundary: PlaneBoundary::Free { datum }, window: window.min(datum), width, heights }
+    }
+
+    fn solved(plan: &PlanePlan, force: f64, strips: usize) -> Attempt<Solved> {
+        let modulus = plan.pair.normal;
+        let pressed = match &plan.section {
+            Section::Wave { wave: shape, .. } => wave(shape),
+            Section::Wavy(shape) => wavy(shape, modulus, force),
+        };
+        let step = pressed.window / strips as f64;
+        let place = |i: usize| (i as f64 - (strips / 2) as f64) * step;
+        let heights = Array1::from_shape_fn(strips, |i| (pressed.heights)(place(i)));
+        let control = Prescribed::Force(force / pressed.width);
+        let problem = PlaneProblem { heights: heights.view(), step, modulus, boundary: pressed.boundary, control };
+        let solution = solve_plane(&problem, None, &Settings::default())?;
+        let found = Found {
+            indentation_m: Some(solution.indentation),
+            force_n: Some(force),
+            contact_radius_m: Some(0.5 * solution.contact_width()),
+            peak_pressure_pa: Some(solution.peak_pressure()),
+            ..Found::default()
+        };
+        // Eleven vectors and the kernel of a padded line.
+        Ok(Solved { found, bytes: 8 * 16 * strips, iterations: Some(solution.iterations), ..Solved::default() })
+    }
 }

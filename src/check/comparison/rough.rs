@@ -1,13 +1,13 @@
 //! Rough shapes: the bed of a line beside the half-space under the surface itself.
 
-#[cfg(feature = "half-space")]
-use super::rough_full::grids;
-use super::{Comparison, Fineness, Measured, Method, Row, State, row, timed};
-use crate::check::theory;
+use super::{Candidate, Compared, Contest};
+use crate::check::case::Attempt;
+use crate::check::row::{Found, Setting, Solved};
+use crate::check::study::Method;
 use crate::contact::rough::RoughBed;
-use crate::scene::plan::Plan;
-use crate::scene::surface::Surface;
-use crate::shape::rough::{RoughError, RoughLine};
+use crate::scene::plan::RoughPlan;
+use crate::shape::rough::RoughLine;
+use std::sync::Arc;
 
 /// Springs of the line.
 const POINTS: [usize; 5] = [1024, 4096, 16384, 65536, 262_144];
@@ -17,142 +17,216 @@ const MEMBERS: usize = 4;
 const BELOW: f64 = 0.9;
 
 /// What is compared: the state under a force.
-pub(super) struct Rough<'s> {
-    pub(super) setup: &'s Plan,
-    pub(super) surface: &'s Surface,
+struct Rough {
+    plan: RoughPlan,
     /// Normal force [N].
-    pub(super) force: f64,
+    force: f64,
 }
 
-/// Compares the methods under the force [N] of the scene; `done` is told the share behind.
-pub(super) fn compare(rough: &Rough<'_>, done: &dyn Fn(f64)) -> Comparison {
-    let (mut rows, mut notes) = (Vec::new(), notes(rough));
-    let all: Vec<Fineness> = rough.fineness(&mut notes);
-    let work: f64 = all.iter().map(|&(_, springs, grid)| super::cost(springs, grid)).sum();
-    let mut behind = 0.0;
-    for fineness in all {
-        match rough.measured(fineness) {
-            Ok(measured) => rows.push(row(fineness, &measured)),
-            Err(note) => notes.push(note),
+/// The methods under the force [N] of a rough scene.
+pub(super) fn contest(plan: RoughPlan, force: f64) -> Contest {
+    let rough = Arc::new(Rough { plan, force });
+    let (mut notes, mut methods, mut candidates) = (rough.notes(), Vec::new(), Vec::new());
+    let least = 2 * (rough.plan.surface.rings.variances().len() - 1);
+    for points in POINTS.into_iter().filter(|&points| points >= least) {
+        let name = format!("bed of {points} springs, the finest");
+        candidates.insert(0, Candidate { at: methods.len(), name });
+        methods.push(rough.method("springs", Setting::springs(points), move |own, seed| own.line(seed, points)));
+    }
+    let grids = surface::methods(&rough).unwrap_or_else(|note| {
+        notes.push(note);
+        Vec::new()
+    });
+    for (name, method) in grids {
+        candidates.insert(0, Candidate { at: methods.len(), name });
+        methods.push(method);
+    }
+    if methods.is_empty() {
+        notes.push(format!("no bed of at most {} springs carries the shortest wave", POINTS[POINTS.len() - 1]));
+    }
+    let members = rough.seeds().len();
+    Contest { compared: Compared::Rough, methods, exact: None, candidates, pressure: None, members, notes }
+}
+
+impl Rough {
+    fn notes(&self) -> Vec<String> {
+        let mut notes = vec![
+            "the state is that of the largest force; indentation counts from first touch".to_owned(),
+            "the line of the springs is another random surface of the same spectrum: single surfaces scatter by tens of per cent, and the share of springs in contact is not the contact area".to_owned(),
+        ];
+        if self.plan.surface.seeds.len() > MEMBERS {
+            notes.push(format!("means over the first {MEMBERS} of {} seeds", self.plan.surface.seeds.len()));
         }
-        behind += super::cost(fineness.1, fineness.2);
-        done(behind / work);
+        notes
     }
-    let (reference, state) = reference(&mut rows, rough.force);
-    notes.extend(theory::in_words(rough.setup, rough.force, state.stiffness_n_per_m.unwrap_or(0.0)));
-    Comparison { reference, state, rows, notes }
-}
 
-fn notes(rough: &Rough<'_>) -> Vec<String> {
-    let mut notes = vec![
-        "the state is that of the largest force; indentation counts from first touch".to_owned(),
-        "the line of the springs is another random surface of the same spectrum: single surfaces scatter by tens of per cent, and the share of springs in contact is not the contact area".to_owned(),
-    ];
-    if rough.surface.seeds.len() > MEMBERS {
-        notes.push(format!("means over the first {MEMBERS} of {} seeds", rough.surface.seeds.len()));
-    }
-    notes
-}
-
-#[cfg(not(feature = "half-space"))]
-fn grids(_: &Rough<'_>) -> Result<Vec<usize>, String> {
-    Err(super::NO_HALF_SPACE.to_owned())
-}
-
-/// The finest grid, else the finest bed; fills in the errors.
-fn reference(rows: &mut [Row], force: f64) -> (String, State) {
-    let fineness = |row: &Row| (row.grid.unwrap_or(0), row.springs.unwrap_or(0));
-    let Some(own) = (0..rows.len()).max_by_key(|&at| fineness(&rows[at])) else {
-        return ("none".to_owned(), State { force_n: force, ..State::default() });
-    };
-    let state = rows[own].state;
-    for (_, row) in rows.iter_mut().enumerate().filter(|(at, _)| *at != own) {
-        let error = |of: fn(&State) -> Option<f64>| Some(of(&row.state)? / of(&state)? - 1.0);
-        row.indentation_error = error(|state| Some(state.indentation_m));
-        row.stiffness_error = error(|state| state.stiffness_n_per_m);
-        row.pressure_error = error(|state| state.peak_pressure_pa);
-    }
-    let name = match (rows[own].grid, rows[own].springs) {
-        (Some(grid), _) => format!("half-space on {grid}² pixels, the finest grid"),
-        (_, springs) => format!("bed of {} springs, the finest", springs.unwrap_or(0)),
-    };
-    (name, state)
-}
-
-impl Rough<'_> {
     /// The seeds compared.
-    pub(super) fn seeds(&self) -> &[u64] {
-        &self.surface.seeds[..self.surface.seeds.len().min(MEMBERS)]
+    fn seeds(&self) -> &[u64] {
+        &self.plan.surface.seeds[..self.plan.surface.seeds.len().min(MEMBERS)]
     }
 
-    fn fineness(&self, notes: &mut Vec<String>) -> Vec<Fineness> {
-        let least = 2 * (self.surface.rings.variances().len() - 1);
-        let springs = POINTS.into_iter().filter(|&points| points >= least);
-        let mut all: Vec<Fineness> = springs.map(|points| (Method::Springs, Some(points), None)).collect();
-        match grids(self) {
-            Ok(grids) => all.extend(grids.into_iter().map(|grid| (Method::HalfSpace, None, Some(grid)))),
-            Err(note) => notes.push(note),
-        }
-        if all.is_empty() {
-            notes.push(format!("no bed of at most {} springs carries the shortest wave", POINTS[POINTS.len() - 1]));
-        }
-        all
+    /// A method that computes every member of the ensemble; what it finds is the mean.
+    fn method(
+        self: &Arc<Self>,
+        name: &'static str,
+        setting: Setting,
+        member: impl Fn(&Self, u64) -> Attempt<Solved> + Copy + 'static,
+    ) -> Method {
+        let rough = self.clone();
+        Method::new(name, setting, move || {
+            let rough = rough.clone();
+            Ok(move || {
+                let solved: Attempt<Vec<Solved>> = rough.seeds().iter().map(|&seed| member(&rough, seed)).collect();
+                Ok(mean(&solved?))
+            })
+        })
     }
 
-    fn measured(&self, (_, springs, grid): Fineness) -> Result<Measured, String> {
-        match (springs, grid) {
-            #[cfg(feature = "half-space")]
-            (None, Some(grid)) => super::rough_full::measured(self, grid),
-            _ => self.springs(springs.unwrap_or(self.surface.points)),
-        }
-    }
-
-    fn springs(&self, points: usize) -> Result<Measured, String> {
-        let (states, time) = timed(|| self.seeds().iter().map(|&seed| self.pressed(seed, points)).collect());
-        let states: Result<Vec<State>, RoughError> = states;
-        let states = states.map_err(|error| format!("{points} springs: {error}"))?;
-        let bytes = 24 * points as u64;
-        Ok(Measured { state: mean(&states), time: time / states.len() as f64, bytes, iterations: None })
-    }
-
-    fn pressed(&self, seed: u64, points: usize) -> Result<State, RoughError> {
-        let line = RoughLine::new(&self.surface.rings, seed);
-        let bed = RoughBed::under(&line, points, self.setup.pair.normal, |x| {
-            self.setup.profile().map_or(0.0, |base| base.reduced(x))
-        })?;
+    fn line(&self, seed: u64, points: usize) -> Attempt<Solved> {
+        let line = RoughLine::new(&self.plan.surface.rings, seed);
+        let bed = RoughBed::under(&line, points, self.plan.pair.normal, |x| self.plan.reduced(x))?;
         let depth = |force: f64| bed.at_force(force).indentation;
-        Ok(self.state([depth(BELOW * self.force), depth(self.force)], bed.first_touch()))
+        let found = self.found([depth(BELOW * self.force), depth(self.force)], bed.first_touch());
+        Ok(Solved { found, bytes: 24 * points, ..Solved::default() })
     }
 
     /// The state from the indentations at nine tenths of the force and at the force.
-    pub(super) fn state(&self, [below, here]: [f64; 2], touch: f64) -> State {
-        State {
-            indentation_m: here - touch,
-            force_n: self.force,
+    fn found(&self, [below, here]: [f64; 2], touch: f64) -> Found {
+        Found {
+            indentation_m: Some(here - touch),
+            force_n: Some(self.force),
             stiffness_n_per_m: Some((1.0 - BELOW) * self.force / (here - below)),
-            ..State::default()
+            ..Found::default()
         }
-    }
-
-    /// Forces at which the state is looked at [N].
-    #[cfg(feature = "half-space")]
-    pub(super) fn forces(&self) -> [f64; 2] {
-        [BELOW * self.force, self.force]
     }
 }
 
-/// The mean of the members.
-pub(super) fn mean(states: &[State]) -> State {
-    let mean = |of: &dyn Fn(&State) -> f64| states.iter().map(of).sum::<f64>() / states.len() as f64;
-    let known = |of: fn(&State) -> Option<f64>| {
-        states.iter().all(|state| of(state).is_some()).then(|| mean(&|state| of(state).unwrap_or(f64::NAN)))
+/// The mean of the members, and the most that one of them takes.
+fn mean(members: &[Solved]) -> Solved {
+    let mean = |of: fn(&Found) -> Option<f64>| {
+        let values: Option<Vec<f64>> = members.iter().map(|member| of(&member.found)).collect();
+        values.map(|values| values.iter().sum::<f64>() / values.len() as f64)
     };
-    State {
-        indentation_m: mean(&|state| state.indentation_m),
-        force_n: mean(&|state| state.force_n),
+    let found = Found {
+        indentation_m: mean(|found| found.indentation_m),
+        force_n: mean(|found| found.force_n),
         contact_radius_m: None,
-        peak_pressure_pa: known(|state| state.peak_pressure_pa),
-        stiffness_n_per_m: known(|state| state.stiffness_n_per_m),
-        area_fraction: known(|state| state.area_fraction),
+        peak_pressure_pa: mean(|found| found.peak_pressure_pa),
+        stiffness_n_per_m: mean(|found| found.stiffness_n_per_m),
+        area_fraction: mean(|found| found.area_fraction),
+    };
+    let bytes = members.iter().map(|member| member.bytes).max().unwrap_or(0);
+    let iterations = members.iter().filter_map(|member| member.iterations).max();
+    Solved { found, bytes, iterations, ..Solved::default() }
+}
+
+/// No half-space.
+#[cfg(not(feature = "half-space"))]
+mod surface {
+    pub(super) fn methods(_: &std::sync::Arc<super::Rough>) -> Result<Vec<(String, super::Method)>, String> {
+        super::super::WITHOUT.map_or(Ok(Vec::new()), |note| Err(note.to_owned()))
+    }
+}
+
+/// The rough surface itself on the full half-space.
+#[cfg(feature = "half-space")]
+mod surface {
+    use super::super::GRIDS;
+    use super::super::pixels::smooth;
+    use super::{Arc, Attempt, BELOW, Found, Method, Rough, Setting, Solved};
+    use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start, bytes_needed, solve};
+    use crate::scene::surface::Source;
+    use crate::shape::rough::rough_surface;
+    use ndarray::Array2;
+
+    /// Relative residual: far below the scatter of surfaces.
+    const TOLERANCE: f64 = 1e-6;
+    /// Most pixels of all members on one grid, unless a coarser one would not carry the roughness.
+    const MOST_PIXELS: usize = 1 << 20;
+    /// Coarsest map made from a larger one.
+    const COARSEST: usize = 24;
+
+    /// The half-space on all grids, and what it is called where it is right.
+    pub(super) fn methods(rough: &Arc<Rough>) -> Result<Vec<(String, Method)>, String> {
+        let method = |grid| rough.method("half-space", Setting::grid(grid), move |own, seed| pressed(own, grid, seed));
+        let named = |grid| (format!("half-space on {grid}² pixels, the finest grid"), method(grid));
+        Ok(grids(rough)?.into_iter().map(named).collect())
+    }
+
+    /// Pixels on the sides of the grids that carry the roughness; what is too large is told.
+    ///
+    /// Of a height map, every pixel, every second, every fourth.
+    fn grids(rough: &Rough) -> Result<Vec<usize>, String> {
+        if let Source::Map(map) = &rough.plan.surface.source {
+            let (rows, columns) = map.heights().dim();
+            refused([rows, columns])?;
+            let side = rows.min(columns);
+            let carries = |stride: &usize| *stride == 1 || side / stride >= COARSEST;
+            return Ok([4, 2, 1].into_iter().filter(carries).map(|stride| rows.div_ceil(stride)).collect());
+        }
+        let least = 2 * (rough.plan.surface.rings.variances().len() - 1);
+        refused([least, least])?;
+        let fine: Vec<usize> = GRIDS.into_iter().filter(|&grid| grid >= least.max(GRIDS[1])).collect();
+        let largest = GRIDS[GRIDS.len() - 1];
+        let Some(&first) = fine.first() else {
+            return Err(format!(
+                "half-space: the shortest wave needs {least}² pixels ({:.1e} bytes); not tried above {largest}²",
+                bytes_needed([least; 2], Boundary::Free) as f64
+            ));
+        };
+        let affordable = |grid: usize| grid * grid * rough.seeds().len() <= MOST_PIXELS;
+        Ok(fine.into_iter().filter(|&grid| grid == first || affordable(grid)).collect())
+    }
+
+    /// A grid that does not fit into the memory allowed.
+    fn refused(size: [usize; 2]) -> Result<(), String> {
+        let (needed, limit) = (bytes_needed(size, Boundary::Free), Settings::default().memory_limit);
+        let [rows, columns] = size;
+        let refusal = HalfSpaceError::Memory { rows, columns, needed, limit };
+        if needed > limit { Err(format!("half-space: {refusal}")) } else { Ok(()) }
+    }
+
+    fn pressed(rough: &Rough, grid: usize, seed: u64) -> Attempt<Solved> {
+        let (heights, pixel) = heights(rough, grid, seed)?;
+        let touch = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
+        let at = |force: f64, start: Start<'_>| {
+            let (modulus, control) = (rough.plan.pair.normal, Prescribed::Force(force));
+            let problem = PressedMap { heights: heights.view(), pixel, modulus, boundary: Boundary::Free, control };
+            solve(&problem, start, &settings)
+        };
+        let here = at(rough.force, Start::Coarser)?;
+        let below = at(BELOW * rough.force, Start::Pressure(here.pressure.view()))?;
+        let found = Found {
+            peak_pressure_pa: Some(here.peak_pressure()),
+            area_fraction: Some(here.area_fraction()),
+            ..rough.found([below.indentation, here.indentation], touch)
+        };
+        let (bytes, iterations) = (usize::try_from(here.bytes)?, Some(here.iterations));
+        Ok(Solved { found, bytes, iterations, ..Solved::default() })
+    }
+
+    /// Heights of the indenter [m], away from the half-space, and the pixel [m].
+    fn heights(rough: &Rough, grid: usize, seed: u64) -> Attempt<(Array2<f64>, [f64; 2])> {
+        let spectrum = match &rough.plan.surface.source {
+            Source::Spectrum(spectrum) => spectrum,
+            Source::Map(map) => {
+                let stride = map.heights().nrows().div_ceil(grid);
+                let every = map.heights().slice(ndarray::s![..;stride, ..;stride]);
+                let pixel = [map.pixel().0 * stride as f64, map.pixel().1 * stride as f64];
+                // Peaks of the map reach towards the other body.
+                return Ok((every.mapv(|height| -height), pixel));
+            }
+        };
+        let length = rough.plan.surface.length();
+        let mut heights = rough_surface(spectrum, length, grid, seed)?;
+        let pixel = length / grid as f64;
+        let place = |index: usize| (index as f64 + 0.5) * pixel - 0.5 * length;
+        if let Some(base) = &rough.plan.base {
+            for ((row, column), height) in heights.indexed_iter_mut() {
+                *height += smooth(base.as_ref(), place(row).hypot(place(column)));
+            }
+        }
+        Ok((heights, [pixel; 2]))
     }
 }

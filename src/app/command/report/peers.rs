@@ -33,11 +33,12 @@ pub fn all() -> Result<Vec<Peer>, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::check::work_precision::{self, Effort};
+    use crate::check::cases;
+    use crate::check::study::Effort;
 
     #[test]
     fn every_measurement_belongs_to_a_case_and_names_its_source() {
-        let studies = work_precision::all(Effort::Brief);
+        let studies = cases::studies(Effort::Brief).unwrap();
         for peer in all().unwrap() {
             assert!(studies.iter().any(|study| study.case == peer.case), "{peer:?}");
             assert!(peer.error > 0.0 && peer.time_s > 0.0 && !peer.source.is_empty(), "{peer:?}");

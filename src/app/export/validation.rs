@@ -1,0 +1,45 @@
+//! The cases as VALIDATION.md.
+
+use crate::check::case::{Case, Question};
+use crate::check::row::Row;
+use std::fmt::Write;
+
+const HEAD: &str = "\
+# Validation
+
+Every case with a known answer: how it is proved, the largest relative error allowed and why, the
+error reached, and where the case is weak. Strengths of proof, strongest first: *rounding* (an
+identity or a limit), *bound* (a proved constant), *order* (a rate of convergence), *other method*
+(another code, another method or a finer grid), *self* (detects change only).
+
+Made by `springbed verify --markdown > VALIDATION.md`; `springbed verify` shows the same cases on
+your machine. A test keeps names, proofs, bounds and remarks true, and the errors reached within
+their bounds; the last digit of an error reached may differ from machine to machine.
+";
+
+/// The text of VALIDATION.md.
+#[must_use]
+pub fn validation(cases: &[Case], rows: &[Row]) -> String {
+    let mut text = HEAD.to_owned();
+    let mut group = "";
+    for (case, row) in cases.iter().zip(rows) {
+        let (of, name) = case.name.split_once('/').unwrap_or((case.name, case.name));
+        if of != group {
+            let _ = writeln!(text, "\n## {of}\n\n| case | proof | bound | reached | why this bound | weak where |");
+            text.push_str("|---|---|---|---|---|---|\n");
+            group = of;
+        }
+        let (proof, bound) = (case.proof.word(), case.bound);
+        let reached = row.error.map_or_else(|| row.why.clone().unwrap_or_default(), |error| format!("{error:.0e}"));
+        let (because, weak) = match &case.question {
+            Question::Over(over) => {
+                (format!("{}; {}", over.against, case.because), format!("tried over {}", over.range))
+            }
+            _ => (case.because.to_owned(), case.weak.to_owned()),
+        };
+        // A text that ends no cell of a table.
+        let [because, weak] = [because, weak].map(|text| text.replace('|', "\\|"));
+        let _ = writeln!(text, "| {name} | {proof} | {bound:e} | {reached} | {because} | {weak} |");
+    }
+    text
+}

@@ -1,0 +1,112 @@
+//! Closed forms of a round contact at its indentation.
+
+use crate::check::case::Attempt;
+use crate::check::closed_forms::{self, ClosedForm};
+use crate::check::row::Found;
+use crate::contact::adhesion::Adhesion;
+use crate::contact::elliptic::EllipticHertz;
+use crate::numerics::root;
+use crate::scene::plan::Plan;
+use crate::shape::{Ellipsoid, Paraboloid, Shape};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The closed form of a state and its name; `None` where there is none.
+pub(super) fn form(plan: &Plan, depth: f64) -> Attempt<Option<(&'static str, Found)>> {
+    let (shape, modulus) = (&plan.scene.shape, plan.pair.normal);
+    match (&plan.scene.adhesion, shape) {
+        (None, Shape::Ellipsoid(ellipsoid)) => elliptic(ellipsoid, modulus, depth).map(Some),
+        (None, _) => Ok(axisymmetric(shape, depth)?.map(|contact| plain(shape, modulus, contact))),
+        (Some(Adhesion::Jkr(jkr)), Shape::Paraboloid(ball)) => jkr_ball(ball, modulus, jkr.work.si(), depth).map(Some),
+        (Some(Adhesion::Jkr(_) | Adhesion::Maugis(_)), _) => Ok(None),
+    }
+}
+
+fn elliptic(ellipsoid: &Ellipsoid, modulus: f64, depth: f64) -> Attempt<(&'static str, Found)> {
+    let radii = [ellipsoid.radius_x.si(), ellipsoid.radius_y.si()];
+    let exact = EllipticHertz::at_indentation(radii, modulus, depth)?;
+    let found = Found {
+        indentation_m: Some(depth),
+        force_n: Some(exact.force),
+        contact_radius_m: Some((exact.semi_axes[0] * exact.semi_axes[1]).sqrt()),
+        peak_pressure_pa: Some(exact.peak_pressure),
+        ..Found::default()
+    };
+    Ok(("closed form (elliptic Hertz contact)", found))
+}
+
+fn plain(shape: &Shape, modulus: f64, contact: ClosedForm) -> (&'static str, Found) {
+    let mean = modulus * contact.force / (PI * contact.radius * contact.radius);
+    let peak_pressure_pa = match shape {
+        Shape::Paraboloid(_) => Some(1.5 * mean),
+        Shape::Power(power) if power.exponent.si() > 1.0 => {
+            let n = power.exponent.si();
+            Some(modulus * n * contact.indentation / (PI * (n - 1.0) * contact.radius))
+        }
+        _ => None,
+    };
+    let found = Found {
+        indentation_m: Some(contact.indentation),
+        force_n: Some(modulus * contact.force),
+        contact_radius_m: Some(contact.radius),
+        peak_pressure_pa,
+        ..Found::default()
+    };
+    ("closed form", found)
+}
+
+/// The contact of E* = 1 without adhesion.
+fn axisymmetric(shape: &Shape, d: f64) -> Attempt<Option<ClosedForm>> {
+    let at_angle = |form: &dyn Fn(f64) -> ClosedForm| {
+        let angle = root::brent(|angle| form(angle).indentation - d, 0.0, FRAC_PI_2 * (1.0 - 1e-12))?;
+        Ok(Some(ClosedForm { indentation: d, ..form(angle) }))
+    };
+    match shape {
+        Shape::Paraboloid(s) => Ok(Some(closed_forms::hertz(s.radius.si(), d))),
+        Shape::Sphere(s) => {
+            let of = |t: f64| closed_forms::sphere(s.radius.si(), t);
+            // t tanh t = d/R, between √(d/R) and d/R + √(d/R).
+            let low = (d / s.radius.si()).sqrt();
+            let rapidity = root::brent(|t| of(t).indentation - d, 0.5 * low, low + low * low)?;
+            Ok(Some(ClosedForm { indentation: d, ..of(rapidity) }))
+        }
+        Shape::Cone(s) => Ok(Some(closed_forms::cone(s.slope.si(), d))),
+        Shape::Power(s) => {
+            let (coefficient, exponent) = (s.coefficient.si(), s.exponent.si());
+            let unit = closed_forms::power(coefficient, exponent, 1.0).indentation;
+            let contact = closed_forms::power(coefficient, exponent, (d / unit).powf(1.0 / exponent));
+            Ok(Some(ClosedForm { indentation: d, ..contact }))
+        }
+        Shape::FlatPunch(s) => Ok(Some(closed_forms::flat_punch(s.radius.si(), d))),
+        Shape::TruncatedCone(s) => {
+            at_angle(&|angle| closed_forms::truncated_cone(s.flat_radius.si(), s.slope.si(), angle))
+        }
+        Shape::TruncatedParaboloid(s) => {
+            at_angle(&|angle| closed_forms::truncated_paraboloid(s.flat_radius.si(), s.radius.si(), angle))
+        }
+        Shape::RoundedPunch(s) => {
+            at_angle(&|angle| closed_forms::rounded_punch(s.flat_radius.si(), s.edge_radius.si(), angle))
+        }
+        Shape::RoundedCone(s) => {
+            let ball = closed_forms::hertz(s.radius.si(), d);
+            if ball.radius <= s.radius.si() * s.slope.si() {
+                return Ok(Some(ball));
+            }
+            at_angle(&|angle| closed_forms::rounded_cone(s.radius.si(), s.slope.si(), angle))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// JKR ball at an indentation: d = a²/R − √(2πaw/E*), F = 4E*a³/3R − √(8πE*wa³), on the branch of wide contacts.
+fn jkr_ball(ball: &Paraboloid, modulus: f64, work: f64, d: f64) -> Attempt<(&'static str, Found)> {
+    let radius = ball.radius.si();
+    let stretch = |a: f64| (2.0 * PI * a * work / modulus).sqrt();
+    // dd/da = 0 at a³ = πwR²/8E*; the branch begins there.
+    let least = (PI * work * radius * radius / (8.0 * modulus)).cbrt();
+    let wide = (radius * d.max(0.0)).sqrt() + 8.0 * least;
+    let a = root::brent(|a| a * a / radius - stretch(a) - d, least, wide)?;
+    let force = 4.0 * modulus * a.powi(3) / (3.0 * radius) - (8.0 * PI * modulus * work).sqrt() * a * a.sqrt();
+    let (indentation_m, force_n) = (Some(d), Some(force));
+    let found = Found { indentation_m, force_n, contact_radius_m: Some(a), ..Found::default() };
+    Ok(("closed form (Johnson, Kendall & Roberts)", found))
+}

@@ -1,0 +1,225 @@
+//! Round contacts: direct path and springs, in one state or through the history, and the half-space.
+
+use super::{Candidate, Compared, Contest, Known, closed, found, largest};
+use crate::check::case::Attempt;
+use crate::check::row::{Found, Setting, Solved};
+use crate::check::study::Method;
+use crate::contact::direct::QuasiStatic;
+use crate::contact::foundation::HalfSpace;
+use crate::contact::model::{ContactModel, Loading, Straight};
+use crate::contact::springs::{SpringBed, reach_for};
+use crate::numerics::extremum;
+use crate::run::record::Record;
+use crate::run::{self, SimulationError, Wanted};
+use crate::scene::law::ElasticAdhesion;
+use crate::scene::plan::{Plan, SceneSettings};
+use crate::shape::Shape;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+/// Numbers of springs of the classical bed.
+const SPRINGS: [usize; 6] = [32, 128, 512, 2048, 8192, 32768];
+/// Places at which the largest pressure is looked for before it is refined.
+const PLACES: u32 = 64;
+
+/// What is to be computed.
+struct Scenario {
+    /// The scene, without springs.
+    plan: Plan,
+    /// The state of the largest force, by the direct path.
+    most: Found,
+    /// Its indentation [m], if the state follows from that alone.
+    depth: Option<f64>,
+    /// Where that state has its largest pressure [m]; `None` where it is singular or not known.
+    peak_at: Option<f64>,
+}
+
+pub(super) fn contest(plan: Plan, most: &Record) -> Contest {
+    let scenario = Arc::new(Scenario::of(plan, most));
+    let mut notes = scenario.notes();
+    let known = scenario.depth.map_or(Ok(None), |depth| closed::form(&scenario.plan, depth));
+    let exact = known.unwrap_or_else(|why| {
+        notes.push(format!("closed form: {why}"));
+        None
+    });
+    let mut methods = vec![scenario.method("direct", Setting::FREE, Scenario::direct)];
+    // What cannot be computed on springs, such as an attraction at a distance, says so once.
+    match scenario.springs(SPRINGS[0]) {
+        Ok(_) => {
+            methods.extend(SPRINGS.map(|n| scenario.method("springs", Setting::springs(n), move |own| own.springs(n))))
+        }
+        Err(why) => notes.push(format!("springs: {why}")),
+    }
+    let mut candidates = vec![Candidate { at: 0, name: "direct path, exact for this model".to_owned() }];
+    for (name, method) in scenario.grids() {
+        candidates.insert(0, Candidate { at: methods.len(), name });
+        methods.push(method);
+    }
+    let exact = exact.map(|(name, state)| Known { name: name.to_owned(), state });
+    let pressure = Some(Candidate { at: 0, name: "direct path".to_owned() });
+    Contest { compared: Compared::Round, methods, exact, candidates, pressure, members: 1, notes }
+}
+
+impl Scenario {
+    /// The state of a record, replayed if it follows from its indentation.
+    fn of(plan: Plan, most: &Record) -> Self {
+        let mut scenario = Self { plan, most: found(most), depth: None, peak_at: None };
+        if scenario.plan.relaxation().is_some() {
+            return scenario;
+        }
+        // With adhesion a state may hang on the way to it.
+        let Some(depth) = most.normal.indentation else { return scenario };
+        if let Ok(contact) = pressed(&scenario.plan, depth) {
+            let apart = (contact.state().force - most.normal.force).abs();
+            scenario.depth = (apart <= 1e-9 * most.normal.force.abs()).then_some(depth);
+            scenario.peak_at = (!is_sharp(&scenario.plan.scene.shape)).then(|| peak_at(&contact)).flatten();
+        }
+        scenario
+    }
+
+    /// What is left out of the scene.
+    fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        let mut left_out = |what: &str| {
+            notes.push(format!(
+                "{what}: the half-space solver computes the frictionless elastic contact only and is left out"
+            ));
+        };
+        if self.plan.scene.adhesion.is_some() {
+            left_out("adhesion");
+        }
+        if self.plan.relaxation().is_some() {
+            left_out("viscoelastic bodies");
+        }
+        if self.plan.scene.friction.is_some() {
+            notes.push("friction: compared is the normal contact, which friction does not change here".to_owned());
+        }
+        notes.extend(super::WITHOUT.map(str::to_owned));
+        if self.depth.is_none() {
+            notes.push(
+                "the state depends on its past: times are those of the whole history, and pressures are not compared"
+                    .to_owned(),
+            );
+        }
+        notes
+    }
+
+    /// A method whose run starts from the shape.
+    fn method(
+        self: &Arc<Self>,
+        name: &'static str,
+        setting: Setting,
+        solved: impl Fn(&Self) -> Attempt<Solved> + Copy + 'static,
+    ) -> Method {
+        let scenario = self.clone();
+        Method::new(name, setting, move || {
+            let scenario = scenario.clone();
+            Ok(move || solved(&scenario))
+        })
+    }
+
+    fn direct(&self) -> Attempt<Solved> {
+        let found = match self.depth {
+            None => most_pressed(&self.plan)?,
+            Some(depth) => {
+                let contact = pressed(&self.plan, depth)?;
+                let normal = contact.state();
+                Found {
+                    force_n: Some(normal.force),
+                    contact_radius_m: normal.contact_radius,
+                    peak_pressure_pa: self.peak_at.and_then(|r| Loading::pressure(&&contact, r)),
+                    ..self.most
+                }
+            }
+        };
+        Ok(Solved { found, bytes: self.plan.parts().state_bytes, ..Solved::default() })
+    }
+
+    fn springs(&self, springs: usize) -> Attempt<Solved> {
+        let found = match self.depth {
+            None => most_pressed(&self.on_springs(springs)?)?,
+            Some(depth) => self.bed(springs, depth)?,
+        };
+        Ok(Solved { found, bytes: 16 * springs, ..Solved::default() })
+    }
+
+    fn bed(&self, springs: usize, depth: f64) -> Attempt<Found> {
+        let (ground, adhesion) = elastic(&self.plan)?;
+        let reach = reach_for(ground.profile(), self.most.contact_radius_m.unwrap_or(0.0));
+        let work = adhesion.work_at_edge().ok_or("springs carry no attraction at a distance")?;
+        let mut bed = SpringBed::new(ground, (springs, reach), work);
+        bed.indent(depth);
+        Ok(Found {
+            force_n: Some(bed.force()),
+            contact_radius_m: Some(bed.contact_radius()),
+            peak_pressure_pa: self.peak_at.and_then(|r| bed.spring_loads().pressure(r)),
+            ..self.most
+        })
+    }
+
+    /// The scene on a number of springs.
+    fn on_springs(&self, springs: usize) -> Result<Plan, SimulationError> {
+        Ok(self.plan.with(SceneSettings { springs: NonZeroUsize::new(springs), ..self.plan.settings() })?)
+    }
+
+    #[cfg(not(feature = "half-space"))]
+    fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
+        Vec::new()
+    }
+
+    /// The half-space on all grids, if it can compute the state, and what it is called where it is right.
+    #[cfg(feature = "half-space")]
+    fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
+        let (Some(depth), None) = (self.depth, &self.plan.scene.adhesion) else { return Vec::new() };
+        let method = |grid| self.method("half-space", Setting::grid(grid), move |own| own.pixels(grid, depth));
+        super::GRIDS.map(|grid| (format!("half-space on {grid}² pixels, the finest grid"), method(grid))).into()
+    }
+
+    /// The state on the full half-space.
+    #[cfg(feature = "half-space")]
+    fn pixels(&self, grid: usize, depth: f64) -> Attempt<Solved> {
+        let solved = super::pixels::pressed(&self.plan, self.most.contact_radius_m.unwrap_or(0.0), depth, grid)?;
+        let peak_pressure_pa = solved.found.peak_pressure_pa.filter(|_| self.peak_at.is_some());
+        Ok(Solved { found: Found { peak_pressure_pa, ..solved.found }, ..solved })
+    }
+}
+
+/// The state of the largest force after the whole history.
+fn most_pressed(plan: &Plan) -> Attempt<Found> {
+    let outcome = run::run(plan, Wanted::NOTHING)?;
+    Ok(found(largest(&outcome.records).ok_or("the history has no record")?))
+}
+
+/// What a scene on the direct path is made of.
+fn elastic(plan: &Plan) -> Attempt<(HalfSpace, ElasticAdhesion)> {
+    Ok(plan.ground().zip(plan.direct()).ok_or("the direct path computes elastic round contacts")?)
+}
+
+/// The contact pressed to an indentation [m] from first touch.
+fn pressed(plan: &Plan, to: f64) -> Attempt<QuasiStatic> {
+    let (ground, adhesion) = elastic(plan)?;
+    let mut contact = run::direct(ground, adhesion)?;
+    contact.follow(&Straight::between(0.0, to, 0.0))?;
+    Ok(contact)
+}
+
+/// Whether the pressure of a shape is singular somewhere under compression: at an apex or an edge.
+fn is_sharp(shape: &Shape) -> bool {
+    match shape {
+        Shape::Power(power) => power.exponent.si() <= 1.0,
+        Shape::Cone(_) | Shape::FlatPunch(_) | Shape::TruncatedCone(_) | Shape::TruncatedParaboloid(_) => true,
+        _ => false,
+    }
+}
+
+/// Where the pressure is largest [m].
+fn peak_at(contact: &QuasiStatic) -> Option<f64> {
+    let a = contact.state().contact_radius?;
+    let place = |k: u32| a * f64::from(k) / f64::from(PLACES);
+    let pressure = |r: f64| contact.pressure(r);
+    let best = (0..PLACES).max_by(|&i, &j| pressure(place(i)).total_cmp(&pressure(place(j))))?;
+    if best == 0 {
+        return pressure(0.0).is_finite().then_some(0.0);
+    }
+    Some(extremum::greatest(pressure, place(best - 1), place(best + 1)).place)
+}
