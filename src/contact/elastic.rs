@@ -84,7 +84,7 @@ impl ContactModel for QuasiStatic {
     }
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
-        self.present().joined.then(|| Box::new(self) as Box<dyn Loading>)
+        self.present().joined.then(|| Box::new(self.loaded()) as Box<dyn Loading>)
     }
 
     fn copy(&self) -> Box<dyn ContactModel> {
@@ -104,28 +104,6 @@ impl ContactModel for QuasiStatic {
 
     fn last_depth(&self) -> Option<Result<f64, ContactError>> {
         Some(QuasiStatic::last_depth(self).map_err(ContactError::from))
-    }
-}
-
-impl Loading for &QuasiStatic {
-    fn contact_radius(&self) -> f64 {
-        self.present().balance.contact_radius
-    }
-
-    fn reach(&self) -> f64 {
-        self.present().balance.reach
-    }
-
-    fn pressure(&self, r: f64) -> Option<f64> {
-        Some(QuasiStatic::pressure(self, r)).filter(|pressure| pressure.is_finite())
-    }
-
-    fn surface(&self, r: f64) -> Option<f64> {
-        Some(QuasiStatic::surface(self, r))
-    }
-
-    fn stress_intensity(&self) -> Option<f64> {
-        Some(QuasiStatic::stress_intensity(self)).filter(|intensity| intensity.abs() > 0.0)
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a drive asks of a contact, whatever it is made of.
 
 use super::error::ContactError;
+use super::loaded::Loaded;
 use super::state::{Normal, Tangential};
 use super::viscoelastic::Spectrum;
 use super::viscoelastic::creep::Creep;
@@ -87,6 +88,37 @@ pub trait Loading {
     /// Shear stress τ [Pa] at the radii `radii` [m], if there is friction; `None` where it is singular or not known.
     fn shear(&self, radii: &[f64]) -> Vec<Option<f64>> {
         vec![None; radii.len()]
+    }
+
+    /// The load as a value of its own, with the stresses below the surface; `None` where the method gives none.
+    fn loaded(&self) -> Option<Loaded> {
+        None
+    }
+}
+
+impl Loading for Loaded {
+    fn contact_radius(&self) -> f64 {
+        self.contact_radius()
+    }
+
+    fn reach(&self) -> f64 {
+        self.reach()
+    }
+
+    fn pressure(&self, r: f64) -> Option<f64> {
+        Some(self.pressure(r)).filter(|pressure| pressure.is_finite())
+    }
+
+    fn surface(&self, r: f64) -> Option<f64> {
+        Some(self.surface(r)).filter(|displacement| displacement.is_finite())
+    }
+
+    fn stress_intensity(&self) -> Option<f64> {
+        Some(self.stress_intensity()).filter(|intensity| intensity.abs() > 0.0)
+    }
+
+    fn loaded(&self) -> Option<Loaded> {
+        Some(self.clone())
     }
 }
 

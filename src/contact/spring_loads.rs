@@ -1,15 +1,19 @@
 //! Pressure and surface of a bed of springs, from the loads and displacements of the springs.
 
+use super::loaded::{Curve, Loaded};
 use super::model::Loading;
 use crate::shape::Profile;
 use std::f64::consts::FRAC_1_PI;
+use std::sync::Arc;
 
 /// Springs that are looked at one by one; of a larger bed neighbours are put together.
 const MOST: usize = 4096;
+/// Panels over which the loads are summed for stresses below the surface.
+const PANELS: u32 = 16;
 
 /// One spring, or a few neighbours put together.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Loaded {
+pub struct SeenSpring {
     /// Distance from the axis [m].
     pub place: f64,
     /// Line load q [N/m].
@@ -26,18 +30,18 @@ pub struct Loaded {
 /// singular term; u_z(r) = (1/π) Σ 2Δx u/√(r²−x²) outside the contact, d − f(r) in it (Popov & Heß 2015, eqs.
 /// 3.37 and 3.40). A radius costs at most a few thousand springs, whatever the bed has.
 #[derive(Debug)]
-pub struct SpringLoads<'p> {
-    springs: Vec<Loaded>,
+pub struct SpringLoads {
+    springs: Vec<SeenSpring>,
     contact_radius: f64,
     edge_load: f64,
     depth: f64,
-    profile: &'p dyn Profile,
+    profile: Arc<dyn Profile>,
 }
 
-impl<'p> SpringLoads<'p> {
+impl SpringLoads {
     /// The springs touched so far, `count` of them by their number from the axis outwards, under `profile` at the
     /// depth `depth` [m].
-    pub fn new(profile: &'p dyn Profile, depth: f64, count: usize, spring: impl Fn(usize) -> Loaded) -> Self {
+    pub fn new(profile: Arc<dyn Profile>, depth: f64, count: usize, spring: impl Fn(usize) -> SeenSpring) -> Self {
         let block = count.div_ceil(MOST).max(1);
         let springs = (0..count).step_by(block).map(|first| together((first..count.min(first + block)).map(&spring)));
         Self { springs: springs.collect(), contact_radius: 0.0, edge_load: 0.0, depth, profile }
@@ -51,10 +55,10 @@ impl<'p> SpringLoads<'p> {
 }
 
 /// Neighbours as one spring: their widths summed, the rest averaged.
-fn together(springs: impl Iterator<Item = Loaded> + Clone) -> Loaded {
+fn together(springs: impl Iterator<Item = SeenSpring> + Clone) -> SeenSpring {
     let count = springs.clone().count() as f64;
-    let mean = |of: fn(&Loaded) -> f64| springs.clone().map(|spring| of(&spring)).sum::<f64>() / count;
-    Loaded {
+    let mean = |of: fn(&SeenSpring) -> f64| springs.clone().map(|spring| of(&spring)).sum::<f64>() / count;
+    SeenSpring {
         place: mean(|spring| spring.place),
         load: mean(|spring| spring.load),
         weight: count * mean(|spring| spring.weight),
@@ -62,7 +66,17 @@ fn together(springs: impl Iterator<Item = Loaded> + Clone) -> Loaded {
     }
 }
 
-impl Loading for SpringLoads<'_> {
+/// Value at `x` of points joined by straight lines, that of the first before it.
+fn between(points: &[[f64; 2]], x: f64) -> f64 {
+    let k = points.partition_point(|point| point[0] < x);
+    match (k.checked_sub(1).map(|k| points[k]), points.get(k)) {
+        (Some([x0, y0]), Some(&[x1, y1])) => y0 + (y1 - y0) * (x - x0) / (x1 - x0),
+        (None, Some(point)) => point[1],
+        (Some(_), None) | (None, None) => 0.0,
+    }
+}
+
+impl Loading for SpringLoads {
     fn contact_radius(&self) -> f64 {
         self.contact_radius
     }
@@ -94,13 +108,27 @@ impl Loading for SpringLoads<'_> {
         if r <= self.contact_radius {
             return Some(self.depth - self.profile.height(r));
         }
-        let part =
-            |spring: &Loaded| spring.weight * spring.displacement / ((r - spring.place) * (r + spring.place)).sqrt();
+        let part = |spring: &SeenSpring| {
+            spring.weight * spring.displacement / ((r - spring.place) * (r + spring.place)).sqrt()
+        };
         let inside = self.springs.iter().take_while(|spring| spring.place < r);
         Some(FRAC_1_PI * inside.map(part).sum::<f64>()).filter(|displacement| displacement.is_finite())
     }
 
     fn stress_intensity(&self) -> Option<f64> {
         None
+    }
+
+    fn loaded(&self) -> Option<Loaded> {
+        let a = self.contact_radius;
+        let inside = self.springs.iter().filter(|spring| spring.place < a);
+        let loads: Vec<[f64; 2]> =
+            inside.map(|spring| [spring.place, spring.load]).chain([[a, self.edge_load]]).collect();
+        let ends = (1..=PANELS).map(|k| a * f64::from(k) / f64::from(PANELS)).collect();
+        let raised: Vec<[f64; 2]> = self.springs.iter().map(|spring| [spring.place, spring.displacement]).collect();
+        let all = self.springs.last().map(|spring| spring.place).into_iter().collect();
+        let (load, displacement) =
+            (Curve::new(move |x| between(&loads, x), ends), Curve::new(move |x| between(&raised, x), all));
+        Some(Loaded::remembered(self.profile.clone(), self.depth, load, displacement))
     }
 }

@@ -5,7 +5,7 @@
 //! is linear in the depth, so the work is known exactly and the energy ledger closes.
 
 use crate::contact::foundation::{Foundation, HalfSpace};
-use crate::contact::spring_loads::{Loaded, SpringLoads};
+use crate::contact::spring_loads::{SeenSpring, SpringLoads};
 use crate::shape::{Profile, Rim};
 use ndarray::Array1;
 use std::f64::consts::PI;
@@ -318,15 +318,15 @@ impl<F: Foundation> SpringBed<F> {
 impl SpringBed {
     /// Loads of the springs in contact, as a value.
     #[must_use]
-    pub fn spring_loads(&self) -> SpringLoads<'_> {
+    pub fn spring_loads(&self) -> SpringLoads {
         let half = 0.5 * self.spacing;
         let spring = |i: usize| {
             let displacement = self.indentation - self.reduced[i];
             let (place, load) = (half + i as f64 * self.spacing, self.ground.modulus() * displacement);
-            Loaded { place, load, weight: 2.0 * self.spacing, displacement }
+            SeenSpring { place, load, weight: 2.0 * self.spacing, displacement }
         };
         let edge = self.ground.modulus() * self.edge_deflection();
-        SpringLoads::new(self.ground.profile(), self.indentation, self.attached, spring)
+        SpringLoads::new(self.ground.shared_profile(), self.indentation, self.attached, spring)
             .with_edge(self.contact_radius(), edge)
     }
 }

@@ -4,10 +4,10 @@ use super::peeling::{ShearedAdhesion, TangentialLoad};
 use super::strength::{Strength, StrengthCurve};
 use super::{Coulomb, CoulombOrowan, Friction, FrictionError};
 use crate::contact::error::OutsideTable;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::loaded::Loaded;
 use crate::numerics::quadrature::panel_with_root_ends;
 use crate::numerics::root::brent;
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Samples of the pressure between which it is searched for the corners of a law.
 const SAMPLES: u32 = 64;
@@ -86,106 +86,59 @@ impl Friction {
     }
 }
 
-/// A pressed contact: p(r) = E*/π ∫_r^a g′(x) dx/√(x²−r²) + q(a)/(π√(a²−r²)).
-#[derive(Debug, Clone)]
-pub struct Pressed {
-    /// What the indenter is pressed into.
-    pub ground: HalfSpace,
-    /// Contact radius a [m].
-    pub contact_radius: f64,
-    /// Line load q(a) = E*(d − g(a)) of the edge [N/m]: positive at a wall, negative with adhesion.
-    pub edge_load: f64,
+/// Friction force F_x = 2π∫₀^a τ(p(r)) r dr [N] of a loaded contact in gross sliding.
+///
+/// With r = a sin θ both the root at the edge of a smooth contact and the inverse root at a wall or
+/// an adhesive edge become smooth; panels end where the law or the profile has a corner.
+/// Under `Coulomb` without adhesion it is μF, under `Pressure` τ_cπa² + βF as long as no tension
+/// exceeds p_ad.
+#[must_use]
+pub fn sliding_force(loaded: &Loaded, law: &dyn SlidingLaw) -> f64 {
+    let a = loaded.contact_radius();
+    let mut ends: Vec<f64> = law.corners().into_iter().flat_map(|p| crossings(loaded, p)).collect();
+    ends.extend(loaded.profile().breaks(a).into_iter().filter(|&x| x < a).map(|x| (x / a).asin()));
+    ends.push(FRAC_PI_2);
+    ends.sort_by(f64::total_cmp);
+    let mut from = 0.0;
+    let mut sum = 0.0;
+    for to in ends {
+        let at = |theta: f64| law.stress(pressure(loaded, theta)) * theta.sin() * theta.cos();
+        sum += panel_with_root_ends(|past, left| at(if past < left { from + past } else { to - left }), to - from);
+        from = to;
+    }
+    2.0 * PI * a * a * sum
 }
 
-impl Pressed {
-    /// Friction force F_x = 2π∫₀^a τ(p(r)) r dr [N] in gross sliding.
-    ///
-    /// With r = a sin θ both the root at the edge of a smooth contact and the inverse root at a wall or
-    /// an adhesive edge become smooth; panels end where the law or the profile has a corner.
-    /// Under `Coulomb` without adhesion it is μF, under `Pressure` τ_cπa² + βF as long as no tension
-    /// exceeds p_ad.
-    #[must_use]
-    pub fn sliding_force(&self, law: &dyn SlidingLaw) -> f64 {
-        let a = self.contact_radius;
-        let mut ends: Vec<f64> = law.corners().into_iter().flat_map(|p| self.crossings(p)).collect();
-        ends.extend(self.ground.profile().breaks(a).into_iter().filter(|&x| x < a).map(|x| (x / a).asin()));
-        ends.push(FRAC_PI_2);
-        ends.sort_by(f64::total_cmp);
-        let mut from = 0.0;
-        let mut sum = 0.0;
-        for to in ends {
-            let at = |theta: f64| law.stress(self.pressure(theta)) * theta.sin() * theta.cos();
-            sum += panel_with_root_ends(|past, left| at(if past < left { from + past } else { to - left }), to - from);
-            from = to;
-        }
-        2.0 * PI * a * a * sum
-    }
+/// Pressure [Pa] at r = a sin θ, where the root at the edge is a cos θ to all digits.
+fn pressure(loaded: &Loaded, theta: f64) -> f64 {
+    let (a, edge) = (loaded.contact_radius(), loaded.edge_load());
+    let regular = loaded.regular_pressure(a * theta.sin());
+    if edge.abs() > 0.0 { regular + edge / (PI * (a * theta.cos())) } else { regular }
+}
 
-    /// Pressure [Pa] at the radius `r` [m]; `None` where it is singular, zero outside.
-    #[must_use]
-    pub fn pressure_at(&self, r: f64) -> Option<f64> {
-        let a = self.contact_radius;
-        if r > a {
-            return Some(0.0);
+/// The angles θ at which the pressure passes `level` [Pa].
+fn crossings(loaded: &Loaded, level: f64) -> Vec<f64> {
+    if !level.is_finite() {
+        return Vec::new();
+    }
+    // Times cos θ it is finite at the edge too.
+    let excess = |theta: f64| {
+        let p = pressure(loaded, theta);
+        if p.is_finite() { (p - level) * theta.cos() } else { p }
+    };
+    let waves = |length: f64| (loaded.contact_radius() / length).clamp(1.0, 64.0).ceil();
+    let samples = f64::from(SAMPLES) * loaded.profile().feature().map_or(1.0, waves);
+    let mut angles: Vec<f64> = Vec::new();
+    let (mut k, mut low) = (0.0, 1e-9);
+    while k < samples {
+        k += 1.0;
+        let high = k / samples * FRAC_PI_2;
+        if excess(low) * excess(high) < 0.0 {
+            angles.extend(brent(excess, low, high).ok());
         }
-        let regular = self.ground.modulus() * self.ground.profile().pressure_integral(r, a);
-        let root = ((a - r) * (a + r)).sqrt();
-        let p = if self.edge_load.abs() > 0.0 { regular + self.edge_load / (PI * root) } else { regular };
-        Some(p).filter(|p| p.is_finite())
+        low = high;
     }
-
-    /// Displacement u_z(r) [m] of the surface into the body.
-    #[must_use]
-    pub fn surface_at(&self, r: f64) -> f64 {
-        let (a, edge) = (self.contact_radius, self.edge_load / self.ground.modulus());
-        if r <= a {
-            return self.ground.profile().reduced(a) + edge - self.ground.profile().height(r);
-        }
-        self.ground.profile().displacement_integral(r, a) + edge * FRAC_2_PI * (a / r).asin()
-    }
-
-    /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] of the edge, if it is singular.
-    #[must_use]
-    pub fn stress_intensity(&self) -> Option<f64> {
-        Some(-self.edge_load / (PI * self.contact_radius).sqrt()).filter(|intensity| intensity.abs() > 0.0)
-    }
-
-    /// Pressure [Pa] at r = a sin θ.
-    fn pressure(&self, theta: f64) -> f64 {
-        let a = self.contact_radius;
-        let regular = self.ground.modulus() * self.ground.profile().pressure_integral(a * theta.sin(), a);
-        let root = a * theta.cos();
-        if self.edge_load.abs() > 0.0 { regular + self.edge_load / (PI * root) } else { regular }
-    }
-
-    /// The angles θ at which the pressure passes `level` [Pa].
-    fn crossings(&self, level: f64) -> Vec<f64> {
-        if !level.is_finite() {
-            return Vec::new();
-        }
-        // Times cos θ it is finite at the edge too.
-        let excess = |theta: f64| {
-            let p = self.pressure(theta);
-            if p.is_finite() { (p - level) * theta.cos() } else { p }
-        };
-        let fine = self
-            .ground
-            .profile()
-            .feature()
-            .map_or(1.0, |length| (self.contact_radius / length).clamp(1.0, 64.0).ceil());
-        let samples = f64::from(SAMPLES) * fine;
-        let mut angles: Vec<f64> = Vec::new();
-        let (mut k, mut low) = (0.0, 1e-9);
-        while k < samples {
-            k += 1.0;
-            let high = k / samples * FRAC_PI_2;
-            if excess(low) * excess(high) < 0.0 {
-                angles.extend(brent(excess, low, high).ok());
-            }
-            low = high;
-        }
-        angles
-    }
+    angles
 }
 
 /// Friction at one load.
@@ -212,26 +165,26 @@ pub fn friction_curve(
     law: &dyn SlidingLaw,
     loads: &[f64],
 ) -> Result<Vec<SlidingPoint>, FrictionError> {
-    let pressed = |force: f64| -> Result<Pressed, FrictionError> {
+    let pressed = |force: f64| -> Result<Loaded, FrictionError> {
         let ground = contact.line.ground().clone();
         if contact.line.work() > 0.0 {
             let state = contact.under(force, TangentialLoad::Force(0.0))?;
             let edge_load = ground.modulus() * (state.indentation - ground.profile().reduced(state.contact_radius));
-            return Ok(Pressed { ground, contact_radius: state.contact_radius, edge_load });
+            return Ok(Loaded::elastic(ground, state.contact_radius, edge_load));
         }
         let contact_radius = contact.plain_radius(force)?;
-        Ok(Pressed { ground, contact_radius, edge_load: 0.0 })
+        Ok(Loaded::elastic(ground, contact_radius, 0.0))
     };
     let point = |&force: &f64| {
         let middle = pressed(force)?;
-        let friction = middle.sliding_force(law);
+        let friction = sliding_force(&middle, law);
         // Central difference over ±0.1 %: 1e-7 of the curvature against 1e-12 of rounding.
         let step = 1e-3;
-        let sides = [1.0 + step, 1.0 - step].map(|part| pressed(part * force).map(|state| state.sliding_force(law)));
+        let sides = [1.0 + step, 1.0 - step].map(|part| pressed(part * force).map(|state| sliding_force(&state, law)));
         let [above, below] = sides;
         Ok(SlidingPoint {
             force,
-            contact_radius: middle.contact_radius,
+            contact_radius: middle.contact_radius(),
             friction_force: friction,
             coefficient: friction / force,
             exponent: (above? / below?).ln() / ((1.0 + step) / (1.0 - step)).ln(),
@@ -259,6 +212,7 @@ fn holds(point: &SlidingPoint, tolerance: f64) -> bool {
 mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
+    use crate::contact::foundation::HalfSpace;
     use crate::input::quantity::{Length, Modulus, Positive, Ratio};
     use crate::shape::{Cone, Paraboloid, Profile};
     use std::sync::Arc;
@@ -284,10 +238,10 @@ mod tests {
         let coulomb = Coulomb { coefficient: Ratio::new(0.4).unwrap() };
         for (profile, bound) in [(Arc::new(lens) as Arc<dyn Profile>, 1e-13), (Arc::new(cone), 1e-9)] {
             let force = 2.0 * profile.load_integral(a);
-            let pressed = Pressed { ground: HalfSpace::new(profile, 1.0), contact_radius: a, edge_load: 0.0 };
-            assert!((pressed.sliding_force(&coulomb) / (0.4 * force) - 1.0).abs() < bound);
+            let pressed = Loaded::elastic(HalfSpace::new(profile, 1.0), a, 0.0);
+            assert!((sliding_force(&pressed, &coulomb) / (0.4 * force) - 1.0).abs() < bound);
             let exact = 0.2 * PI * a * a + 0.1 * force;
-            assert!((pressed.sliding_force(&law) / exact - 1.0).abs() < bound);
+            assert!((sliding_force(&pressed, &law) / exact - 1.0).abs() < bound);
         }
     }
 
@@ -295,16 +249,16 @@ mod tests {
     #[test]
     fn an_edge_load_is_integrated() {
         let (lens, a) = (lens(), 0.7);
-        let pressed = Pressed { ground: ground(), contact_radius: a, edge_load: 0.5 };
+        let pressed = Loaded::elastic(ground(), a, 0.5);
         let force = 2.0 * (lens.load_integral(a) + 0.5 * a);
         let coulomb = Coulomb { coefficient: Ratio::new(0.4).unwrap() };
-        assert!((pressed.sliding_force(&coulomb) / (0.4 * force) - 1.0).abs() < 1e-13);
+        assert!((sliding_force(&pressed, &coulomb) / (0.4 * force) - 1.0).abs() < 1e-13);
         // Uniform stress whatever the tension.
         let uniform = LinearLaw { strength: 0.2, slope: 0.0 };
-        let adhesive = Pressed { edge_load: -0.5, ..pressed };
-        assert!((adhesive.sliding_force(&uniform) / (0.2 * PI * a * a) - 1.0).abs() < 1e-13);
+        let adhesive = Loaded::elastic(ground(), a, -0.5);
+        assert!((sliding_force(&adhesive, &uniform) / (0.2 * PI * a * a) - 1.0).abs() < 1e-13);
         // Capped, it is less than the cap times the area and less than μ times the pressing part.
-        let capped = adhesive.sliding_force(&orowan(0.4, 0.2));
+        let capped = sliding_force(&adhesive, &orowan(0.4, 0.2));
         assert!(capped > 0.0 && capped < 0.2 * PI * a * a);
     }
 
@@ -313,10 +267,10 @@ mod tests {
     #[test]
     fn tension_carries_no_friction() {
         let e: f64 = 0.2;
-        let pressed = Pressed { ground: ground(), contact_radius: 1.0, edge_load: -2.0 * e };
+        let pressed = Loaded::elastic(ground(), 1.0, -2.0 * e);
         let coulomb = Coulomb { coefficient: Ratio::new(1.0).unwrap() };
         let exact = 4.0 * (1.0 / 3.0 - e + 2.0 / 3.0 * e.powf(1.5));
-        assert!((pressed.sliding_force(&coulomb) / exact - 1.0).abs() < 1e-13);
+        assert!((sliding_force(&pressed, &coulomb) / exact - 1.0).abs() < 1e-13);
     }
 
     #[test]

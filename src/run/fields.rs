@@ -2,10 +2,8 @@
 
 use super::table::{Column, Table};
 use super::unit::Unit;
-use crate::contact::foundation::HalfSpace;
 use crate::contact::loaded::Loaded;
 use crate::contact::model::ContactModel;
-use crate::contact::state::Normal;
 use crate::contact::stress::StressRow;
 use crate::material::Body;
 use crate::run::record::{Field, FieldRow, Record};
@@ -97,15 +95,11 @@ const STRESS: [Column<StressRow>; 4] = [
     Column::new("largest_shear", Unit::PASCAL, "largest shear", |row| Some(row.shear)),
 ];
 
-/// Stresses on the axis in the first body that can deform, at the given state; `None` where the bodies are apart.
+/// Stresses on the axis in the first body that can deform.
 #[must_use]
-pub fn stresses(shared: &Shared, ground: &HalfSpace, normal: &Normal) -> Option<Table> {
-    let a = normal.contact_radius.filter(|&a| a > 0.0)?;
-    let profile = ground.profile();
-    let edge = normal.indentation.unwrap_or(0.0) - profile.reduced(a);
-    let loaded = Loaded::elastic(ground.clone(), a, ground.modulus() * edge);
+pub fn stresses(shared: &Shared, loaded: &Loaded) -> Table {
     let rows = loaded.down_the_axis(DEPTHS, poisson(&shared.scene.bodies));
-    Some(Table::new("stress").with(&STRESS, rows.iter()))
+    Table::new("stress").with(&STRESS, rows.iter())
 }
 
 fn poisson(bodies: &(Body, Body)) -> f64 {

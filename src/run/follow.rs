@@ -1,15 +1,15 @@
 //! A history followed stage by stage, record by record.
 
 use super::record::{Field, Record};
-use super::table::Table;
 use super::{SimulationError, Wanted, fields};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::error::ContactError;
+use crate::contact::loaded::Loaded;
 use crate::contact::model::{ContactModel, Effort, Pose};
 use crate::contact::state::{Normal, Tangential};
 use crate::drive::course::{Course, Path};
 use crate::drive::{Driver, Loop};
-use crate::scene::plan::{RoundPlan, Shared};
+use crate::scene::plan::Shared;
 use crate::scene::stage::Stage;
 
 /// A history being followed.
@@ -26,7 +26,9 @@ pub(super) struct Run {
     deepest: Option<Deepest>,
     wanted: Wanted,
     pub(super) notes: Vec<String>,
-    loaded: Option<Normal>,
+    /// The load of the contact at its greatest force, if it is wanted.
+    pub(super) loaded: Option<Loaded>,
+    greatest: f64,
     /// Largest error of the force at the ends of the stages [N].
     pub(super) force_error: f64,
     /// Largest state at the ends of the stages.
@@ -74,6 +76,7 @@ impl Run {
             wanted,
             notes: Vec::new(),
             loaded: None,
+            greatest: 0.0,
             force_error: 0.0,
             effort: Effort::default(),
         };
@@ -168,6 +171,10 @@ impl Run {
     fn record(&mut self) {
         let state = self.driver.state(self.contact.as_ref());
         self.push(state, self.contact.tangential(), self.time);
+        if self.wanted.stresses && (self.loaded.is_none() || state.force > self.greatest) {
+            self.greatest = state.force;
+            self.loaded = self.contact.loading().and_then(|loading| loading.loaded()).or(self.loaded.take());
+        }
     }
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
@@ -176,9 +183,6 @@ impl Run {
             self.records.push(record);
         }
         self.time = time;
-        if self.loaded.is_none_or(|most| normal.force > most.force) {
-            self.loaded = Some(normal);
-        }
     }
 
     fn field(&self, label: String) -> Option<Field> {
@@ -203,9 +207,5 @@ impl Run {
     /// What the last loop of an oscillation says of the material.
     pub(super) fn last_loop(&self) -> Option<Loop> {
         self.driver.last_loop()
-    }
-
-    pub(super) fn stresses(&self, plan: &RoundPlan) -> Option<Table> {
-        fields::stresses(plan, &plan.ground(), &self.loaded?)
     }
 }

@@ -22,6 +22,7 @@ mod viscoelastic;
 pub use crate::contact::error::ContactError;
 pub use compose::{direct, sheared};
 
+use crate::contact::loaded::Loaded;
 use crate::drive::impact::ImpactError;
 use crate::input::problem::Problem;
 use crate::run::record::Outcome;
@@ -71,6 +72,18 @@ impl Wanted {
     pub const NOTHING: Self = Self { fields: false, stresses: false, fretting: false };
 }
 
+/// What a solver finds, and the load of the contact at its greatest force where that was asked for.
+struct Solved {
+    outcome: Outcome,
+    loaded: Option<Loaded>,
+}
+
+impl Solved {
+    fn without_load(outcome: Outcome) -> Self {
+        Self { outcome, loaded: None }
+    }
+}
+
 /// Runs a scene.
 ///
 /// # Errors
@@ -84,15 +97,17 @@ pub fn run(plan: &Plan, wanted: Wanted) -> Result<Outcome, SimulationError> {
 /// # Errors
 /// As for [`run`].
 pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
-    let mut outcome = match plan {
-        Plan::Round(plan) => run_round(plan, wanted),
-        Plan::Impact(plan) => impact::run(plan, wanted),
-        Plan::Plane(plan) => plane::run(plan, wanted),
-        Plan::Rough(plan) => rough::run(plan, done),
+    let kept = Wanted { stresses: wanted.stresses || warnings::can_yield(plan), ..wanted };
+    let Solved { mut outcome, loaded } = match plan {
+        Plan::Round(plan) => run_round(plan, kept),
+        Plan::Impact(plan) => impact::run(plan, kept),
+        Plan::Plane(plan) => plane::run(plan, wanted).map(Solved::without_load),
+        Plan::Rough(plan) => rough::run(plan, done).map(Solved::without_load),
     }?;
     let pressure = fields::pressure_table(&outcome.fields, &outcome.records);
-    outcome.tables.splice(0..0, pressure);
-    outcome.warnings.extend(warnings::of(plan, &outcome.records));
+    let stresses = loaded.as_ref().filter(|_| wanted.stresses).map(|loaded| fields::stresses(plan, loaded));
+    outcome.tables.splice(0..0, pressure.into_iter().chain(stresses));
+    outcome.warnings.extend(warnings::of(plan, &outcome.records, loaded.as_ref()));
     let shape = warnings::error_of_shape(plan).filter(|shape| shape.relative > outcome.error_estimate.relative);
     outcome.error_estimate = shape.unwrap_or(outcome.error_estimate);
     Ok(outcome)
@@ -102,22 +117,22 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
 ///
 /// The order: each stage is followed record by record, jumps between records included; then the named results
 /// are read off the records.
-fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Outcome, SimulationError> {
+fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
     let run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
-    let stresses = if wanted.stresses { run.stresses(plan) } else { None };
     let fretting = fretting::map(plan, run.path());
     let mut results = results::named(Some(&plan.contact), &run.records, &run.fields);
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));
-    Ok(Outcome {
+    let outcome = Outcome {
         error_estimate: error::estimate(plan, &run),
         plan: parts(plan, &run),
-        tables: [stresses, fretting].into_iter().flatten().collect(),
+        tables: fretting.into_iter().collect(),
         results,
         warnings: run.notes.iter().cloned().chain(viscoelastic::remark(&run)).collect(),
         records: run.records,
         fields: run.fields,
-    })
+    };
+    Ok(Solved { outcome, loaded: run.loaded })
 }
 
 /// The plan in words, with the springs and bytes that are known from the run alone.

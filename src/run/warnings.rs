@@ -2,9 +2,7 @@
 
 use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
-use crate::contact::foundation::HalfSpace;
 use crate::contact::loaded::Loaded;
-use crate::contact::state::Normal;
 use crate::material::Body;
 use crate::scene::plan::{Plan, Shared};
 use crate::shape::{Profile, Shape, Sphere};
@@ -20,23 +18,29 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 
 /// The physics a user must know about the records of a scene.
 #[must_use]
-pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
+pub fn of(plan: &Plan, records: &[Record], loaded: Option<&Loaded>) -> Vec<String> {
     match plan {
-        Plan::Round(of) => round(plan, of.ground(), records),
-        Plan::Impact(of) => round(plan, of.ground(), records),
+        Plan::Round(of) => round(plan, of.ground().profile(), records, loaded),
+        Plan::Impact(of) => round(plan, of.ground().profile(), records, loaded),
         Plan::Plane(plan) => steep_waves(plan.section.rms_slope()).into_iter().collect(),
         Plan::Rough(plan) => steep_waves(plan.surface.roughness().rms_slope).into_iter().collect(),
     }
 }
 
-fn round(plan: &Plan, ground: HalfSpace, records: &[Record]) -> Vec<String> {
-    let states = records.iter().filter_map(|record| Some((record.normal.contact_radius?, record.normal)));
-    let Some((a, state)) = states.max_by(|x, y| x.0.total_cmp(&y.0)) else { return Vec::new() };
-    let profile = ground.profile();
+fn round(plan: &Plan, profile: &dyn Profile, records: &[Record], loaded: Option<&Loaded>) -> Vec<String> {
+    let radii = records.iter().filter_map(|record| record.normal.contact_radius);
+    let Some(a) = radii.max_by(f64::total_cmp) else { return Vec::new() };
     let found =
         [steep(profile, a), not_a_ball(plan, a), two_radii(plan), connected(profile, a), tabor(plan), coupled(plan)];
     let found: Vec<String> = found.into_iter().flatten().collect();
-    found.into_iter().chain(first_yield(plan, &Largest { ground, contact_radius: a, state })).collect()
+    found.into_iter().chain(loaded.into_iter().flat_map(|loaded| first_yield(plan, loaded))).collect()
+}
+
+/// Whether a body has a yield stress.
+#[must_use]
+pub fn can_yield(shared: &Shared) -> bool {
+    let (one, other) = &shared.scene.bodies;
+    [one, other].into_iter().any(|body| matches!(body, Body::Elastic(elastic) if elastic.yield_stress.is_some()))
 }
 
 /// The error of an ellipsoid's effective radius.
@@ -139,42 +143,32 @@ fn coupled(plan: &Plan) -> Option<String> {
     })
 }
 
-/// A contact at its largest.
-struct Largest {
-    ground: HalfSpace,
-    contact_radius: f64,
-    state: Normal,
-}
-
 /// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress. Two equal bodies
 /// yield together.
-fn first_yield(shared: &Shared, largest: &Largest) -> Vec<String> {
+fn first_yield(shared: &Shared, loaded: &Loaded) -> Vec<String> {
     let (one, other) = &shared.scene.bodies;
     if one == other {
-        return yielding(largest, one).into_iter().collect();
+        return yielding(loaded, one).into_iter().collect();
     }
     let both = [("body 1: ", one), ("body 2: ", other)];
-    both.into_iter().filter_map(|(name, body)| Some(format!("{name}{}", yielding(largest, body)?))).collect()
+    both.into_iter().filter_map(|(name, body)| Some(format!("{name}{}", yielding(loaded, body)?))).collect()
 }
 
-fn yielding(largest: &Largest, body: &Body) -> Option<String> {
+fn yielding(loaded: &Loaded, body: &Body) -> Option<String> {
     let Body::Elastic(elastic) = body else { return None };
     let limit = elastic.yield_stress?.si();
-    let (ground, a, force) = (&largest.ground, largest.contact_radius, largest.state.force);
-    if a > 0.0 && ground.profile().pressure_integral(0.0, a).is_infinite() {
+    let (a, mean) = (loaded.contact_radius(), loaded.mean_pressure());
+    if a > 0.0 && loaded.profile().pressure_integral(0.0, a).is_infinite() {
         return Some(format!(
-            "the tip is a point: the elastic stress below it has no bound, so the body yields there at any load, above {limit:.3e} Pa; mean pressure {:.3e} Pa",
-            force / (PI * a * a)
+            "the tip is a point: the elastic stress below it has no bound, so the body yields there at any load, above {limit:.3e} Pa; mean pressure {mean:.3e} Pa"
         ));
     }
-    let edge_load = ground.modulus() * (largest.state.indentation? - ground.profile().reduced(a));
-    let worst = Loaded::elastic(ground.clone(), a, edge_load).hardest(elastic.poisson.si())?;
+    let worst = loaded.hardest(elastic.poisson.si())?;
     (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
         format!(
-            "the stress passes first yield: |σ_zz − σ_xx| = {:.3e} Pa at the depth {:.2} a, yield stress {limit:.3e} Pa, mean pressure {:.3e} Pa",
+            "the stress passes first yield: |σ_zz − σ_xx| = {:.3e} Pa at the depth {:.2} a, yield stress {limit:.3e} Pa, mean pressure {mean:.3e} Pa",
             2.0 * worst.shear,
             worst.depth / a,
-            force / (PI * a * a)
         )
     })
 }

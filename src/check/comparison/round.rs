@@ -127,7 +127,7 @@ impl Scenario {
                 Found {
                     force_n: Some(normal.force),
                     contact_radius_m: normal.contact_radius,
-                    peak_pressure_pa: self.peak_at.and_then(|r| Loading::pressure(&&contact, r)),
+                    peak_pressure_pa: self.peak_at.and_then(|r| Some(contact.pressure(r)).filter(|p| p.is_finite())),
                     ..self.most
                 }
             }

@@ -110,7 +110,7 @@ impl ContactModel for ContinuousContact {
     }
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
-        self.joined().then(|| Box::new(&self.now) as Box<dyn Loading>)
+        self.joined().then(|| Box::new(self.now.loaded()) as Box<dyn Loading>)
     }
 
     fn copy(&self) -> Box<dyn ContactModel> {
@@ -140,27 +140,5 @@ impl ContactModel for ContinuousContact {
     fn leave(&mut self) {
         self.now.leave();
         *self = Self::new(self.now.clone());
-    }
-}
-
-impl Loading for &Memory {
-    fn contact_radius(&self) -> f64 {
-        self.radius()
-    }
-
-    fn reach(&self) -> f64 {
-        self.radius()
-    }
-
-    fn pressure(&self, r: f64) -> Option<f64> {
-        Some(Memory::pressure(self, r)).filter(|pressure| pressure.is_finite())
-    }
-
-    fn surface(&self, r: f64) -> Option<f64> {
-        Some(Memory::surface(self, r)).filter(|displacement| displacement.is_finite())
-    }
-
-    fn stress_intensity(&self) -> Option<f64> {
-        None
     }
 }

@@ -9,7 +9,7 @@ use super::memory::BedError;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Straight};
-use crate::contact::spring_loads::{Loaded, SpringLoads};
+use crate::contact::spring_loads::{SeenSpring, SpringLoads};
 use crate::contact::state::Normal;
 use crate::shape::{Profile, Rim};
 use std::sync::Arc;
@@ -117,14 +117,14 @@ impl ContactModel for GrowingBed {
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
         let layout = self.bed.layout();
-        let spring = |j: usize| Loaded {
+        let spring = |j: usize| SeenSpring {
             place: layout.place[j],
             load: self.bed.line_load(j),
             weight: layout.weight[j],
             displacement: self.bed.displacement(j),
         };
         let springs = || {
-            let all = SpringLoads::new(self.profile.as_ref(), self.bed.indentation(), self.bed.touched(), spring);
+            let all = SpringLoads::new(self.profile.clone(), self.bed.indentation(), self.bed.touched(), spring);
             Box::new(all.with_edge(self.bed.radius(), 0.0)) as Box<dyn Loading>
         };
         self.joined().then(springs)

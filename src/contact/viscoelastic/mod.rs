@@ -19,10 +19,8 @@ pub mod ledger;
 pub mod memory;
 mod loaded;
 pub(crate) mod opening;
-pub mod pressure;
 pub mod spring;
 mod strip;
-mod surface;
 mod totals;
 
 pub use crate::material::{Element, Mode, Spectrum};

@@ -16,6 +16,7 @@ use super::FrictionError;
 use super::driven::chords;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::error::ContactError;
+use crate::contact::loaded::Loaded;
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
 use crate::contact::state::{Normal, Tangential};
 use crate::contact::viscoelastic::Spectrum;
@@ -292,6 +293,10 @@ impl Loading for Rubbed<'_> {
 
     fn stress_intensity(&self) -> Option<f64> {
         self.normal.stress_intensity()
+    }
+
+    fn loaded(&self) -> Option<Loaded> {
+        self.normal.loaded()
     }
 
     fn shear(&self, radii: &[f64]) -> Vec<Option<f64>> {

@@ -3,11 +3,11 @@
 use super::sliding::Interface;
 use super::{Step, TangentialContact};
 use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::loaded::Loaded;
 use crate::contact::model::Loading;
 use crate::contact::state::{Normal, Tangential};
 use crate::friction::FrictionError;
 use crate::friction::peeling::{Sheared, ShearedAdhesion};
-use crate::friction::sliding::Pressed;
 
 /// An adhesive contact that slides under a uniform shear stress τ (Savkoor & Briggs 1977; Persson et
 /// al. 2008, eqs. 5–14 with F_x = πa²τ).
@@ -132,8 +132,7 @@ impl TangentialContact for Peeling {
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
         let Present { state, .. } = self.present?;
         let ground = self.contact.line.ground().clone();
-        let pressed = Pressed { ground, contact_radius: state.contact_radius, edge_load: self.edge_load(&state) };
-        Some(Box::new(pressed))
+        Some(Box::new(Loaded::elastic(ground, state.contact_radius, self.edge_load(&state))))
     }
 
     fn stress(&self, _loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {
@@ -146,27 +145,5 @@ impl TangentialContact for Peeling {
 
     fn copy(&self) -> Box<dyn TangentialContact> {
         Box::new(self.clone())
-    }
-}
-
-impl Loading for Pressed {
-    fn contact_radius(&self) -> f64 {
-        self.contact_radius
-    }
-
-    fn reach(&self) -> f64 {
-        self.contact_radius
-    }
-
-    fn pressure(&self, r: f64) -> Option<f64> {
-        self.pressure_at(r)
-    }
-
-    fn surface(&self, r: f64) -> Option<f64> {
-        Some(self.surface_at(r))
-    }
-
-    fn stress_intensity(&self) -> Option<f64> {
-        Pressed::stress_intensity(self)
     }
 }

@@ -3,9 +3,10 @@
 use super::{Step, TangentialContact};
 use crate::contact::error::OutsideTable;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::loaded::Loaded;
 use crate::contact::model::Loading;
 use crate::contact::state::{Normal, Tangential};
-use crate::friction::sliding::{Pressed, SlidingLaw};
+use crate::friction::sliding::{SlidingLaw, sliding_force};
 use crate::friction::strength::StrengthCurve;
 use crate::friction::{Friction, FrictionError};
 use crate::shape::Rim;
@@ -61,7 +62,7 @@ impl SlidingContact {
             (Rim::Wall(end), Some(depth)) if a >= end => self.ground.modulus() * (depth - profile.reduced(a)),
             _ => 0.0,
         };
-        Pressed { ground: self.ground.clone(), contact_radius: a, edge_load }.sliding_force(law)
+        sliding_force(&Loaded::elastic(self.ground.clone(), a, edge_load), law)
     }
 
     /// Slides on from the slide it has to `to` [m].

@@ -3,7 +3,7 @@
 use super::table::ImpactRow;
 use super::{Followed, RECORDS, failed};
 use crate::contact::direct::QuasiStatic;
-use crate::contact::model::{ContactModel, Loading};
+use crate::contact::model::Loading;
 use crate::drive::impact::{Passage, Projectile};
 use crate::run::{SimulationError, Wanted, direct, fields};
 use crate::scene::law::ElasticAdhesion;
@@ -33,14 +33,13 @@ pub fn follow(
     let time = moments.iter().max_by(|x, y| x.depth.total_cmp(&y.depth)).map_or(0.0, |moment| moment.time);
     let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
     let field = field.and_then(|contact| fields::field(contact, "greatest depth".to_owned(), time));
-    let stressed = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses));
-    let stresses = stressed.and_then(|contact| fields::stresses(plan, &plan.ground(), &contact.state()));
-    Ok(Followed { row, moments, field, stresses, bytes: passage.bytes() })
+    let loaded = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses)).map(QuasiStatic::loaded);
+    Ok(Followed { row, moments, field, loaded, bytes: passage.bytes() })
 }
 
 /// Largest pressure [Pa], unless a sharp edge or tip has an infinite one.
 fn peak(contact: &QuasiStatic) -> Option<f64> {
-    let loading: &dyn Loading = &contact;
+    let loading: &dyn Loading = &contact.loaded();
     if loading.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
         return None;
     }

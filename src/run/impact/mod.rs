@@ -6,11 +6,11 @@ mod viscoelastic;
 mod results;
 mod table;
 
-use super::{SimulationError, Wanted};
+use super::{SimulationError, Solved, Wanted};
+use crate::contact::loaded::Loaded;
 use crate::contact::state::Normal;
 use crate::drive::impact::{self, ImpactError, ImpactState};
 use crate::run::record::{ErrorEstimate, Field, Outcome, Record};
-use crate::run::table::Table;
 use crate::scene::law::ImpactLaw;
 use crate::scene::parts::Parts;
 use crate::scene::plan::ImpactPlan;
@@ -26,7 +26,7 @@ struct Followed {
     row: ImpactRow,
     moments: Vec<ImpactState>,
     field: Option<Field>,
-    stresses: Option<Table>,
+    loaded: Option<Loaded>,
     bytes: usize,
 }
 
@@ -38,7 +38,7 @@ struct Followed {
 ///
 /// # Errors
 /// The contact would leave its profile, or cannot be followed.
-pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Outcome, SimulationError> {
+pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
     let impact = &plan.impact;
     let fastest = impact.speed.iter().map(|speed| speed.si()).fold(0.0, f64::max);
     let one = |&speed: &f64| follow(plan, (speed, (speed >= fastest).then_some(wanted)));
@@ -50,18 +50,16 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Outcome, SimulationError
     let shown = followed.iter().position(|one| one.row.speed >= fastest).unwrap_or(0);
     let shown = followed.swap_remove(shown);
     let records = records(plan, &shown.moments);
-    Ok(Outcome {
+    let outcome = Outcome {
         results: results::named(plan, &rows, &records, shown.field.as_ref()),
         records,
         fields: shown.field.into_iter().collect(),
-        tables: [Some(table::impacts(&rows)), table::incidence(&incidence), shown.stresses]
-            .into_iter()
-            .flatten()
-            .collect(),
+        tables: std::iter::once(table::impacts(&rows)).chain(table::incidence(&incidence)).collect(),
         error_estimate: error_estimate(plan, &rows),
         warnings: Vec::new(),
         plan: Parts { state_bytes: shown.bytes, ..plan.parts() },
-    })
+    };
+    Ok(Solved { outcome, loaded: shown.loaded })
 }
 
 /// Follows the impact at one speed; records and fields only where `wanted`.

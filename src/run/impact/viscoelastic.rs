@@ -34,7 +34,8 @@ pub fn follow(
     let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { flight.moments(records) } else { Vec::new() };
     let field = wanted.is_some_and(|wanted| wanted.fields).then(|| field(&flight)).flatten();
-    Ok(Followed { row, moments, field, stresses: None, bytes: flight.bytes() })
+    let loaded = wanted.filter(|wanted| wanted.stresses).and_then(|_| flight.loaded());
+    Ok(Followed { row, moments, field, loaded, bytes: flight.bytes() })
 }
 
 /// The pressure at the greatest depth.

@@ -2,7 +2,7 @@
 
 use super::Flight;
 use super::piece::MotionPiece;
-use crate::contact::viscoelastic::pressure;
+use crate::contact::loaded::{Curve, Loaded, inverse};
 
 /// Times at which the pressure is looked at.
 const LOOKS: u32 = 12;
@@ -45,16 +45,38 @@ impl Flight {
     /// Pressure [Pa] at the radius `r` and the time `t` up to the greatest depth.
     #[must_use]
     pub fn pressure(&self, t: f64, r: f64) -> f64 {
-        let Some(piece) = self.piece_at(t) else { return 0.0 };
+        let Some((load, ends)) = self.loads(t) else { return 0.0 };
+        inverse(&load, &ends, r)
+    }
+
+    /// The contact at the greatest depth, under its load.
+    #[must_use]
+    pub fn loaded(&self) -> Option<Loaded> {
+        let (_, ends) = self.loads(self.turn())?;
+        let depth = self.loading.last()?.depth(1.0);
+        let flight = self.clone();
+        let load = move |x: f64| flight.loads(flight.turn()).map_or(0.0, |(load, _)| load(x));
+        let pressed = {
+            let profile = self.model.profile.clone();
+            move |x: f64| depth - profile.reduced(x)
+        };
+        let displacement = Curve::new(pressed, ends.clone());
+        Some(Loaded::remembered(self.model.profile.clone(), depth, Curve::new(load, ends), displacement))
+    }
+
+    /// The line load [N/m] at the time `t` over the distance from the axis, and the borders of its panels.
+    fn loads(&self, t: f64) -> Option<(impl Fn(f64) -> f64, Vec<f64>)> {
+        let piece = self.piece_at(t)?;
         let theta = piece.part(t);
-        let Ok(a) = self.model.edge(piece.depth(theta)) else { return 0.0 };
+        let a = self.model.edge(piece.depth(theta)).ok()?;
         let memory = piece.memory(&self.model.spectrum, theta);
         let mut ends = vec![0.0];
         ends.extend(self.model.profile.breaks(a).into_iter().filter(|&x| x > 0.0 && x < a));
         ends.extend([0.5, 0.9, 0.99].map(|part| part * a));
         ends.push(a);
         ends.sort_by(f64::total_cmp);
-        pressure::inverse(&|x| self.line_load(x, (t, piece.depth(theta), piece.speed(theta)), &memory), &ends, r)
+        let (depth, speed) = (piece.depth(theta), piece.speed(theta));
+        Some((move |x: f64| self.line_load(x, (t, depth, speed), &memory), ends))
     }
 
     /// Line load [N/m] at the distance `x` from the axis.
