@@ -1,46 +1,10 @@
 //! A case: what is computed, what is right, how far apart they may be and why.
 
+pub use super::attempt::{Attempt, Pairs, Proof, worst};
 use super::extreme::Extreme;
-
 use super::row::Row;
 use super::stated::Stated;
 use super::study::{Effort, Study};
-
-/// What an attempt gives, or why it gives nothing.
-pub type Attempt<T> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
-
-/// Pairs (computed, right).
-pub type Pairs = Vec<(f64, f64)>;
-
-/// Strength of a proof.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Proof {
-    /// An identity or a limit, true to rounding.
-    Rounding,
-    /// A proved constant.
-    Bound,
-    /// A rate of convergence.
-    Order,
-    /// Another code, another method or a finer grid.
-    Other,
-    /// A number of this program from before: detects change only.
-    Own,
-}
-
-impl Proof {
-    /// The word printed in tables.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Rounding => "rounding",
-            Self::Bound => "bound",
-            Self::Order => "order",
-            Self::Other => "other method",
-            Self::Own => "self",
-        }
-    }
-}
 
 /// What a case asks.
 #[derive(Debug, Clone, Copy)]
@@ -101,18 +65,8 @@ impl Case {
         let row = match &self.question {
             Question::Numbers(numbers) => Row::of(numbers().map(|pairs| worst(&pairs))),
             Question::Stated(stated) => stated.verdict(),
-            Question::Over(extreme) => extreme.verdict(),
+            Question::Over(extreme) => Row::over(*extreme),
         };
         Row { case: self.name, proof: Some(self.proof), bound: Some(self.bound), ..row }
     }
-}
-
-/// Largest relative difference of pairs (computed, right); absolute where the right value is zero. NaN if one is.
-#[must_use]
-pub fn worst(pairs: &[(f64, f64)]) -> f64 {
-    let difference = |&(value, right): &(f64, f64)| {
-        let scale = if right.abs() > 0.0 { right.abs() } else { 1.0 };
-        (value - right).abs() / scale
-    };
-    pairs.iter().map(difference).fold(0.0, |most, next| if next > most || next.is_nan() { next } else { most })
 }

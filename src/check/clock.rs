@@ -1,6 +1,6 @@
 //! How long a computation takes: set-up, first run and the quickest of the warm repeats.
 
-use super::case::Attempt;
+use super::attempt::Attempt;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 

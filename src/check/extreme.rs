@@ -1,7 +1,6 @@
 //! Many contacts over a range of values, each against its exact answer or a law.
 
-use super::case::Attempt;
-use super::row::Row;
+use super::attempt::Attempt;
 
 /// Contacts over a range of values.
 #[derive(Debug, Clone, Copy)]
@@ -23,19 +22,6 @@ pub struct Tally {
     pub tried: usize,
     /// Contacts in which a law was broken.
     pub broken: usize,
-}
-
-impl Extreme {
-    /// The largest error; to have tried nothing is no answer.
-    #[must_use]
-    pub fn verdict(&self) -> Row {
-        let row = match (self.tried)() {
-            Ok(Tally { tried: 0, .. }) => Row::of(Err("nothing was tried".into())),
-            Ok(tally) => Row { tried: tally.tried, broken: tally.broken, ..Row::of(Ok(tally.worst)) },
-            Err(why) => Row::of(Err(why)),
-        };
-        Row { over: Some(*self), ..row }
-    }
 }
 
 impl Tally {
@@ -72,10 +58,11 @@ pub fn powers(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> + Clo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::row::Row;
 
     #[test]
     fn a_range_without_answer_or_beyond_a_law_is_told() {
-        let of = |tried| Row { bound: Some(0.1), ..Extreme { range: "", against: "", tried }.verdict() };
+        let of = |tried| Row { bound: Some(0.1), ..Row::over(Extreme { range: "", against: "", tried }) };
         assert!(of(|| Ok(Tally { worst: 0.1, tried: 1, broken: 0 })).passed());
         assert!(!of(|| Ok(Tally { worst: 0.0, tried: 1, broken: 1 })).passed());
         assert_eq!(of(|| Ok(Tally::default())).why.unwrap(), "nothing was tried");

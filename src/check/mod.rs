@@ -5,6 +5,7 @@ pub mod tangential;
 pub mod theory;
 #[cfg(feature = "half-space")]
 pub mod agreement;
+pub mod attempt;
 pub mod case;
 pub mod cases;
 pub mod one_piece;

@@ -1,8 +1,8 @@
 //! One row of any report: a case by one method at one fineness.
 
-use super::case::{Attempt, Proof};
+use super::attempt::{Attempt, Proof};
 use super::clock::Times;
-use super::extreme::Extreme;
+use super::extreme::{Extreme, Tally};
 use serde::Serialize;
 
 /// How fine a method works.
@@ -148,6 +148,17 @@ impl Row {
             Ok(error) => Self { error: Some(error), ..Self::default() },
             Err(why) => Self { why: Some(why.to_string()), ..Self::default() },
         }
+    }
+
+    /// The largest error over a range of values; to have tried nothing is no answer.
+    #[must_use]
+    pub fn over(extreme: Extreme) -> Self {
+        let row = match (extreme.tried)() {
+            Ok(Tally { tried: 0, .. }) => Self::of(Err("nothing was tried".into())),
+            Ok(tally) => Self { tried: tally.tried, broken: tally.broken, ..Self::of(Ok(tally.worst)) },
+            Err(why) => Self::of(Err(why)),
+        };
+        Self { over: Some(extreme), ..row }
     }
 
     /// Whether there is an answer, within its bound and with no law broken.

@@ -1,6 +1,6 @@
 //! Scenes in SI numbers, written as a scene file is: a shape on rubber, then entry by entry.
 
-use super::case::{Attempt, Pairs};
+use super::attempt::{Attempt, Pairs};
 use crate::contact::adhesion::{Adhesion, Edge, Jkr};
 use crate::friction::{Coulomb, Friction};
 use crate::input::quantity::{Dimension, Domain, Quantity};

@@ -1,6 +1,6 @@
 //! The error a scene states beside its true one, at several accuracies and by springs.
 
-use super::case::{Attempt, Pairs, worst};
+use super::attempt::{Attempt, Pairs, worst};
 use super::row::{Row, Setting, Solved};
 use super::sketch::Sketch;
 use crate::run::record::Outcome;

@@ -3,7 +3,7 @@
 //! A method is set up once, run once cold and then warm for a while; the error is that of its answer,
 //! the time the least of the warm runs.
 
-use super::case::Attempt;
+use super::attempt::Attempt;
 use super::clock::timed;
 use super::row::{Errors, Row, Setting, Solved};
 use std::time::Duration;
@@ -126,7 +126,7 @@ fn difference(values: &[f64], exact: &[f64]) -> Attempt<f64> {
     }
     let scale = exact.iter().fold(0.0f64, |most, value| most.max(value.abs()));
     let pairs: Vec<_> = values.iter().zip(exact).map(|(value, right)| ((value - right) / scale, 0.0)).collect();
-    Ok(super::case::worst(&pairs))
+    Ok(super::attempt::worst(&pairs))
 }
 
 #[cfg(test)]
