@@ -8,6 +8,7 @@ pub mod agreement;
 pub mod attempt;
 pub mod case;
 pub mod cases;
+mod measured;
 pub mod one_piece;
 pub mod comparison;
 pub mod ting;

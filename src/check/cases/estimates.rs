@@ -2,13 +2,12 @@
 
 use crate::check::case::{Attempt, Case, Pairs, Proof, Question};
 use crate::check::closed_forms::{self, ClosedForm};
+use crate::check::measured::{Creeping, DEPTH, SLOPE, triangle};
 use crate::check::sketch::{Sketch, ball, beside, elastic, relaxing, si};
 use crate::check::stated::Stated;
 use crate::check::tangential::CattaneoMindlin;
-use crate::check::ting::Triangle;
 use crate::check::ways;
 use crate::contact::adhesion::{Adhesion, Maugis};
-use crate::material::Relaxation;
 use crate::numerics::quadrature;
 use crate::run::record::{Outcome, Record};
 use crate::shape::{Cone, Shape, Sphere, WavyParaboloid};
@@ -57,11 +56,6 @@ pub(super) const CASES: &[Case] = &[
     at_three(case("estimate/Hertz impact", || Sketch::of(ball(1.0)).impact(SPEED), impact_known))
         .ways(ways::impact::hertz),
 ];
-
-/// Depth [m] of most scenes.
-pub(in crate::check) const DEPTH: f64 = 0.01;
-/// Slope of the cone.
-pub(in crate::check) const SLOPE: f64 = 0.1;
 
 fn at_end(outcome: &Outcome, right: ClosedForm) -> Attempt<Pairs> {
     beside(outcome, &[("final_force_n", right.force), ("final_contact_radius_m", right.radius)])
@@ -131,15 +125,6 @@ fn mindlin_known(outcome: &Outcome) -> Attempt<Pairs> {
     beside(outcome, &[("final_tangential_force_n", lens().tangential_force(0.6 * lens().reach()))])
 }
 
-fn solid(equilibrium: f64, decaying: f64, time: f64) -> Relaxation {
-    Relaxation { equilibrium, terms: vec![(decaying, time)], viscosity: 0.0 }
-}
-
-/// The triangle of a standard linear solid, E* = 0.4 + 3.6e^{−t/0.2}.
-pub(in crate::check) fn triangle() -> Triangle {
-    Triangle { relaxation: solid(0.4, 3.6, 0.2), radius: 1.0, speed: DEPTH, turn: 1.0 }
-}
-
 fn ting() -> Sketch {
     hertz().body(relaxing(&triangle().relaxation)).indent(0.0, 1.0)
 }
@@ -150,26 +135,6 @@ fn ting_known(outcome: &Outcome) -> Attempt<Pairs> {
     let most = exact.at(1.0)?.0;
     let pair = |record: &Record| Ok(((record.normal.force - exact.at(record.time)?.0) / most, 0.0));
     outcome.records.iter().map(pair).collect()
-}
-
-/// A force that rises and stays on a ball of E* = 1 + e^{−t}.
-pub(in crate::check) struct Creeping {
-    /// Force [N].
-    pub force: f64,
-    /// Time in which it rises [s].
-    pub rise: f64,
-}
-
-impl Creeping {
-    pub(in crate::check) fn relaxation() -> Relaxation {
-        solid(1.0, 1.0, 1.0)
-    }
-
-    /// Contact radius [m] at the time `t` [s] after the rise: a³ = (3R/4) ∫ J dF with J = 1 − ½e^{−t/2}.
-    pub(in crate::check) fn radius(&self, t: f64) -> f64 {
-        let delayed = (2.0 / self.rise) * (-0.5 * t).exp() * -(-0.5 * self.rise).exp_m1();
-        (0.75 * self.force * (1.0 - 0.5 * delayed)).cbrt()
-    }
 }
 
 const CREEPING: Creeping = Creeping { force: 1e-3, rise: 1e-3 };

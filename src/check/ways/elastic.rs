@@ -2,9 +2,9 @@
 
 use super::EDGES;
 use crate::check::case::Attempt;
-use crate::check::cases::estimates::{DEPTH, SLOPE};
 use crate::check::closed_forms::{self, ClosedForm};
 use crate::check::contacts::{indented, paraboloid};
+use crate::check::measured::{DEPTH, SLOPE};
 use crate::check::row::{Found, Setting, Solved};
 use crate::check::sketch::si;
 use crate::check::study::{Effort, Method, Study};

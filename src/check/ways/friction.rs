@@ -1,9 +1,9 @@
 //! The loop of Cattaneo and Mindlin.
 
 use crate::check::case::Attempt;
-use crate::check::cases::estimates::DEPTH;
 use crate::check::closed_forms;
 use crate::check::contacts::paraboloid;
+use crate::check::measured::DEPTH;
 use crate::check::row::{Setting, Solved};
 use crate::check::study::{Effort, Method, Study};
 use crate::check::tangential::CattaneoMindlin;

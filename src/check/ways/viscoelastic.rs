@@ -2,8 +2,8 @@
 
 use super::script::Steps;
 use crate::check::case::Attempt;
-use crate::check::cases::estimates::{Creeping, DEPTH, triangle};
 use crate::check::contacts::paraboloid;
+use crate::check::measured::{Creeping, DEPTH, triangle};
 use crate::check::row::{Setting, Solved};
 use crate::check::study::{Effort, Method, Study};
 use crate::contact::viscoelastic::continuous::ContinuousContact;
