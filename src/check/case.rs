@@ -4,7 +4,7 @@ pub use super::attempt::{Attempt, Pairs, Proof, worst};
 use super::extreme::Extreme;
 use super::row::Row;
 use super::stated::Stated;
-use super::study::{Effort, Study};
+use super::study::{Study, Thoroughness};
 
 /// What a case asks.
 #[derive(Debug, Clone, Copy)]
@@ -33,7 +33,7 @@ pub struct Case {
     /// What is computed.
     pub question: Question,
     /// The ways to compute it that are measured against each other, if any.
-    pub ways: Option<fn(Effort) -> Attempt<Study>>,
+    pub ways: Option<fn(Thoroughness) -> Attempt<Study>>,
 }
 
 impl Case {
@@ -55,7 +55,7 @@ impl Case {
         Self { question, ..self }
     }
 
-    pub(super) const fn ways(self, ways: fn(Effort) -> Attempt<Study>) -> Self {
+    pub(super) const fn ways(self, ways: fn(Thoroughness) -> Attempt<Study>) -> Self {
         Self { ways: Some(ways), ..self }
     }
 

@@ -1,6 +1,6 @@
 //! Contacts whose stated error is checked and which are computed in several ways, in numbers both share.
 
-use super::ting::Triangle;
+use super::ting::TingTriangle;
 use crate::material::Relaxation;
 
 /// Depth [m] of most scenes.
@@ -13,8 +13,8 @@ fn solid(equilibrium: f64, decaying: f64, time: f64) -> Relaxation {
 }
 
 /// The triangle of a standard linear solid, E* = 0.4 + 3.6e^{−t/0.2}.
-pub fn triangle() -> Triangle {
-    Triangle { relaxation: solid(0.4, 3.6, 0.2), radius: 1.0, speed: DEPTH, turn: 1.0 }
+pub fn triangle() -> TingTriangle {
+    TingTriangle { relaxation: solid(0.4, 3.6, 0.2), radius: 1.0, speed: DEPTH, turn: 1.0 }
 }
 
 /// A force that rises and stays on a ball of E* = 1 + e^{−t}.

@@ -132,7 +132,13 @@ fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
 /// The same profile as a cylinder on a half-plane: the sufficient condition of Kudish et al. and the least loads.
 fn plane(setup: &Plan, profile: &dyn Profile, limit: f64) -> Vec<String> {
     let Some(radius) = mean_curvature_radius(&setup.scene.shape, profile, limit) else { return Vec::new() };
-    let slope = |x: f64| deviation_slope((&setup.scene.shape, profile), (radius, 1e-5 * limit), x);
+    let slope = |x: f64| match &setup.scene.shape {
+        Shape::WavyParaboloid(wavy) => {
+            let wave_number = TAU / wavy.wavelength.si();
+            wavy.amplitude.si() * wave_number * (wave_number * x).sin()
+        }
+        _ => differenced(profile, 1e-5 * limit, x) - x / radius,
+    };
     let parabola = WavyParabola { modulus: setup.pair.normal, radius, slope: &slope };
     // P = πE*c²/4R of the smooth parabola.
     let load = |c: f64| FRAC_PI_4 * setup.pair.normal * c * c / radius;
@@ -155,14 +161,10 @@ fn plane(setup: &Plan, profile: &dyn Profile, limit: f64) -> Vec<String> {
     )]
 }
 
-/// Slope of the profile less that of its parabola; a table is differenced over a step [m].
-fn deviation_slope((shape, profile): (&Shape, &dyn Profile), (radius, step): (f64, f64), x: f64) -> f64 {
-    if let Shape::WavyParaboloid(wavy) = shape {
-        let wave_number = TAU / wavy.wavelength.si();
-        return wavy.amplitude.si() * wave_number * (wave_number * x).sin();
-    }
+/// Slope of a profile, differenced over a step [m].
+fn differenced(profile: &dyn Profile, step: f64, x: f64) -> f64 {
     let (low, high) = ((x.abs() - step).max(0.0), x.abs() + step);
-    ((profile.height(high) - profile.height(low)) / (high - low) - x.abs() / radius) * x.signum()
+    (profile.height(high) - profile.height(low)) / (high - low) * x.signum()
 }
 
 /// Radius of the parabola under a wavy or measured profile [m]; `None` for other shapes.

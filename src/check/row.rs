@@ -65,7 +65,7 @@ pub struct Found {
 
 /// What a method gives.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Solved {
+pub struct Computed {
     /// The numbers compared, such as the forces of a loop.
     pub values: Vec<f64>,
     /// The state, where there is one.
@@ -125,7 +125,7 @@ pub struct Row {
     /// Errors by quantity.
     pub errors: Errors,
     /// What the method has found.
-    pub solved: Solved,
+    pub solved: Computed,
     /// Run times.
     pub times: Option<Times>,
     /// What the time is compared with, and the time over the time of that.

@@ -2,7 +2,7 @@
 
 use super::case::Attempt;
 use super::contacts::{jkr, paraboloid};
-use super::row::{Row, Setting, Solved};
+use super::row::{Computed, Row, Setting};
 use super::study::Method;
 use crate::contact::viscoelastic::direct::Direct;
 use crate::contact::viscoelastic::layout::Layout;
@@ -40,7 +40,7 @@ impl Kernel {
     }
 
     fn row(&self, budget: Duration) -> Row {
-        self.method.row(budget, |()| Solved::default())
+        self.method.row(budget, |()| Computed::default())
     }
 }
 

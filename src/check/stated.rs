@@ -1,7 +1,7 @@
 //! The error a scene states beside its true one, at several accuracies and by springs.
 
 use super::attempt::{Attempt, Pairs, worst};
-use super::row::{Row, Setting, Solved};
+use super::row::{Computed, Row, Setting};
 use super::sketch::Sketch;
 use crate::run::record::Outcome;
 use rayon::prelude::*;
@@ -34,7 +34,7 @@ impl Stated {
         match outcome {
             Ok(outcome) => {
                 let row = Row::of((self.known)(&outcome).map(|pairs| worst(&pairs)));
-                let solved = Solved { bytes: outcome.plan.state_bytes, ..Solved::default() };
+                let solved = Computed { bytes: outcome.plan.state_bytes, ..Computed::default() };
                 let setting = Setting { springs: Some(outcome.plan.springs).filter(|count| *count > 0), ..setting };
                 let bound = Some(outcome.error_estimate.relative);
                 Row { method: outcome.plan.solver, setting, bound, solved, ..row }

@@ -5,19 +5,19 @@
 
 use super::attempt::Attempt;
 use super::clock::timed;
-use super::row::{Errors, Row, Setting, Solved};
+use super::row::{Computed, Errors, Row, Setting};
 use std::time::Duration;
 
 /// How much is measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Effort {
+pub enum Thoroughness {
     /// Under a minute for all cases.
     Brief,
     /// Finer settings and longer repeats.
     Thorough,
 }
 
-impl Effort {
+impl Thoroughness {
     /// The settings worth their time: powers of ten from `low` to `high`, a decade less if brief.
     pub(super) fn decades(self, low: u32, high: u32) -> impl Iterator<Item = usize> {
         let end = if self == Self::Brief { high.saturating_sub(1) } else { high };
@@ -32,15 +32,15 @@ impl Effort {
 }
 
 /// A method set up; each call runs it once.
-type Run<T> = Box<dyn FnMut() -> Attempt<T>>;
+type Prepared<T> = Box<dyn FnMut() -> Attempt<T>>;
 
 /// A method at one setting, giving a `T` in each run.
-pub struct Method<T = Solved> {
+pub struct Method<T = Computed> {
     /// Name.
     pub name: &'static str,
     /// How fine it works.
     pub setting: Setting,
-    prepare: Box<dyn Fn() -> Attempt<Run<T>>>,
+    prepare: Box<dyn Fn() -> Attempt<Prepared<T>>>,
 }
 
 impl<T: 'static> Method<T> {
@@ -50,11 +50,11 @@ impl<T: 'static> Method<T> {
         setting: Setting,
         prepare: impl Fn() -> Attempt<R> + 'static,
     ) -> Self {
-        Self { name, setting, prepare: Box::new(move || prepare().map(|run| Box::new(run) as Run<T>)) }
+        Self { name, setting, prepare: Box::new(move || prepare().map(|run| Box::new(run) as Prepared<T>)) }
     }
 
     /// What the method gives, and how long it takes.
-    pub(super) fn row(&self, budget: Duration, into: impl FnOnce(T) -> Solved) -> Row {
+    pub(super) fn row(&self, budget: Duration, into: impl FnOnce(T) -> Computed) -> Row {
         let row = Row { method: self.name, setting: self.setting, ..Row::default() };
         match timed(|| (self.prepare)(), budget) {
             Ok((answer, times)) => Row { solved: into(answer), times: Some(times), ..row },
@@ -94,14 +94,14 @@ pub struct Study {
     /// What the error is measured against.
     pub reference: String,
     /// The right answer.
-    pub exact: Solved,
+    pub exact: Computed,
     /// The methods, coarse before fine.
     pub methods: Vec<Method>,
 }
 
 impl Study {
     /// Error and time of every method, in order; `done` is told the share that is behind.
-    pub fn rows(&self, effort: Effort, done: &mut dyn FnMut(f64)) -> Vec<Row> {
+    pub fn rows(&self, effort: Thoroughness, done: &mut dyn FnMut(f64)) -> Vec<Row> {
         let rows = measured(&self.methods, effort.budget(), done);
         rows.into_iter().map(|row| self.judged(row)).collect()
     }
@@ -137,7 +137,7 @@ mod tests {
     /// Every method answers, and the finest is well better than the coarsest of its kind.
     #[test]
     fn every_method_answers_and_converges() {
-        for study in cases::studies(Effort::Brief).unwrap() {
+        for study in cases::studies(Thoroughness::Brief).unwrap() {
             let cheap: Vec<&Method> = study.methods.iter().filter(|method| cheap(&method.setting)).collect();
             for kind in cheap.chunk_by(|one, next| one.name == next.name) {
                 let rows: Vec<Row> =

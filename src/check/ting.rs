@@ -10,7 +10,7 @@ use crate::numerics::{quadrature, root};
 /// (Ting 1966) the integral ends at t₁, ∫_{t₁}^t E*(t−s) ḋ ds = 0, and a(t) = a(t₁).
 /// Check: E* = 0.4 + 3.6e^{−t/0.2}, R = 1, v = 0.01, T = 1 has F(1.1) = 6.847747e-4.
 #[derive(Debug, Clone)]
-pub struct Triangle {
+pub struct TingTriangle {
     /// Relaxation E*(t), without a dashpot.
     pub relaxation: Relaxation,
     /// Radius R [m].
@@ -21,7 +21,7 @@ pub struct Triangle {
     pub turn: f64,
 }
 
-impl Triangle {
+impl TingTriangle {
     /// Force [N] and contact radius [m] at a time [s].
     ///
     /// # Errors
@@ -86,9 +86,9 @@ impl Triangle {
 mod tests {
     use super::*;
 
-    fn triangle(equilibrium: f64, terms: &[(f64, f64)]) -> Triangle {
+    fn triangle(equilibrium: f64, terms: &[(f64, f64)]) -> TingTriangle {
         let relaxation = Relaxation { equilibrium, terms: terms.to_vec(), viscosity: 0.0 };
-        Triangle { relaxation, radius: 1.0, speed: 0.01, turn: 1.0 }
+        TingTriangle { relaxation, radius: 1.0, speed: 0.01, turn: 1.0 }
     }
 
     fn near(value: f64, right: f64, digits: f64) {

@@ -24,7 +24,7 @@ pub fn load(paths: &[PathBuf]) -> Result<Vec<SceneFile>, Failure> {
 
 /// What `--json` prints of one fault.
 #[derive(Serialize)]
-struct Row<'f> {
+struct FaultRow<'f> {
     file: &'f Path,
     line: Option<usize>,
     column: Option<usize>,
@@ -55,11 +55,11 @@ pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), 
 }
 
 fn json(faults: &[Fault]) -> Result<String, Failure> {
-    let rows: Vec<Row<'_>> = faults.iter().map(Row::of).collect();
+    let rows: Vec<FaultRow<'_>> = faults.iter().map(FaultRow::of).collect();
     serde_json::to_string_pretty(&serde_json::json!({ "problems": rows })).map_err(Failure::failed)
 }
 
-impl<'f> Row<'f> {
+impl<'f> FaultRow<'f> {
     fn of(fault: &'f Fault) -> Self {
         let (line, column) = fault.position.map(|position| (position.line, position.column)).unzip();
         Self { file: &fault.file, line, column, message: &fault.message }

@@ -10,7 +10,7 @@ mod verify;
 use super::console::{Colour, Console, Failure, Voice};
 use super::run::Format;
 use super::{starters, write};
-use crate::check::study::Effort;
+use crate::check::study::Thoroughness;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -153,7 +153,7 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
         }
         Command::Compare { scene } => compare::run(&scene, common, console),
         Command::Report { topic, scene, thorough } => {
-            let effort = if thorough { Effort::Thorough } else { Effort::Brief };
+            let effort = if thorough { Thoroughness::Thorough } else { Thoroughness::Brief };
             report::run(topic, scene.as_deref(), effort, common, console)
         }
     }

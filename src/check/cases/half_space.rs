@@ -19,11 +19,11 @@ pub(super) const CASES: &[Case] = &[
     Case::new("half-space/flat punch", Proof::Order, 1.0, "F = 2E*bd with b the radius of the pixels' area, to half a pixel; printed as the part of the bound used").weak("a ragged edge is first order").by(flat_punch),
     Case::new("half-space/elliptic Hertz", Proof::Order, 1.0, "|ε| ≤ (Δ/b)²/8 in the indentation under a force, printed as the part of the bound used").weak("radii 1 to 0.1 and one grid").by(ellipse),
     Case::new("half-space/full contact of two waves", Proof::Rounding, 1e-6, "the spectral answer p̄ − ½E*q·h, to the tolerance of 1e-8 times the stiffness of the shortest wave").weak("one grid").by(full_contact),
-    Case::new("half-plane/Westergaard wave", Proof::Order, 1.0, "half width to a strip, indentation d = Δt(1 − ln t), t = sin²(πa/λ), to (π/n)² of Δ; printed as the part of the bound used").weak("five loads, 1024 strips").by(westergaard),
-    Case::new("half-plane/wavy parabola in one piece", Proof::Other, 4e-5, "the Chebyshev series of Kudish et al. 2.12 beside the half-plane solver of 2000 strips: pressure in the middle half, to (strip/wave)²").weak("one roughness and load").by(wavy_parabola),
     Case::new("half-space/bed of a rough line beside it", Proof::Other, 1.0, "both follow one stiffness law: over H = 0.2 to 0.9 and 8 seeds of 192² the exponents differ by 0.04 at most, within the scatter, the prefactors by 15 %; the area is that of Persson's theory to a half; printed as the part of scatter, quarter and half used")
         .weak("six seeds of 64² at H = 0.8; the share of springs in contact is no area, but at least five times it")
         .by(bed_beside_half_space),
+    Case::new("half-plane/Westergaard wave", Proof::Order, 1.0, "half width to a strip, indentation d = Δt(1 − ln t), t = sin²(πa/λ), to (π/n)² of Δ; printed as the part of the bound used").weak("five loads, 1024 strips").by(westergaard),
+    Case::new("half-plane/wavy parabola in one piece", Proof::Other, 4e-5, "the Chebyshev series of Kudish et al. 2.12 beside the half-plane solver of 2000 strips: pressure in the middle half, to (strip/wave)²").weak("one roughness and load").by(wavy_parabola),
 ];
 
 /// The half-space with E* = 1 under heights.

@@ -13,7 +13,7 @@ mod shapes;
 mod viscoelastic;
 
 use super::case::{Attempt, Case};
-use super::study::{Effort, Study};
+use super::study::{Study, Thoroughness};
 
 /// The usual way, shown beside the extremes and held to nothing.
 pub const USUAL: Case = extremes::EXPLICIT_EULER;
@@ -50,7 +50,7 @@ pub fn matching(filter: &str) -> Vec<Case> {
 ///
 /// # Errors
 /// A way cannot be set up.
-pub fn studies(effort: Effort) -> Attempt<Vec<Study>> {
+pub fn studies(effort: Thoroughness) -> Attempt<Vec<Study>> {
     all().iter().filter_map(|case| case.ways).map(|ways| ways(effort)).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use crate::check::case::{Attempt, Case, Pairs, Proof, worst};
 use crate::check::sketch::{Sketch, ball, beside, relaxing, result, si};
-use crate::check::ting::Triangle;
+use crate::check::ting::TingTriangle;
 use crate::contact::adhesion::Edge;
 use crate::material::{Relaxation, Spectrum};
 use crate::numerics::quadrature;
@@ -45,8 +45,8 @@ fn ten_terms() -> Relaxation {
 /// Speed [m/s] of the triangles; they turn after a second. R = 1 m.
 const SPEED: f64 = 0.01;
 
-fn exact(relaxation: Relaxation) -> Triangle {
-    Triangle { relaxation, radius: 1.0, speed: SPEED, turn: 1.0 }
+fn exact(relaxation: Relaxation) -> TingTriangle {
+    TingTriangle { relaxation, radius: 1.0, speed: SPEED, turn: 1.0 }
 }
 
 /// A ball of a material, twenty records per entry.
@@ -94,7 +94,7 @@ fn vanishing() -> Attempt<Pairs> {
 }
 
 /// Forces relative to the greatest, and when the bodies part.
-fn deviations(exact: &Triangle, outcome: &Outcome) -> Attempt<Pairs> {
+fn deviations(exact: &TingTriangle, outcome: &Outcome) -> Attempt<Pairs> {
     let largest = result(outcome, "largest_force_n")?;
     let moved = outcome.records.iter().filter(|record| record.time > 0.0);
     let pair = |record: &Record| Ok(((record.normal.force - exact.at(record.time)?.0) / largest, 0.0));

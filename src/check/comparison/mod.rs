@@ -9,7 +9,7 @@ mod round;
 
 use super::one_piece::largest_force;
 use super::row::{Errors, Found, Row};
-use super::study::{Effort, Method, measured};
+use super::study::{Method, Thoroughness, measured};
 use super::theory;
 use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
@@ -130,7 +130,7 @@ struct Contest {
 
 impl Contest {
     fn judged(mut self, done: &dyn Fn(f64)) -> Comparison {
-        let mut rows = measured(&self.methods, Effort::Brief.budget(), &mut |share| done(share));
+        let mut rows = measured(&self.methods, Thoroughness::Brief.budget(), &mut |share| done(share));
         let (mut right, own) = self.right(&rows);
         let mut own_pressure = own;
         if let (None, None, Some(candidate)) = (own, right.state.peak_pressure_pa, self.pressure.take())

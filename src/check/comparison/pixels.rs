@@ -1,7 +1,7 @@
 //! The full half-space under the shape of a scene.
 
 use crate::check::case::Attempt;
-use crate::check::row::{Found, Solved};
+use crate::check::row::{Computed, Found};
 use crate::contact::elliptic::EllipticHertz;
 use crate::halfspace::{Boundary, Prescribed, PressedMap, Settings, Solution, Start, solve};
 use crate::scene::plan::Plan;
@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 const WINDOW: f64 = 3.0;
 
 /// A shape at a depth [m] on `grid` × `grid` pixels; what the solver refuses is told.
-pub(super) fn pressed(plan: &Plan, contact_radius: f64, depth: f64, grid: usize) -> Attempt<Solved> {
+pub(super) fn pressed(plan: &Plan, contact_radius: f64, depth: f64, grid: usize) -> Attempt<Computed> {
     let pixel = semi_axes(&plan.scene.shape, contact_radius, depth)?.map(|side| WINDOW * side / grid as f64);
     let place = |index: usize, pixel: f64| (index as f64 - (grid / 2) as f64) * pixel;
     let height = |(row, column): (usize, usize)| height(plan, place(column, pixel[0]), place(row, pixel[1]));
@@ -34,7 +34,7 @@ pub(super) fn pressed(plan: &Plan, contact_radius: f64, depth: f64, grid: usize)
         ..Found::default()
     };
     let (bytes, iterations) = (usize::try_from(solution.bytes)?, Some(solution.iterations));
-    Ok(Solved { found, bytes, iterations, ..Solved::default() })
+    Ok(Computed { found, bytes, iterations, ..Computed::default() })
 }
 
 /// Semi-axes of the contact along x and y [m]; the true ones of an ellipsoid.

@@ -2,7 +2,7 @@
 
 use super::{Candidate, Compared, Contest, found, largest};
 use crate::check::case::Attempt;
-use crate::check::row::{Found, Setting, Solved};
+use crate::check::row::{Computed, Found, Setting};
 use crate::check::study::Method;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::plan::{Plan, PlanePlan, SceneSettings};
@@ -35,12 +35,12 @@ fn pressure(plan: &Plan) -> Attempt<Option<f64>> {
     Ok(outcome.number("peak_pressure_pa"))
 }
 
-fn direct(plan: &Plan, force: f64, peak_pressure_pa: Option<f64>) -> Attempt<Solved> {
+fn direct(plan: &Plan, force: f64, peak_pressure_pa: Option<f64>) -> Attempt<Computed> {
     let outcome = run::run(plan, Wanted::NOTHING)?;
     let most = largest(&outcome.records).filter(|most| most.normal.force >= force * (1.0 - 1e-12));
     let most = most.ok_or("the contact is not in one piece: only the half-plane solver has it")?;
     let found = Found { peak_pressure_pa, ..found(most) };
-    Ok(Solved { found, bytes: outcome.plan.state_bytes, ..Solved::default() })
+    Ok(Computed { found, bytes: outcome.plan.state_bytes, ..Computed::default() })
 }
 
 /// No half-plane in strips.
@@ -54,7 +54,7 @@ mod strips {
 /// The half-plane in strips.
 #[cfg(feature = "half-space")]
 mod strips {
-    use super::{Attempt, Found, Method, PlanePlan, Setting, Solved};
+    use super::{Attempt, Computed, Found, Method, PlanePlan, Setting};
     use crate::halfspace::{PlaneBoundary, PlaneProblem, Prescribed, Settings, solve_plane};
     use crate::scene::plan::Section;
     use crate::shape::{PlaneWave, PlaneWavy};
@@ -77,7 +77,7 @@ mod strips {
     }
 
     /// What the strips are pressed by.
-    struct Pressed {
+    struct PressedSection {
         boundary: PlaneBoundary,
         /// Width of the window [m].
         window: f64,
@@ -86,24 +86,24 @@ mod strips {
         heights: Box<dyn Fn(f64) -> f64>,
     }
 
-    fn wave(wave: &PlaneWave) -> Pressed {
+    fn wave(wave: &PlaneWave) -> PressedSection {
         let (amplitude, k) = (wave.amplitude.si(), PI / wave.wavelength.si());
         let heights = Box::new(move |x: f64| 2.0 * amplitude * (k * x).sin().powi(2));
         let (window, width) = (wave.wavelength.si(), wave.width());
-        Pressed { boundary: PlaneBoundary::Periodic, window, width, heights }
+        PressedSection { boundary: PlaneBoundary::Periodic, window, width, heights }
     }
 
-    fn wavy(wavy: &PlaneWavy, modulus: f64, force: f64) -> Pressed {
+    fn wavy(wavy: &PlaneWavy, modulus: f64, force: f64) -> PressedSection {
         let (radius, width, datum) = (wavy.radius.si(), wavy.width(), wavy.datum.si());
         let hertz = 2.0 * (force / width * radius / (PI * modulus)).sqrt();
         // Waves widen the contact, by what their slope adds to that of the parabola.
         let window = 3.0 * (hertz + radius * wavy.rms_slope());
         let wavy = wavy.clone();
         let heights = Box::new(move |x: f64| 0.5 * x * x / radius + wavy.ripple(x));
-        Pressed { boundary: PlaneBoundary::Free { datum }, window: window.min(datum), width, heights }
+        PressedSection { boundary: PlaneBoundary::Free { datum }, window: window.min(datum), width, heights }
     }
 
-    fn solved(plan: &PlanePlan, force: f64, strips: usize) -> Attempt<Solved> {
+    fn solved(plan: &PlanePlan, force: f64, strips: usize) -> Attempt<Computed> {
         let modulus = plan.pair.normal;
         let pressed = match &plan.section {
             Section::Wave { wave: shape, .. } => wave(shape),
@@ -123,6 +123,6 @@ mod strips {
             ..Found::default()
         };
         // Eleven vectors and the kernel of a padded line.
-        Ok(Solved { found, bytes: 8 * 16 * strips, iterations: Some(solution.iterations), ..Solved::default() })
+        Ok(Computed { found, bytes: 8 * 16 * strips, iterations: Some(solution.iterations), ..Computed::default() })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Candidate, Compared, Contest};
 use crate::check::case::Attempt;
-use crate::check::row::{Found, Setting, Solved};
+use crate::check::row::{Computed, Found, Setting};
 use crate::check::study::Method;
 use crate::contact::rough::RoughBed;
 use crate::scene::plan::RoughPlan;
@@ -70,24 +70,24 @@ impl Rough {
         self: &Arc<Self>,
         name: &'static str,
         setting: Setting,
-        member: impl Fn(&Self, u64) -> Attempt<Solved> + Copy + 'static,
+        member: impl Fn(&Self, u64) -> Attempt<Computed> + Copy + 'static,
     ) -> Method {
         let rough = self.clone();
         Method::new(name, setting, move || {
             let rough = rough.clone();
             Ok(move || {
-                let solved: Attempt<Vec<Solved>> = rough.seeds().iter().map(|&seed| member(&rough, seed)).collect();
+                let solved: Attempt<Vec<Computed>> = rough.seeds().iter().map(|&seed| member(&rough, seed)).collect();
                 Ok(mean(&solved?))
             })
         })
     }
 
-    fn line(&self, seed: u64, points: usize) -> Attempt<Solved> {
+    fn line(&self, seed: u64, points: usize) -> Attempt<Computed> {
         let line = RoughLine::new(&self.plan.surface.rings, seed);
         let bed = RoughBed::under(&line, points, self.plan.pair.normal, |x| self.plan.reduced(x))?;
         let depth = |force: f64| bed.at_force(force).indentation;
         let found = self.found([depth(BELOW * self.force), depth(self.force)], bed.first_touch());
-        Ok(Solved { found, bytes: 24 * points, ..Solved::default() })
+        Ok(Computed { found, bytes: 24 * points, ..Computed::default() })
     }
 
     /// The state from the indentations at nine tenths of the force and at the force.
@@ -102,7 +102,7 @@ impl Rough {
 }
 
 /// The mean of the members, and the most that one of them takes.
-fn mean(members: &[Solved]) -> Solved {
+fn mean(members: &[Computed]) -> Computed {
     let mean = |of: fn(&Found) -> Option<f64>| {
         let values: Option<Vec<f64>> = members.iter().map(|member| of(&member.found)).collect();
         values.map(|values| values.iter().sum::<f64>() / values.len() as f64)
@@ -117,7 +117,7 @@ fn mean(members: &[Solved]) -> Solved {
     };
     let bytes = members.iter().map(|member| member.bytes).max().unwrap_or(0);
     let iterations = members.iter().filter_map(|member| member.iterations).max();
-    Solved { found, bytes, iterations, ..Solved::default() }
+    Computed { found, bytes, iterations, ..Computed::default() }
 }
 
 /// No half-space.
@@ -133,7 +133,7 @@ mod surface {
 mod surface {
     use super::super::GRIDS;
     use super::super::pixels::smooth;
-    use super::{Arc, Attempt, BELOW, Found, Method, Rough, Setting, Solved};
+    use super::{Arc, Attempt, BELOW, Computed, Found, Method, Rough, Setting};
     use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start, bytes_needed, solve};
     use crate::scene::surface::Source;
     use crate::shape::rough::rough_surface;
@@ -186,7 +186,7 @@ mod surface {
         if needed > limit { Err(format!("half-space: {refusal}")) } else { Ok(()) }
     }
 
-    fn pressed(rough: &Rough, grid: usize, seed: u64) -> Attempt<Solved> {
+    fn pressed(rough: &Rough, grid: usize, seed: u64) -> Attempt<Computed> {
         let (heights, pixel) = heights(rough, grid, seed)?;
         let touch = heights.iter().copied().fold(f64::INFINITY, f64::min);
         let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
@@ -203,7 +203,7 @@ mod surface {
             ..rough.found([below.indentation, here.indentation], touch)
         };
         let (bytes, iterations) = (usize::try_from(here.bytes)?, Some(here.iterations));
-        Ok(Solved { found, bytes, iterations, ..Solved::default() })
+        Ok(Computed { found, bytes, iterations, ..Computed::default() })
     }
 
     /// Heights of the indenter [m], away from the half-space, and the pixel [m].

@@ -2,7 +2,7 @@
 
 use super::{Candidate, Compared, Contest, Known, closed, found, largest};
 use crate::check::case::Attempt;
-use crate::check::row::{Found, Setting, Solved};
+use crate::check::row::{Computed, Found, Setting};
 use crate::check::study::Method;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
@@ -109,7 +109,7 @@ impl Scenario {
         self: &Arc<Self>,
         name: &'static str,
         setting: Setting,
-        solved: impl Fn(&Self) -> Attempt<Solved> + Copy + 'static,
+        solved: impl Fn(&Self) -> Attempt<Computed> + Copy + 'static,
     ) -> Method {
         let scenario = self.clone();
         Method::new(name, setting, move || {
@@ -118,7 +118,7 @@ impl Scenario {
         })
     }
 
-    fn direct(&self) -> Attempt<Solved> {
+    fn direct(&self) -> Attempt<Computed> {
         let found = match self.depth {
             None => most_pressed(&self.plan)?,
             Some(depth) => {
@@ -132,15 +132,15 @@ impl Scenario {
                 }
             }
         };
-        Ok(Solved { found, bytes: self.plan.parts().state_bytes, ..Solved::default() })
+        Ok(Computed { found, bytes: self.plan.parts().state_bytes, ..Computed::default() })
     }
 
-    fn springs(&self, springs: usize) -> Attempt<Solved> {
+    fn springs(&self, springs: usize) -> Attempt<Computed> {
         let found = match self.depth {
             None => most_pressed(&self.on_springs(springs)?)?,
             Some(depth) => self.bed(springs, depth)?,
         };
-        Ok(Solved { found, bytes: 16 * springs, ..Solved::default() })
+        Ok(Computed { found, bytes: 16 * springs, ..Computed::default() })
     }
 
     fn bed(&self, springs: usize, depth: f64) -> Attempt<Found> {
@@ -177,10 +177,10 @@ impl Scenario {
 
     /// The state on the full half-space.
     #[cfg(feature = "half-space")]
-    fn pixels(&self, grid: usize, depth: f64) -> Attempt<Solved> {
+    fn pixels(&self, grid: usize, depth: f64) -> Attempt<Computed> {
         let solved = super::pixels::pressed(&self.plan, self.most.contact_radius_m.unwrap_or(0.0), depth, grid)?;
         let peak_pressure_pa = solved.found.peak_pressure_pa.filter(|_| self.peak_at.is_some());
-        Ok(Solved { found: Found { peak_pressure_pa, ..solved.found }, ..solved })
+        Ok(Computed { found: Found { peak_pressure_pa, ..solved.found }, ..solved })
     }
 }
 

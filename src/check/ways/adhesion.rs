@@ -3,8 +3,8 @@
 use super::EDGES;
 use crate::check::case::Attempt;
 use crate::check::contacts::{jkr, paraboloid};
-use crate::check::row::{Setting, Solved};
-use crate::check::study::{Effort, Method, Study};
+use crate::check::row::{Computed, Setting};
+use crate::check::study::{Method, Study, Thoroughness};
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::springs::SpringBed;
@@ -20,7 +20,7 @@ const AWAY: f64 = -1.6;
 const RECORDS: u32 = 400;
 
 /// Least force of a ball pulled away, −(3/2)πwR.
-pub fn pull_off(effort: Effort) -> Attempt<Study> {
+pub fn pull_off(effort: Thoroughness) -> Attempt<Study> {
     let mut methods = vec![Method::new("direct path", Setting::FREE, || {
         let ball = paraboloid(1.0)?;
         Ok(move || direct(&ball))
@@ -39,22 +39,22 @@ pub fn pull_off(effort: Effort) -> Attempt<Study> {
         about: "a ball pulled away by its depth: pull-off force".to_owned(),
         quantity: "pull-off force",
         reference: "closed form −(3/2)πwR".to_owned(),
-        exact: Solved { values: vec![-1.5 * PI], ..Solved::default() },
+        exact: Computed { values: vec![-1.5 * PI], ..Computed::default() },
         methods,
     })
 }
 
-fn direct(ball: &Arc<Paraboloid>) -> Attempt<Solved> {
+fn direct(ball: &Arc<Paraboloid>) -> Attempt<Computed> {
     let mut contact = jkr(ball.clone(), 1.0, 1.0);
     contact.indent(DEPTH)?;
     let from = contact.present().balance.reach;
     contact.indent(AWAY)?;
     let turns = contact.force_turns(from, contact.present().balance.reach)?;
     let least = turns.first().ok_or("the force has no turning point")?;
-    Ok(Solved { values: vec![least.force], bytes: size_of::<QuasiStatic>(), ..Solved::default() })
+    Ok(Computed { values: vec![least.force], bytes: size_of::<QuasiStatic>(), ..Computed::default() })
 }
 
-fn springs(mut bed: SpringBed) -> Solved {
+fn springs(mut bed: SpringBed) -> Computed {
     bed.indent(DEPTH);
     let step = (DEPTH - AWAY) / f64::from(RECORDS);
     let forces = (1..=RECORDS).map(|k| {
@@ -62,5 +62,5 @@ fn springs(mut bed: SpringBed) -> Solved {
         bed.force()
     });
     let least = forces.fold(f64::INFINITY, f64::min);
-    Solved { values: vec![least], bytes: bed.bytes(), ..Solved::default() }
+    Computed { values: vec![least], bytes: bed.bytes(), ..Computed::default() }
 }

@@ -5,9 +5,9 @@ use crate::check::case::Attempt;
 use crate::check::closed_forms::{self, ClosedForm};
 use crate::check::contacts::{indented, paraboloid};
 use crate::check::measured::{DEPTH, SLOPE};
-use crate::check::row::{Found, Setting, Solved};
+use crate::check::row::{Computed, Found, Setting};
 use crate::check::sketch::si;
-use crate::check::study::{Effort, Method, Study};
+use crate::check::study::{Method, Study, Thoroughness};
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::model::Loading;
@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 use std::sync::Arc;
 
 /// A ball with R = E* = 1 pressed in by d/R = 0.01.
-pub fn hertz(effort: Effort) -> Attempt<Study> {
+pub fn hertz(effort: Thoroughness) -> Attempt<Study> {
     let exact = closed_forms::hertz(1.0, DEPTH);
     let pressure = Some(FRAC_2_PI * exact.radius);
     Ok(Study {
@@ -31,7 +31,7 @@ pub fn hertz(effort: Effort) -> Attempt<Study> {
 }
 
 /// A cone of slope 0.1, E* = 1, pressed in by 0.01; the pressure at the apex is infinite.
-pub fn cone(effort: Effort) -> Attempt<Study> {
+pub fn cone(effort: Thoroughness) -> Attempt<Study> {
     let exact = closed_forms::cone(SLOPE, DEPTH);
     Ok(Study {
         case: "cone",
@@ -43,12 +43,12 @@ pub fn cone(effort: Effort) -> Attempt<Study> {
     })
 }
 
-fn solved(force: f64, radius: f64, pressure: Option<f64>) -> Solved {
+fn solved(force: f64, radius: f64, pressure: Option<f64>) -> Computed {
     let found = Found { contact_radius_m: Some(radius), peak_pressure_pa: pressure, ..Found::default() };
-    Solved { values: vec![force], found, ..Solved::default() }
+    Computed { values: vec![force], found, ..Computed::default() }
 }
 
-fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Effort) -> Vec<Method> {
+fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Thoroughness) -> Vec<Method> {
     let profile = shape.clone();
     let mut methods = vec![Method::new("direct path", Setting::FREE, move || {
         let profile = profile.clone();
@@ -72,14 +72,14 @@ fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Effo
     methods
 }
 
-fn direct(profile: Arc<dyn Profile>) -> Attempt<Solved> {
+fn direct(profile: Arc<dyn Profile>) -> Attempt<Computed> {
     let contact = indented(profile, 1.0, DEPTH)?;
     let balance = contact.present().balance;
     let bytes = size_of::<QuasiStatic>();
-    Ok(Solved { bytes, ..solved(balance.force, balance.contact_radius, Some(contact.pressure(0.0))) })
+    Ok(Computed { bytes, ..solved(balance.force, balance.contact_radius, Some(contact.pressure(0.0))) })
 }
 
-fn springs(mut bed: SpringBed) -> Solved {
+fn springs(mut bed: SpringBed) -> Computed {
     bed.indent(DEPTH);
-    Solved { bytes: bed.bytes(), ..solved(bed.force(), bed.contact_radius(), bed.spring_loads().pressure(0.0)) }
+    Computed { bytes: bed.bytes(), ..solved(bed.force(), bed.contact_radius(), bed.spring_loads().pressure(0.0)) }
 }

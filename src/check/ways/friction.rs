@@ -4,8 +4,8 @@ use crate::check::case::Attempt;
 use crate::check::closed_forms;
 use crate::check::contacts::paraboloid;
 use crate::check::measured::DEPTH;
-use crate::check::row::{Setting, Solved};
-use crate::check::study::{Effort, Method, Study};
+use crate::check::row::{Computed, Setting};
+use crate::check::study::{Method, Study, Thoroughness};
 use crate::check::tangential::CattaneoMindlin;
 use crate::friction::{CoulombBed, Grip, Pose, TangentialMemory};
 use crate::shape::Paraboloid;
@@ -17,7 +17,7 @@ const GRIP: Grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coeffici
 const QUARTER: i32 = 40;
 
 /// A ball under d/R = 0.01 sheared to 90 % of gross slip and to and fro: tangential forces.
-pub fn mindlin_loop(effort: Effort) -> Attempt<Study> {
+pub fn mindlin_loop(effort: Thoroughness) -> Attempt<Study> {
     let hertz = closed_forms::hertz(1.0, DEPTH);
     let exact = CattaneoMindlin {
         force: hertz.force,
@@ -36,12 +36,12 @@ pub fn mindlin_loop(effort: Effort) -> Attempt<Study> {
         about: "a ball pressed and sheared to and fro, 200 records: tangential forces".to_owned(),
         quantity: "tangential force",
         reference: "closed form of Cattaneo and Mindlin, turned by Masing's rule".to_owned(),
-        exact: Solved { values: slides(amplitude).enumerate().map(right).collect(), ..Solved::default() },
+        exact: Computed { values: slides(amplitude).enumerate().map(right).collect(), ..Computed::default() },
         methods: methods(&slides(amplitude).map(at).collect::<Vec<_>>(), hertz.radius, effort),
     })
 }
 
-fn methods(path: &[Pose], radius: f64, effort: Effort) -> Vec<Method> {
+fn methods(path: &[Pose], radius: f64, effort: Thoroughness) -> Vec<Method> {
     let turning = path.to_vec();
     let mut methods = vec![Method::new("turning points", Setting::FREE, move || {
         let (ball, path) = (paraboloid(1.0)?, turning.clone());
@@ -68,7 +68,7 @@ fn slides(amplitude: f64) -> impl Iterator<Item = f64> {
     (1..=QUARTER).chain((-QUARTER..QUARTER).rev()).chain(1 - QUARTER..=QUARTER).map(part)
 }
 
-fn memory(ball: &Arc<Paraboloid>, path: &[Pose]) -> Attempt<Solved> {
+fn memory(ball: &Arc<Paraboloid>, path: &[Pose]) -> Attempt<Computed> {
     let mut memory = TangentialMemory::new(ball.clone(), GRIP);
     memory.advance(at(0.0))?;
     let mut values = Vec::with_capacity(path.len());
@@ -76,11 +76,11 @@ fn memory(ball: &Arc<Paraboloid>, path: &[Pose]) -> Attempt<Solved> {
         memory.advance(to)?;
         values.push(memory.state().tangential_force);
     }
-    Ok(Solved { values, bytes: size_of::<TangentialMemory>(), ..Solved::default() })
+    Ok(Computed { values, bytes: size_of::<TangentialMemory>(), ..Computed::default() })
 }
 
-fn sheared(mut bed: CoulombBed, path: &[Pose]) -> Solved {
+fn sheared(mut bed: CoulombBed, path: &[Pose]) -> Computed {
     bed.advance(&[at(0.0)]);
     let values = bed.advance(path);
-    Solved { values, bytes: 2 * size_of::<f64>() * bed.depths().len(), ..Solved::default() }
+    Computed { values, bytes: 2 * size_of::<f64>() * bed.depths().len(), ..Computed::default() }
 }

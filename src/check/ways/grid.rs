@@ -2,16 +2,16 @@
 
 use crate::check::case::Attempt;
 use crate::check::closed_forms::ClosedForm;
-use crate::check::row::{Found, Setting, Solved};
-use crate::check::study::{Effort, Method};
+use crate::check::row::{Computed, Found, Setting};
+use crate::check::study::{Method, Thoroughness};
 use crate::halfspace::{self, Boundary, Prescribed, PressedMap, Settings, Start};
 use crate::shape::Profile;
 use ndarray::Array2;
 use std::sync::Arc;
 
 /// The half-space under a shape, E* = 1, in a window of three contact radii.
-pub fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Effort) -> Vec<Method> {
-    let finest = if effort == Effort::Brief { 8 } else { 10 };
+pub fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Thoroughness) -> Vec<Method> {
+    let finest = if effort == Thoroughness::Brief { 8 } else { 10 };
     let method = |n: usize| {
         let shape = shape.clone();
         let prepare = move || {
@@ -26,7 +26,7 @@ pub fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: 
     (5..=finest).map(|k| method(1 << k)).collect()
 }
 
-fn solved(heights: &Array2<f64>, pixel: f64, depth: f64) -> Attempt<Solved> {
+fn solved(heights: &Array2<f64>, pixel: f64, depth: f64) -> Attempt<Computed> {
     let control = Prescribed::Indentation(depth);
     let problem =
         PressedMap { heights: heights.view(), pixel: [pixel; 2], modulus: 1.0, boundary: Boundary::Free, control };
@@ -37,7 +37,7 @@ fn solved(heights: &Array2<f64>, pixel: f64, depth: f64) -> Attempt<Solved> {
         ..Found::default()
     };
     let (bytes, iterations) = (usize::try_from(solution.bytes)?, Some(solution.iterations));
-    Ok(Solved { values: vec![solution.force()], found, bytes, iterations })
+    Ok(Computed { values: vec![solution.force()], found, bytes, iterations })
 }
 
 #[expect(clippy::cast_precision_loss, reason = "grids are far below 2^53")]

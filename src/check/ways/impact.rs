@@ -3,8 +3,8 @@
 use super::script::verlet_contact_time;
 use crate::check::case::Attempt;
 use crate::check::contacts::{paraboloid, plain};
-use crate::check::row::{Setting, Solved};
-use crate::check::study::{Effort, Method, Study};
+use crate::check::row::{Computed, Setting};
+use crate::check::study::{Method, Study, Thoroughness};
 use crate::drive::impact::{Passage, Projectile, StruckHalfSpace};
 use crate::material::{Relaxation, Spectrum};
 use std::hint::black_box;
@@ -14,13 +14,13 @@ use std::sync::Arc;
 const IMPACT: Projectile = Projectile { mass: 1.0, speed: 1.0 };
 
 /// Contact time of a ball, 2.943275184324705 x₀/v.
-pub fn hertz(effort: Effort) -> Attempt<Study> {
+pub fn hertz(effort: Thoroughness) -> Attempt<Study> {
     let depth = (15.0f64 / 16.0).powf(0.4);
     let mut methods = vec![Method::new("energy integral", Setting::FREE, || {
         let ball = paraboloid(1.0)?;
         Ok(move || solved(Passage::new(&plain(ball.clone(), 1.0), IMPACT, 1e-6)?.rebound().contact_time, 0))
     })];
-    let finest = if effort == Effort::Brief { 4 } else { 6 };
+    let finest = if effort == Thoroughness::Brief { 4 } else { 6 };
     for k in 0..finest {
         methods.push(driven(10f64.powi(-2 * k - 1))?);
     }
@@ -30,13 +30,13 @@ pub fn hertz(effort: Effort) -> Attempt<Study> {
         about: "a ball that hits an elastic half-space: contact time".to_owned(),
         quantity: "contact time",
         reference: "2.943275184324705 x₀/v (Johnson 1985, eq. 11.23)".to_owned(),
-        exact: Solved { values: vec![2.943_275_184_324_705 * depth], ..Solved::default() },
+        exact: Computed { values: vec![2.943_275_184_324_705 * depth], ..Computed::default() },
         methods,
     })
 }
 
-fn solved(contact_time: Option<f64>, bytes: usize) -> Attempt<Solved> {
-    Ok(Solved { values: vec![contact_time.ok_or("the bodies do not part")?], bytes, ..Solved::default() })
+fn solved(contact_time: Option<f64>, bytes: usize) -> Attempt<Computed> {
+    Ok(Computed { values: vec![contact_time.ok_or("the bodies do not part")?], bytes, ..Computed::default() })
 }
 
 /// The bed driven by the mass, aiming at `accuracy`; its steps are those it took.

@@ -1,9 +1,9 @@
 //! A rough line on a ball.
 
 use crate::check::case::Attempt;
-use crate::check::row::{Setting, Solved};
+use crate::check::row::{Computed, Setting};
 use crate::check::sketch::si;
-use crate::check::study::{Effort, Method, Study};
+use crate::check::study::{Method, Study, Thoroughness};
 use crate::contact::rough::RoughBed;
 use crate::shape::rough::{Rings, RoughLine, SelfAffine};
 
@@ -13,8 +13,8 @@ const FINEST: usize = 1 << 21;
 const DEPTHS: [f64; 4] = [0.002, 0.005, 0.01, 0.02];
 
 /// A self-affine line, H = 0.8, rms height 10⁻³, on a ball: forces at four depths.
-pub fn line(effort: Effort) -> Attempt<Study> {
-    let finest = if effort == Effort::Brief { 8 } else { 10 };
+pub fn line(effort: Thoroughness) -> Attempt<Study> {
+    let finest = if effort == Thoroughness::Brief { 8 } else { 10 };
     let method = |k| {
         let count = 256usize << k;
         Method::new("sorted springs", Setting::springs(count), move || {
@@ -44,8 +44,8 @@ fn self_affine() -> Attempt<RoughLine> {
     Ok(RoughLine::new(&Rings::of(&spectrum.spectrum()?, 1.0, 256)?, 1))
 }
 
-fn forces(line: &RoughLine, count: usize) -> Attempt<Solved> {
+fn forces(line: &RoughLine, count: usize) -> Attempt<Computed> {
     let bed = RoughBed::under(line, count, 1.0, |x| x * x)?;
     let values = DEPTHS.iter().map(|&depth| bed.at_indentation(depth).force).collect();
-    Ok(Solved { values, bytes: 3 * size_of::<f64>() * bed.springs(), ..Solved::default() })
+    Ok(Computed { values, bytes: 3 * size_of::<f64>() * bed.springs(), ..Computed::default() })
 }

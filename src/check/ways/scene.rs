@@ -1,9 +1,9 @@
 //! Any scene: its own solver at several accuracies, and beds of springs.
 
 use crate::check::case::Attempt;
-use crate::check::row::{Setting, Solved};
+use crate::check::row::{Computed, Setting};
 use crate::check::sketch::result;
-use crate::check::study::{Effort, Method, Study};
+use crate::check::study::{Method, Study, Thoroughness};
 use crate::input::quantity::Accuracy;
 use crate::run::named::{Finding, Named};
 use crate::run::record::Outcome;
@@ -22,7 +22,7 @@ const COARSER: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 ///
 /// # Errors
 /// The scene cannot be run.
-pub fn scene(plan: &Plan, effort: Effort) -> Attempt<Study> {
+pub fn scene(plan: &Plan, effort: Thoroughness) -> Attempt<Study> {
     let finest = run::run(&refined(plan, None, FINEST)?, Wanted::NOTHING)?;
     let coarse = run::run(&refined(plan, None, COARSER[0])?, Wanted::NOTHING)?;
     let exact = numbers(&finest);
@@ -53,7 +53,7 @@ pub fn scene(plan: &Plan, effort: Effort) -> Attempt<Study> {
         about: format!("{title}: all named results"),
         quantity: "results",
         reference,
-        exact: Solved { values: vec![1.0; exact.len()], ..Solved::default() },
+        exact: Computed { values: vec![1.0; exact.len()], ..Computed::default() },
         methods,
     })
 }
@@ -74,8 +74,8 @@ fn numbers(outcome: &Outcome) -> Vec<(String, f64)> {
     outcome.results.iter().filter(|named| !noise(named)).filter_map(number).collect()
 }
 
-fn solved(plan: &Plan, exact: &[(String, f64)]) -> Attempt<Solved> {
+fn solved(plan: &Plan, exact: &[(String, f64)]) -> Attempt<Computed> {
     let outcome = run::run(plan, Wanted::NOTHING)?;
     let values = exact.iter().map(|(name, right)| Ok(result(&outcome, name)? / right));
-    Ok(Solved { values: values.collect::<Attempt<_>>()?, bytes: outcome.plan.state_bytes, ..Solved::default() })
+    Ok(Computed { values: values.collect::<Attempt<_>>()?, bytes: outcome.plan.state_bytes, ..Computed::default() })
 }

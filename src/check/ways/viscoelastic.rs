@@ -4,8 +4,8 @@ use super::script::Steps;
 use crate::check::case::Attempt;
 use crate::check::contacts::paraboloid;
 use crate::check::measured::{Creeping, DEPTH, triangle};
-use crate::check::row::{Setting, Solved};
-use crate::check::study::{Effort, Method, Study};
+use crate::check::row::{Computed, Setting};
+use crate::check::study::{Method, Study, Thoroughness};
 use crate::contact::viscoelastic::continuous::ContinuousContact;
 use crate::contact::viscoelastic::creep::Creep;
 use crate::contact::viscoelastic::direct::Direct;
@@ -27,7 +27,7 @@ const RECORDS: usize = 10;
 const PAUSE: f64 = 0.1;
 
 /// A ball with R = 1 driven by 0.01 and back, E* = 0.4 + 3.6e^{−t/0.2}: forces in and out.
-pub fn ting(effort: Effort) -> Attempt<Study> {
+pub fn ting(effort: Thoroughness) -> Attempt<Study> {
     let exact = triangle();
     let times = (1..=2 * RECORDS).map(|k| as_f64(k) * PAUSE);
     let values = times.map(|t| Ok(exact.at(t)?.0)).collect::<Attempt<_>>()?;
@@ -53,7 +53,7 @@ pub fn ting(effort: Effort) -> Attempt<Study> {
         about: "a ball driven into a standard linear solid and back: forces in and out".to_owned(),
         quantity: "force",
         reference: "Ting's integral".to_owned(),
-        exact: Solved { values, ..Solved::default() },
+        exact: Computed { values, ..Computed::default() },
         methods,
     })
 }
@@ -62,7 +62,7 @@ fn spectrum() -> Arc<Spectrum> {
     Arc::new(Spectrum::new(&triangle().relaxation))
 }
 
-fn continuous(spectrum: &Arc<Spectrum>, ball: &Arc<Paraboloid>) -> Attempt<Solved> {
+fn continuous(spectrum: &Arc<Spectrum>, ball: &Arc<Paraboloid>) -> Attempt<Computed> {
     let mut bed = Memory::new(spectrum.clone(), ball.clone());
     let mut values = Vec::new();
     for speed in [DEPTH, -DEPTH] {
@@ -71,7 +71,7 @@ fn continuous(spectrum: &Arc<Spectrum>, ball: &Arc<Paraboloid>) -> Attempt<Solve
         }
         bed.advance(speed, 1.0)?;
     }
-    Ok(Solved { values, bytes: size_of::<Memory>(), ..Solved::default() })
+    Ok(Computed { values, bytes: size_of::<Memory>(), ..Computed::default() })
 }
 
 /// Speeds of all records.
@@ -79,20 +79,20 @@ fn speeds() -> impl Iterator<Item = f64> {
     (0..2 * RECORDS).map(|k| if k < RECORDS { DEPTH } else { -DEPTH })
 }
 
-fn lazy(mut bed: Lazy) -> Solved {
+fn lazy(mut bed: Lazy) -> Computed {
     let values = speeds().map(|speed| {
         bed.advance(speed, PAUSE);
         bed.force()
     });
-    Solved { values: values.collect(), bytes: bed.bytes(), ..Solved::default() }
+    Computed { values: values.collect(), bytes: bed.bytes(), ..Computed::default() }
 }
 
-fn direct(mut bed: Direct) -> Solved {
+fn direct(mut bed: Direct) -> Computed {
     let values = speeds().map(|speed| {
         bed.advance(speed, PAUSE);
         bed.force()
     });
-    Solved { values: values.collect(), bytes: bed.bytes(), ..Solved::default() }
+    Computed { values: values.collect(), bytes: bed.bytes(), ..Computed::default() }
 }
 
 /// The usual way: every spring in every step.
@@ -108,7 +108,7 @@ fn euler(count: usize) -> Method {
             let forces = steps.explicit_euler(&relaxation, &layout.height, width);
             let every = count / (2 * RECORDS);
             let values = forces.iter().skip(every - 1).step_by(every).copied().collect();
-            Ok(Solved { values, bytes: 3 * size_of::<f64>() * EULER_SPRINGS, ..Solved::default() })
+            Ok(Computed { values, bytes: 3 * size_of::<f64>() * EULER_SPRINGS, ..Computed::default() })
         })
     })
 }
@@ -118,13 +118,13 @@ const CREEPING: Creeping = Creeping { force: 1e-3, rise: 0.01 };
 const LATER: [f64; 5] = [0.1, 0.5, 1.0, 3.0, 10.0];
 
 /// A ball under a force that rises at once and stays: contact radii.
-pub fn creep(effort: Effort) -> Attempt<Study> {
+pub fn creep(effort: Thoroughness) -> Attempt<Study> {
     let spectrum = || Arc::new(Spectrum::new(&Creeping::relaxation()));
     let mut methods = vec![Method::new("compliance integral", Setting::FREE, move || {
         let (spectrum, ball) = (spectrum(), paraboloid(1.0)?);
         Ok(move || integral(&spectrum, &ball))
     })];
-    let finest = if effort == Effort::Brief { 4 } else { 6 };
+    let finest = if effort == Thoroughness::Brief { 4 } else { 6 };
     methods.extend((1..=finest).map(|digits| {
         Method::new("continuous bed, force met by steps", Setting::FREE, move || {
             let bed = ContinuousContact::new(Memory::new(spectrum(), paraboloid(1.0)?));
@@ -136,24 +136,24 @@ pub fn creep(effort: Effort) -> Attempt<Study> {
         about: "a ball under a constant force on a standard linear solid: contact radii".to_owned(),
         quantity: "contact radius",
         reference: "a³ = (3R/4) ∫ J dF in closed form".to_owned(),
-        exact: Solved { values: LATER.map(|t| CREEPING.radius(t)).to_vec(), ..Solved::default() },
+        exact: Computed { values: LATER.map(|t| CREEPING.radius(t)).to_vec(), ..Computed::default() },
         methods,
     })
 }
 
-fn integral(spectrum: &Arc<Spectrum>, ball: &Arc<Paraboloid>) -> Attempt<Solved> {
+fn integral(spectrum: &Arc<Spectrum>, ball: &Arc<Paraboloid>) -> Attempt<Computed> {
     let risen = Creep::new(spectrum.clone(), ball.clone()).after(CREEPING.force, CREEPING.rise);
     let depth = |t: &f64| risen.after(CREEPING.force, *t).indentation().ok_or("the force leaves the profile");
     let radii: Result<_, _> = LATER.iter().map(|t| depth(t).map(f64::sqrt)).collect();
-    Ok(Solved { values: radii?, bytes: size_of::<Creep>(), ..Solved::default() })
+    Ok(Computed { values: radii?, bytes: size_of::<Creep>(), ..Computed::default() })
 }
 
-fn driven(mut bed: ContinuousContact, accuracy: f64) -> Attempt<Solved> {
+fn driven(mut bed: ContinuousContact, accuracy: f64) -> Attempt<Computed> {
     let Creeping { force, rise } = CREEPING;
     press(&mut bed, &Ramp { from: 0.0, rate: force / rise, accuracy, scale: force }, &[rise])?;
     let states = press(&mut bed, &Ramp { from: force, rate: 0.0, accuracy, scale: force }, &LATER)?;
     let radii: Option<Vec<f64>> = states.iter().map(|state| state.contact_radius).collect();
-    Ok(Solved { values: radii.ok_or("no contact radius")?, ..Solved::default() })
+    Ok(Computed { values: radii.ok_or("no contact radius")?, ..Computed::default() })
 }
 
 #[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]

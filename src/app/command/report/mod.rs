@@ -16,7 +16,7 @@ use crate::check::case::{Case, Question};
 use crate::check::cases;
 use crate::check::row::Row;
 use crate::check::speed;
-use crate::check::study::{Effort, Study};
+use crate::check::study::{Study, Thoroughness};
 use crate::check::ways;
 use rayon::prelude::*;
 use serde_json::json;
@@ -30,7 +30,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 pub fn run(
     topic: Topic,
     scene: Option<&Path>,
-    effort: Effort,
+    effort: Thoroughness,
     common: &Common,
     console: &Console,
 ) -> Result<(), Failure> {
@@ -61,7 +61,7 @@ struct Report {
 type Failed = Vec<String>;
 
 /// Scenes with the errors they state, then all ways to compute the cases that have several.
-fn accuracy(effort: Effort, console: &Console) -> Result<(Report, Failed), Failure> {
+fn accuracy(effort: Thoroughness, console: &Console) -> Result<(Report, Failed), Failure> {
     let studies = cases::studies(effort).map_err(Failure::failed)?;
     let rows = measured(&studies, effort, console);
     let stated: Vec<Row> = cases::all().iter().flat_map(stated).collect();
@@ -85,7 +85,7 @@ fn stated(case: &Case) -> Vec<Row> {
 }
 
 /// One scene by its own solver at several accuracies and by springs.
-fn accuracy_of(path: &Path, effort: Effort, console: &Console) -> Result<(Report, Failed), Failure> {
+fn accuracy_of(path: &Path, effort: Thoroughness, console: &Console) -> Result<(Report, Failed), Failure> {
     let scene = SceneFile::load(path).map_err(Failure::Scene)?;
     let studies = [ways::scene(&scene.setup, effort).map_err(Failure::failed)?];
     let rows = measured(&studies, effort, console);
@@ -105,7 +105,7 @@ fn accuracy_of(path: &Path, effort: Effort, console: &Console) -> Result<(Report
 
 /// The rows of each study.
 #[expect(clippy::cast_precision_loss, reason = "few studies")]
-fn measured(studies: &[Study], effort: Effort, console: &Console) -> Vec<Vec<Row>> {
+fn measured(studies: &[Study], effort: Thoroughness, console: &Console) -> Vec<Vec<Row>> {
     let progress = Progress::of("report accuracy", console);
     let all = studies.len() as f64;
     let rows = |(at, study): (usize, &Study)| study.rows(effort, &mut |share| progress.done((at as f64 + share) / all));
@@ -164,7 +164,7 @@ pub(super) fn verdicts(cases: &[Case], done: &(dyn Fn(f64) + Sync)) -> Vec<Row> 
 }
 
 /// Every kernel at several sizes.
-fn throughput(effort: Effort, console: &Console) -> Result<(Report, Failed), Failure> {
+fn throughput(effort: Thoroughness, console: &Console) -> Result<(Report, Failed), Failure> {
     let progress = Progress::of("report speed", console);
     let rows = speed::rows(&speed::kernels(), 5 * effort.budget(), |share| progress.done(share));
     drop(progress);

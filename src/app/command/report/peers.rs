@@ -34,11 +34,11 @@ pub fn all() -> Result<Vec<Peer>, Failure> {
 mod tests {
     use super::*;
     use crate::check::cases;
-    use crate::check::study::Effort;
+    use crate::check::study::Thoroughness;
 
     #[test]
     fn every_measurement_belongs_to_a_case_and_names_its_source() {
-        let studies = cases::studies(Effort::Brief).unwrap();
+        let studies = cases::studies(Thoroughness::Brief).unwrap();
         for peer in all().unwrap() {
             assert!(studies.iter().any(|study| study.case == peer.case), "{peer:?}");
             assert!(peer.error > 0.0 && peer.time_s > 0.0 && !peer.source.is_empty(), "{peer:?}");

@@ -5,7 +5,7 @@ use crate::check::case::{Attempt, Case};
 use crate::check::contacts::{paraboloid, plain};
 use crate::check::extreme::{Extreme, Tally, powers};
 use crate::check::sketch::si;
-use crate::check::ting::Triangle;
+use crate::check::ting::TingTriangle;
 use crate::check::ways::script::Steps;
 use crate::contact::viscoelastic::layout::Layout;
 use crate::contact::viscoelastic::lazy::Lazy;
@@ -123,7 +123,7 @@ fn steps() -> Attempt<Tally> {
 fn at_turn(relaxation: Relaxation) -> f64 {
     let (modulus, time) = relaxation.terms[0];
     if time > 3e-3 {
-        return Triangle { relaxation, radius: 1.0, speed: 0.01, turn: 1.0 }.force(1.0, 1.0);
+        return TingTriangle { relaxation, radius: 1.0, speed: 0.01, turn: 1.0 }.force(1.0, 1.0);
     }
     let parts = [1.0, -1.0 / 2.0, -1.0 / 4.0, -3.0 / 8.0, -15.0 / 16.0];
     let decaying = time * parts.iter().rev().fold(0.0, |sum, part| sum * time + part);
