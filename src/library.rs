@@ -15,11 +15,12 @@
 use crate::contact::adhesion::equilibrium::BranchError;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
-use crate::contact::direct::{Attraction, Jump, QuasiStatic};
+use crate::contact::direct::{ElasticAttraction, Jump, QuasiStatic};
+use crate::contact::error::BedError;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::loaded::Loaded;
 use crate::contact::viscoelastic::Spectrum;
-use crate::contact::viscoelastic::memory::{BedError, Memory};
+use crate::contact::viscoelastic::memory::Memory;
 use crate::friction::{FrictionError, Grip, Pose, TangentialMemory};
 use crate::input::quantity::{
     Amplitude, Displacement, Duration, Force, Length, Modulus, Positive, QuantityError, Ratio, Stress, Viscosity,
@@ -199,8 +200,8 @@ impl Contact {
     fn is_adhesive(&self) -> bool {
         match &self.material {
             Material::Elastic(contact) => match contact.attraction() {
-                Attraction::Line(line) => line.work() > 0.0,
-                Attraction::Range(_) => true,
+                ElasticAttraction::Line(line) => line.work() > 0.0,
+                ElasticAttraction::Range(_) => true,
             },
             Material::Viscoelastic(_) => false,
         }

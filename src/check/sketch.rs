@@ -1,7 +1,7 @@
 //! Scenes in SI numbers, written as a scene file is: a shape on rubber, then entry by entry.
 
 use super::attempt::{Attempt, Pairs};
-use crate::contact::adhesion::{Adhesion, Edge, Jkr};
+use crate::contact::adhesion::{Adhesion, EdgeRule, Jkr};
 use crate::friction::{Coulomb, Friction};
 use crate::input::quantity::{Dimension, Domain, Quantity};
 use crate::input::table::InMemory;
@@ -92,7 +92,7 @@ impl Sketch {
 
     /// Adhesion of vanishing range with a work [J/m²].
     #[must_use]
-    pub fn jkr(self, work: f64, edge: Option<Edge>) -> Self {
+    pub fn jkr(self, work: f64, edge: Option<EdgeRule>) -> Self {
         self.adhesion(si(work).map(|work| Adhesion::Jkr(Jkr { work, edge })))
     }
 

@@ -12,20 +12,20 @@ use crate::shape::{Profile, Rim};
 
 /// What holds the edge of the contact.
 #[derive(Debug, Clone)]
-pub enum Attraction<F = HalfSpace> {
+pub enum ElasticAttraction<F = HalfSpace> {
     /// Nothing, or an attraction of vanishing range.
     Line(EdgeLine<F>),
     /// An attraction of finite range.
     Range(RangeDisc),
 }
 
-impl<F> From<EdgeLine<F>> for Attraction<F> {
+impl<F> From<EdgeLine<F>> for ElasticAttraction<F> {
     fn from(line: EdgeLine<F>) -> Self {
         Self::Line(line)
     }
 }
 
-impl From<RangeDisc> for Attraction {
+impl From<RangeDisc> for ElasticAttraction {
     fn from(disc: RangeDisc) -> Self {
         Self::Range(disc)
     }
@@ -59,7 +59,7 @@ pub struct Present {
 /// A quasi-static contact of two elastic bodies, and the energy it has lost in jumps.
 #[derive(Debug, Clone)]
 pub struct QuasiStatic<F = HalfSpace> {
-    attraction: Attraction<F>,
+    attraction: ElasticAttraction<F>,
     by_depth: Option<Branches>,
     by_force: Option<Branches>,
     s: f64,
@@ -70,7 +70,7 @@ pub struct QuasiStatic<F = HalfSpace> {
 impl<F: Foundation> QuasiStatic<F> {
     /// Bodies that just touch, d = 0, before any attraction has acted; `attraction` is what holds the edge.
     #[must_use]
-    pub fn new(attraction: impl Into<Attraction<F>>) -> Self {
+    pub fn new(attraction: impl Into<ElasticAttraction<F>>) -> Self {
         let attraction = attraction.into();
         let s = attraction.start();
         let balance = Balance { contact_radius: 0.0, reach: 0.0, indentation: 0.0, force: 0.0 };
@@ -92,7 +92,7 @@ impl<F: Foundation> QuasiStatic<F> {
 
     /// What holds the edge.
     #[must_use]
-    pub fn attraction(&self) -> &Attraction<F> {
+    pub fn attraction(&self) -> &ElasticAttraction<F> {
         &self.attraction
     }
 
@@ -199,8 +199,8 @@ impl<F: Foundation> QuasiStatic<F> {
         let ends = matches!(self.profile().rim(), Rim::End(_));
         let steep = |line: &EdgeLine<F>| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
         match (&self.attraction, control) {
-            (Attraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
-            (Attraction::Line(line), Control::Force) if steep(line) => {
+            (ElasticAttraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
+            (ElasticAttraction::Line(line), Control::Force) if steep(line) => {
                 Balance { force: to, ..line.under_wall(s, line.indentation_under_wall(s, to)) }
             }
             (smooth, Control::Indentation) => Balance { indentation: to, ..smooth.at(s) },
@@ -210,7 +210,7 @@ impl<F: Foundation> QuasiStatic<F> {
 
     /// A contact held by a wall; an error at the end of a profile that is not defined further.
     fn beyond_end(&self, control: Control, s: f64, to: f64) -> Result<Present, BranchError> {
-        let (Attraction::Line(line), Rim::Wall(_)) = (&self.attraction, self.profile().rim()) else {
+        let (ElasticAttraction::Line(line), Rim::Wall(_)) = (&self.attraction, self.profile().rim()) else {
             return Err(BranchError::BeyondEnd { end: s });
         };
         let d = match control {
@@ -273,8 +273,8 @@ impl<F: Foundation> QuasiStatic<F> {
     fn energy_of(&self, balance: Option<&Balance>) -> Energy {
         let Some(balance) = balance else { return Energy::default() };
         match &self.attraction {
-            Attraction::Line(line) => line.energy(balance.contact_radius, balance.indentation),
-            Attraction::Range(disc) => disc.energy(balance),
+            ElasticAttraction::Line(line) => line.energy(balance.contact_radius, balance.indentation),
+            ElasticAttraction::Range(disc) => disc.energy(balance),
         }
     }
 
@@ -289,8 +289,8 @@ impl<F: Foundation> QuasiStatic<F> {
     #[must_use]
     pub fn stiffness_at(&self, a: f64) -> f64 {
         match &self.attraction {
-            Attraction::Line(line) => line.ground().stiffness(a),
-            Attraction::Range(disc) => disc.ground().stiffness(a),
+            ElasticAttraction::Line(line) => line.ground().stiffness(a),
+            ElasticAttraction::Range(disc) => disc.ground().stiffness(a),
         }
     }
 
@@ -303,8 +303,8 @@ impl<F: Foundation> QuasiStatic<F> {
     #[must_use]
     pub fn profile(&self) -> &dyn Profile {
         match &self.attraction {
-            Attraction::Line(line) => line.ground().profile(),
-            Attraction::Range(disc) => disc.ground().profile(),
+            ElasticAttraction::Line(line) => line.ground().profile(),
+            ElasticAttraction::Range(disc) => disc.ground().profile(),
         }
     }
 }
@@ -314,8 +314,8 @@ impl QuasiStatic {
     #[must_use]
     pub fn ground(&self) -> &HalfSpace {
         match &self.attraction {
-            Attraction::Line(line) => line.ground(),
-            Attraction::Range(disc) => disc.ground(),
+            ElasticAttraction::Line(line) => line.ground(),
+            ElasticAttraction::Range(disc) => disc.ground(),
         }
     }
 
@@ -324,7 +324,7 @@ impl QuasiStatic {
     pub fn loaded(&self) -> Loaded {
         let balance = self.present.balance;
         match &self.attraction {
-            Attraction::Range(disc) if self.present.joined => Loaded::attracted(disc.clone(), balance),
+            ElasticAttraction::Range(disc) if self.present.joined => Loaded::attracted(disc.clone(), balance),
             _ => Loaded::elastic(self.ground().clone(), balance.contact_radius, self.edge_load())
                 .at_depth(balance.indentation),
         }
@@ -334,7 +334,7 @@ impl QuasiStatic {
     fn edge_load(&self) -> f64 {
         let Balance { contact_radius, indentation, .. } = self.present.balance;
         match &self.attraction {
-            Attraction::Line(line) if self.present.joined && !self.is_smooth() => {
+            ElasticAttraction::Line(line) if self.present.joined && !self.is_smooth() => {
                 line.ground().modulus() * (indentation - line.ground().depth(contact_radius))
             }
             _ => 0.0,
@@ -360,7 +360,7 @@ impl QuasiStatic {
     }
 }
 
-impl<F: Foundation> Attraction<F> {
+impl<F: Foundation> ElasticAttraction<F> {
     fn at(&self, s: f64) -> Balance {
         match self {
             Self::Line(line) => line.at(s),
@@ -369,7 +369,7 @@ impl<F: Foundation> Attraction<F> {
     }
 }
 
-impl<F: Foundation> Equilibrium for Attraction<F> {
+impl<F: Foundation> Equilibrium for ElasticAttraction<F> {
     fn value(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.value(control, s),

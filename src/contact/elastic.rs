@@ -22,13 +22,13 @@ fn normal(contact: &QuasiStatic, balance: &Balance, stored: Energy, dissipated: 
 
 /// The jumps of a motion, before which `lost` [J] had been lost; under a prescribed depth also the states
 /// between them at which the force turns: pull-off is no matter of records.
-struct Course<'c> {
+struct EventLog<'c> {
     contact: &'c mut QuasiStatic,
     lost: f64,
     events: Vec<Event>,
 }
 
-impl Course<'_> {
+impl EventLog<'_> {
     fn turns(&mut self, from: f64, to: f64) -> Result<(), ContactError> {
         for balance in self.contact.force_turns(from, to)? {
             let state = normal(self.contact, &balance, self.contact.energy_at(&balance), self.lost);
@@ -58,7 +58,7 @@ impl ContactModel for QuasiStatic {
         let (mut from, lost) = (self.present().balance.reach, self.dissipated());
         let jumps = self.indent(piece.to)?;
         let end = self.present().balance.reach;
-        let mut course = Course { contact: self, lost, events: Vec::new() };
+        let mut course = EventLog { contact: self, lost, events: Vec::new() };
         for jump in &jumps {
             course.turns(from, jump.before.reach)?;
             from = jump.after.map_or(0.0, |balance| balance.reach);
@@ -97,7 +97,7 @@ impl ContactModel for QuasiStatic {
             Ok(jumps) => jumps,
             Err(error) => return Some(Err(error.into())),
         };
-        let mut course = Course { contact: self, lost, events: Vec::new() };
+        let mut course = EventLog { contact: self, lost, events: Vec::new() };
         jumps.iter().for_each(|jump| course.jump(jump));
         Some(Ok(course.events))
     }

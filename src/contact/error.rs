@@ -1,9 +1,7 @@
 //! Why a contact cannot follow what is prescribed.
 
 use super::adhesion::equilibrium::BranchError;
-use super::plane::PlaneError;
-use super::rough::LineTooShort;
-use super::viscoelastic::memory::BedError;
+use crate::numerics::root::RootError;
 
 /// Why a contact cannot follow what is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -31,6 +29,77 @@ pub enum ContactError {
     /// No state of the tangential contact.
     #[error(transparent)]
     Friction(#[from] FrictionError),
+}
+
+/// Why a bed could not follow.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum BedError {
+    /// The contact would become larger than the profile.
+    #[error("the contact outgrows the profile at the indentation {indentation:e} m")]
+    BeyondProfile {
+        /// Indentation [m].
+        indentation: f64,
+    },
+}
+
+/// Why a plane contact cannot follow.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum PlaneError {
+    /// The wave is flat.
+    #[error(
+        "an indentation of {indentation:e} m is beyond full contact at {full:e} m, where it no longer decides the force: expected Press(to: …)"
+    )]
+    FullContact {
+        /// Indentation asked for [m].
+        indentation: f64,
+        /// Indentation of full contact [m].
+        full: f64,
+    },
+    /// The contact is wider than the datum.
+    #[error("the half width {half_width:e} m of the contact reaches the datum: expected a `datum` well above it")]
+    Datum {
+        /// Half width [m].
+        half_width: f64,
+    },
+    /// A wavy parabola is followed by its force.
+    #[error("the depth of a wavy parabola is known from its force only: expected Press(to: …) or HoldForce(…)")]
+    ByForce,
+    /// The waves cannot be resolved.
+    #[error(transparent)]
+    Waves(#[from] ConnectivityError),
+}
+
+/// Why no contact was found.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ConnectivityError {
+    /// The deviation is too rough for the Chebyshev series.
+    #[error(
+        "slope of the roughness is not resolved by {terms} Chebyshev terms over the contact of half width {half_width:e} m: it has kinks or too short waves"
+    )]
+    NotResolved {
+        /// Terms tried.
+        terms: usize,
+        /// Half width of the contact [m].
+        half_width: f64,
+    },
+    /// No half width carries the load.
+    #[error("no balanced contact in one piece carries this load")]
+    NoContact,
+    /// No centre balances the contact.
+    #[error("no centre balances the contact: {0}")]
+    NoCentre(#[from] RootError),
+}
+
+/// The contact grows out of the line.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error(
+    "at an indentation of {indentation:e} m the contact reaches the ends of the rough line: expected a `length` well above {length:e} m"
+)]
+pub struct LineTooShort {
+    /// Indentation [m].
+    pub indentation: f64,
+    /// Length of the line [m].
+    pub length: f64,
 }
 
 /// Why a tangential state does not exist.

@@ -261,7 +261,7 @@ mod tests {
             let parted = contact.press(-9.0).unwrap()[0].before;
             // The default integrals meet xᵐ with a broken m: 32 nodes leave 32^(−2m−2), m ≥ 2.
             assert!((parted.force / pull_off - 1.0).abs() < 1e-9, "{exponent}: {}", parted.force);
-            let mut bed = SpringBed::new(graded(exponent), (4000, 4.0), 1.0);
+            let mut bed = SpringBed::new(graded(exponent), 4000, 4.0, 1.0);
             bed.press(0.0);
             // Counted springs miss half a cell at the edge, hΔl of F.
             assert!(bed.press(0.995 * pull_off) && !bed.press(1.005 * pull_off), "{exponent}");

@@ -1,6 +1,7 @@
 //! Normal contacts: the direct path, beds of springs, viscoelastic beds, plane and rough contacts.
 
 pub mod adhesion;
+pub mod creep;
 pub mod direct;
 pub mod elliptic;
 mod elastic;

@@ -1,10 +1,10 @@
 //! What a drive asks of a contact, whatever it is made of.
 
+use super::creep::Creep;
 use super::error::ContactError;
 use super::loaded::Loaded;
 use super::state::{Normal, Tangential};
-use super::viscoelastic::Spectrum;
-use super::viscoelastic::creep::Creep;
+use crate::material::Spectrum;
 use std::sync::Arc;
 
 /// A straight piece of the motion: depth and tangential displacement go linearly with time.

@@ -3,6 +3,7 @@
 //! A line load of one over 0 ≤ x < b is the pressure 1/(π√(b²−r²)) of a flat punch. With ζ = z − ib and
 //! ρ = √(r² + ζ²) its stresses are imaginary parts of elementary functions (Johnson 1985, §3.8).
 
+use crate::numerics::complex::Complex;
 use std::f64::consts::FRAC_1_PI;
 use std::ops::{Add, Mul};
 
@@ -85,10 +86,10 @@ impl Point {
         let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
         let cube = inverse * inverse * inverse;
         let fifth = cube * inverse * inverse;
-        let bend = Complex { re: 3.0 * (zeta * zeta * fifth).re - cube.re, im: 0.0 };
+        let bend = 3.0 * (zeta * zeta * fifth).re - cube.re;
         self.stress(
             (zeta * cube).re,
-            self.depth * bend.re,
+            self.depth * bend,
             (1.0 - 2.0 * self.poisson) * (inverse * near).re - self.depth * cube.re,
             3.0 * self.depth * self.radius * (zeta * fifth).re,
         )
@@ -110,42 +111,6 @@ impl Point {
                 axial: -even - bent,
                 shear: -shear,
             }
-    }
-}
-
-/// A complex number.
-#[derive(Debug, Clone, Copy)]
-struct Complex {
-    re: f64,
-    im: f64,
-}
-
-impl Complex {
-    fn inverse(self) -> Self {
-        let size = self.re.hypot(self.im);
-        Self { re: self.re / size / size, im: -self.im / size / size }
-    }
-
-    /// The root with a positive real part.
-    fn sqrt(self) -> Self {
-        let size = self.re.hypot(self.im);
-        let half = (0.5 * (size + self.re.abs())).sqrt();
-        let other = 0.5 * self.im / half;
-        if self.re >= 0.0 { Self { re: half, im: other } } else { Self { re: other.abs(), im: half.copysign(self.im) } }
-    }
-}
-
-impl Add for Complex {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self { re: self.re + other.re, im: self.im + other.im }
-    }
-}
-
-impl Mul for Complex {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Spring bed of a rough line: independent springs, sorted by height.
 
 use super::adhesion::line::Energy;
-use super::error::ContactError;
+use super::error::{ContactError, LineTooShort};
 use super::model::{ContactModel, Effort, Event, Glance, Loading, Pull, Straight};
 use super::state::Normal;
 use crate::shape::rough::{RoughError, RoughLine, positive};
@@ -136,18 +136,6 @@ fn number(n: usize) -> f64 {
 
 /// Part of the line at either end that a contact on a curved shape must not reach.
 const MARGIN: f64 = 1.0 / 16.0;
-
-/// The contact grows out of the line.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error(
-    "at an indentation of {indentation:e} m the contact reaches the ends of the rough line: expected a `length` well above {length:e} m"
-)]
-pub struct LineTooShort {
-    /// Indentation [m].
-    pub indentation: f64,
-    /// Length of the line [m].
-    pub length: f64,
-}
 
 /// A rough line pressed on its bed; indentation counts from first touch.
 #[derive(Debug, Clone)]

@@ -58,7 +58,7 @@ impl<F: Foundation> SpringBed<F> {
     /// `springs` springs on `ground` out to the radius `reach` [m], with the work of adhesion `work` [J/m²].
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
-    pub fn new(ground: F, (springs, reach): (usize, f64), work: f64) -> Self {
+    pub fn new(ground: F, springs: usize, reach: f64, work: f64) -> Self {
         let spacing = ground.measure(reach) / springs as f64;
         let place = |i: usize| ground.radius((i as f64 + 0.5) * spacing);
         let reduced = Array1::from_shape_fn(springs, |i| ground.depth(place(i)));
@@ -350,7 +350,7 @@ mod tests {
         #[test]
         fn hertz_stays_in_the_envelope(k in 1i32..400, n in 20usize..400) {
             let d = 1e-3 * (0.3 + 0.0017 * f64::from(k));
-            let mut bed = SpringBed::new(ground(), (n, 0.04), 0.0).with_edge(EdgeLocation::AtSprings);
+            let mut bed = SpringBed::new(ground(), n, 0.04, 0.0).with_edge(EdgeLocation::AtSprings);
             bed.indent(d);
             let exact = 4.0 / 3.0 * d.powf(1.5);
             let scaled = (bed.force() / exact - 1.0) * d / bed.spacing.powi(2);
@@ -362,7 +362,7 @@ mod tests {
         #[test]
         fn both_controls_agree(k in 1i32..400, n in 20usize..400) {
             let d = 1e-3 * (0.3 + 0.0017 * f64::from(k));
-            let mut bed = SpringBed::new(ground(), (n, 0.04), 0.0);
+            let mut bed = SpringBed::new(ground(), n, 0.04, 0.0);
             let mut pressed = bed.clone();
             bed.indent(d);
             prop_assert!(pressed.press(bed.counted_force()));
@@ -377,7 +377,7 @@ mod tests {
     #[test]
     fn jkr_edge_lies_between_springs() {
         for springs in [200, 800] {
-            let mut bed = SpringBed::new(ground(), (springs, 3.0), 1.0);
+            let mut bed = SpringBed::new(ground(), springs, 3.0, 1.0);
             bed.indent(0.5);
             bed.indent(-1.2);
             let a = bed.contact_radius();

@@ -1,10 +1,9 @@
 //! A prescribed force, followed in straight pieces of the depth.
 
-use crate::contact::error::ContactError;
+use crate::contact::creep::Creep;
+use crate::contact::error::{BedError, ContactError};
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
-use crate::contact::viscoelastic::creep::Creep;
-use crate::contact::viscoelastic::memory::BedError;
 use crate::numerics::root;
 
 /// A prescribed force that goes linearly with time.

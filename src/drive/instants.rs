@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 
 /// Something that happens at an instant of a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Instant {
+pub struct NotableInstant {
     /// Time since the beginning of the piece [s].
     pub time: f64,
     /// The last time before it [s], where the state changes suddenly.
@@ -58,7 +58,7 @@ pub struct Watch {
     times: VecDeque<f64>,
     /// Where the contact is, and the looks ahead of it that have been made.
     seen: VecDeque<Glimpse>,
-    found: VecDeque<Instant>,
+    found: VecDeque<NotableInstant>,
 }
 
 impl Watch {
@@ -92,7 +92,7 @@ impl Watch {
     }
 
     /// The next instant not after `time` [s].
-    pub fn take_until(&mut self, time: f64) -> Option<Instant> {
+    pub fn take_until(&mut self, time: f64) -> Option<NotableInstant> {
         if self.found.front()?.time <= time { self.found.pop_front() } else { None }
     }
 
@@ -103,7 +103,7 @@ impl Watch {
 
     /// Adds the beginning of the piece to what happens on it.
     pub fn note_beginning(&mut self) {
-        self.found.push_front(Instant { time: 0.0, just_before: None });
+        self.found.push_front(NotableInstant { time: 0.0, just_before: None });
     }
 
     /// Looks two intervals ahead.
@@ -144,7 +144,7 @@ impl Watch {
         contact: &mut dyn ContactModel,
         before: Glimpse,
         after: Glimpse,
-    ) -> Result<Option<Instant>, ContactError> {
+    ) -> Result<Option<NotableInstant>, ContactError> {
         let joined = before.joined();
         let (mut low, mut high) = (before.time, after.time);
         if low <= 0.0 && (self.see(contact, BEGINNING * high)?.contact_radius > 0.0) != joined {
@@ -163,11 +163,15 @@ impl Watch {
             let still = self.see(contact, middle)?.contact_radius > 0.0;
             *(if still == joined { &mut low } else { &mut high }) = middle;
         }
-        Ok(Some(Instant { time: high, just_before: torn.map(|_| low) }))
+        Ok(Some(NotableInstant { time: high, just_before: torn.map(|_| low) }))
     }
 
     /// The turn of the force among three looks.
-    fn turn(&self, contact: &mut dyn ContactModel, three: [Glimpse; 3]) -> Result<Option<Instant>, ContactError> {
+    fn turn(
+        &self,
+        contact: &mut dyn ContactModel,
+        three: [Glimpse; 3],
+    ) -> Result<Option<NotableInstant>, ContactError> {
         let [first, middle, last] = three.map(|glimpse| glimpse.seen.force);
         let noise = NOISE * middle.abs().max(first.abs()).max(last.abs());
         let sign = if middle > first { 1.0 } else { -1.0 };
@@ -177,6 +181,6 @@ impl Watch {
         }
         let force = |time: f64| Ok::<_, ContactError>(sign * self.see(contact, time)?.force);
         let peak = extremum::search(force, three[0].time, three[1].time, three[2].time)?;
-        Ok(Some(Instant { time: peak.place, just_before: None }))
+        Ok(Some(NotableInstant { time: peak.place, just_before: None }))
     }
 }

@@ -15,10 +15,10 @@ mod instants;
 pub use cycle::Loop;
 
 use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Pull, Straight};
 use crate::contact::state::{Normal, Tangential};
-use crate::contact::viscoelastic::creep::Creep;
 use chords::Chords;
 use course::{Course, Extent, Path};
 use cycle::Cycle;
@@ -49,19 +49,19 @@ pub struct Driver {
     /// A pull has parted the bodies.
     parted: bool,
     cycle: Cycle,
-    stage: Stage,
+    stage: ActiveStage,
 }
 
 /// The stage a contact is in.
 #[derive(Debug, Clone)]
-struct Stage {
+struct ActiveStage {
     course: Course,
     /// What is prescribed, and the tangential displacement [m], at its beginning.
     from: f64,
     slide: f64,
     /// Time since its beginning [s].
     now: f64,
-    way: Way,
+    remainder: Remainder,
     leg: Option<Leg>,
     /// Force in the middle of the last chord [N].
     middle: Option<f64>,
@@ -69,7 +69,7 @@ struct Stage {
 
 /// The rest of a stage.
 #[derive(Debug, Clone)]
-enum Way {
+enum Remainder {
     /// From record to record.
     Records,
     /// At constant speed to this depth [m].
@@ -100,7 +100,7 @@ impl Leg {
     }
 }
 
-impl Stage {
+impl ActiveStage {
     /// Tangential displacement [m] at the time `t` [s].
     fn slide_at(&self, t: f64) -> f64 {
         let over = self.course.over;
@@ -124,7 +124,15 @@ impl Driver {
             over: 0.0,
             extent: Extent::Entry,
         };
-        let stage = Stage { course, from: 0.0, slide: 0.0, now: 0.0, way: Way::Done, leg: None, middle: None };
+        let stage = ActiveStage {
+            course,
+            from: 0.0,
+            slide: 0.0,
+            now: 0.0,
+            remainder: Remainder::Done,
+            leg: None,
+            middle: None,
+        };
         Self { accuracy, creep: contact.creep(), largest: 0.0, parted: false, cycle: Cycle::default(), stage }
     }
 
@@ -136,7 +144,8 @@ impl Driver {
         let present = self.corrected(contact, contact.state());
         self.largest = self.largest.max(present.force.abs());
         let from = prescribed(&present, course.control);
-        self.stage = Stage { course, from, slide, now: 0.0, way: Way::Records, leg: None, middle: None };
+        self.stage =
+            ActiveStage { course, from, slide, now: 0.0, remainder: Remainder::Records, leg: None, middle: None };
         if contact.memory().is_none() {
             return Ok(());
         }
@@ -151,14 +160,14 @@ impl Driver {
     fn begin_depth(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
         (self.creep, self.parted) = (None, false);
         let (course, depth) = (self.stage.course, depth_of(contact));
-        self.stage.way = match course.normal {
-            Path::Wave(wave) => Way::Chords(Chords::new(depth, wave, course.over, self.accuracy)),
+        self.stage.remainder = match course.normal {
+            Path::Wave(wave) => Remainder::Chords(Chords::new(depth, wave, course.over, self.accuracy)),
             Path::To(to) if course.over <= 0.0 => {
                 contact.follow(&Straight::between(depth, to, 0.0))?;
-                Way::Done
+                Remainder::Done
             }
-            Path::To(to) => Way::Straight(to),
-            Path::Stay | Path::UntilParted { .. } => Way::Straight(depth),
+            Path::To(to) => Remainder::Straight(to),
+            Path::Stay | Path::UntilParted { .. } => Remainder::Straight(depth),
         };
         Ok(())
     }
@@ -173,13 +182,13 @@ impl Driver {
         let ramp = Ramp { from, rate: (to - from) / duration, accuracy: self.accuracy, scale: self.largest };
         let along = self.creep.take();
         self.creep = along.as_ref().map(|creep| creep.after(to, course.over));
-        self.stage.way = Way::Force(ForceDrive::new(ramp, duration, along));
+        self.stage.remainder = Remainder::Force(ForceDrive::new(ramp, duration, along));
         if course.over <= 0.0 {
             while let Some(leg) = self.next_leg(contact)? {
                 contact.follow(&ahead(contact, leg.speed, leg.end - leg.begin))?;
                 self.stage.leg = Some(leg);
             }
-            (self.stage.way, self.stage.leg) = (Way::Done, None);
+            (self.stage.remainder, self.stage.leg) = (Remainder::Done, None);
         }
         Ok(())
     }
@@ -197,7 +206,7 @@ impl Driver {
     pub fn advance(&mut self, contact: &mut dyn ContactModel, part: f64) -> Result<Vec<Occurrence>, ContactError> {
         let mut occurrences = Vec::new();
         let until = part * self.stage.course.over;
-        if let Way::Records = self.stage.way {
+        if let Remainder::Records = self.stage.remainder {
             self.step(contact, part, &mut occurrences)?;
         } else {
             self.walk(contact, until, &mut occurrences)?;
@@ -257,7 +266,7 @@ impl Driver {
             self.stage.now = leg.end;
             self.stage.leg = self.next_leg(contact)?;
         }
-        if let Way::Force(force) = &self.stage.way
+        if let Remainder::Force(force) = &self.stage.remainder
             && force.parted()
             && !self.parted
         {
@@ -308,17 +317,17 @@ impl Driver {
     fn next_leg(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Leg>, ContactError> {
         let begin = self.stage.now;
         let depth = depth_of(contact);
-        let (to, end) = match &mut self.stage.way {
-            Way::Records | Way::Done => return Ok(None),
-            &mut Way::Straight(to) => {
-                self.stage.way = Way::Done;
+        let (to, end) = match &mut self.stage.remainder {
+            Remainder::Records | Remainder::Done => return Ok(None),
+            &mut Remainder::Straight(to) => {
+                self.stage.remainder = Remainder::Done;
                 (to, self.stage.course.over)
             }
-            Way::Chords(chords) => match chords.next() {
+            Remainder::Chords(chords) => match chords.next() {
                 Some(chord) => chord,
                 None => return Ok(None),
             },
-            Way::Force(force) => match force.next(contact)? {
+            Remainder::Force(force) => match force.next(contact)? {
                 Some(stretch) => {
                     let to = depth + stretch.speed * (stretch.until - begin);
                     let (speed, end) = (stretch.speed, stretch.until);
@@ -337,7 +346,7 @@ impl Driver {
     fn watch(&mut self, contact: &mut dyn ContactModel, leg: &Leg) -> Result<Option<Watch>, ContactError> {
         let duration = leg.end - leg.begin;
         let Some(spectrum) = contact.memory().filter(|_| duration > 0.0) else { return Ok(None) };
-        let Way::Chords(chords) = &self.stage.way else {
+        let Remainder::Chords(chords) = &self.stage.remainder else {
             let times = match self.stage.course.extent {
                 Extent::Row => vec![0.5 * duration, duration],
                 Extent::Entry => looks(duration, 1e20 * spectrum.instant()),
@@ -374,7 +383,7 @@ impl Driver {
         if self.parted {
             return Normal { indentation: None, ..state };
         }
-        let (Way::Force(force), Some(spectrum)) = (&self.stage.way, contact.memory()) else { return state };
+        let (Remainder::Force(force), Some(spectrum)) = (&self.stage.remainder, contact.memory()) else { return state };
         let creep = force.exact(self.stage.now);
         let Some((indentation, contact_radius)) = creep.and_then(|creep| creep.indented()) else { return state };
         Normal {

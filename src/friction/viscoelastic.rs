@@ -120,6 +120,18 @@ impl ViscoelasticBed {
         self.springs.len() * (size_of::<(Spring, SpringGrip)>() + 2 * size_of::<f64>() + elements)
     }
 
+    /// Shortest time [s], in which nothing relaxes: the duration of a jump.
+    #[must_use]
+    pub fn instant(&self) -> f64 {
+        self.spectrum.instant()
+    }
+
+    /// Radius up to which the springs stick [m].
+    #[must_use]
+    pub fn stick_radius(&self) -> f64 {
+        self.held().1 as f64 * self.layout.weight.first().map_or(0.0, |weight| 0.5 * weight)
+    }
+
     /// Present depth [m].
     #[must_use]
     pub fn depth(&self) -> f64 {

@@ -10,11 +10,11 @@ use crate::contact::foundation::HalfSpace;
 use crate::contact::model::ContactModel;
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
-use crate::friction::FrictionError;
 use crate::friction::contact::{
     CoulombMemory, CoulombSprings, FrictionalContact, Peeling, SlidingContact, TangentialContact, ViscoelasticFriction,
 };
 use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
+use crate::friction::{FrictionError, ViscoelasticBed};
 use crate::run::record::ErrorEstimate;
 use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw};
 use crate::scene::plan::RoundPlan;
@@ -33,7 +33,7 @@ pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>
         ContactLaw::Direct(adhesion) => Box::new(direct(plan.ground(), *adhesion)?),
         ContactLaw::Springs { count, work } => {
             bed_radius = radius_of_bed(plan, *work)?;
-            Box::new(SpringBed::new(plan.ground(), (count.get(), bed_radius), work.unwrap_or(0.0)))
+            Box::new(SpringBed::new(plan.ground(), count.get(), bed_radius, work.unwrap_or(0.0)))
         }
         ContactLaw::Continuous { relaxation, edge } => viscoelastic::continuous(plan, relaxation, edge.as_ref()),
         ContactLaw::ViscoelasticSprings { relaxation, count } => viscoelastic::springs(plan, relaxation, count.get()),
@@ -88,8 +88,9 @@ fn friction(
             Box::new(bed.accurate_to(friction_accuracy(plan)))
         }
         FrictionLaw::Viscoelastic { coefficient, count, relaxation } => {
-            let (spectrum, size) = (Arc::new(Spectrum::new(relaxation)), (*count, friction_radius(plan)));
-            Box::new(ViscoelasticFriction::new(plan.profile.as_ref(), spectrum, plan.grip(*coefficient), size)?)
+            let (spectrum, grip) = (Arc::new(Spectrum::new(relaxation)), plan.grip(*coefficient));
+            let bed = ViscoelasticBed::new(plan.profile.as_ref(), spectrum, grip, *count, friction_radius(plan))?;
+            Box::new(ViscoelasticFriction::new(bed, grip.tangential_modulus))
         }
         FrictionLaw::Sliding(interface) => Box::new(SlidingContact::new(plan.ground(), interface.clone())),
         FrictionLaw::Peeling { interface, work } => Box::new(Peeling::new(peeled(plan, *work), interface.clone())),

@@ -1,7 +1,7 @@
 //! The laws of a round contact as decided: who computes it, why, and from what.
 
-use super::parts::{Piece, Solver};
-use crate::contact::adhesion::Edge;
+use super::parts::{Component, Solver};
+use crate::contact::adhesion::EdgeRule;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::state::Tangential;
 use crate::contact::viscoelastic::Spectrum;
@@ -52,11 +52,11 @@ impl ElasticAdhesion {
         }
     }
 
-    fn pieces(self) -> Vec<Piece> {
+    fn pieces(self) -> Vec<Component> {
         match self {
             Self::None => Vec::new(),
-            Self::Vanishing { .. } => vec![Piece::VanishingRange],
-            Self::Finite { .. } => vec![Piece::FiniteRange],
+            Self::Vanishing { .. } => vec![Component::VanishingRange],
+            Self::Finite { .. } => vec![Component::FiniteRange],
         }
     }
 }
@@ -67,7 +67,7 @@ pub struct HeldEdge {
     /// Work of adhesion w [J/m²].
     pub work: f64,
     /// What holds it as it opens.
-    pub edge: Edge,
+    pub edge: EdgeRule,
 }
 
 impl HeldEdge {
@@ -75,9 +75,9 @@ impl HeldEdge {
     #[must_use]
     pub fn attraction(&self, spectrum: &Spectrum) -> Attraction {
         match &self.edge {
-            Edge::Relaxed => Attraction::relaxed(self.work, spectrum),
-            Edge::Instantaneous => Attraction::instantaneous(self.work, spectrum),
-            Edge::Rate(rate) => Attraction::with_rate(self.work, spectrum, (rate.speed.si(), rate.exponent.si())),
+            EdgeRule::Relaxed => Attraction::relaxed(self.work, spectrum),
+            EdgeRule::Instantaneous => Attraction::instantaneous(self.work, spectrum),
+            EdgeRule::Rate(rate) => Attraction::with_rate(self.work, spectrum, (rate.speed.si(), rate.exponent.si())),
         }
     }
 }
@@ -159,14 +159,14 @@ impl ContactLaw {
     }
 
     /// What it uses.
-    pub(super) fn pieces(&self) -> Vec<Piece> {
+    pub(super) fn pieces(&self) -> Vec<Component> {
         match self {
             Self::Direct(adhesion) => adhesion.pieces(),
-            Self::Springs { work: Some(_), .. } => vec![Piece::VanishingRange, Piece::Springs],
-            Self::Springs { work: None, .. } => vec![Piece::Springs],
-            Self::Continuous { edge: Some(_), .. } => vec![Piece::VanishingRange, Piece::Prony],
-            Self::Continuous { edge: None, .. } => vec![Piece::Prony],
-            Self::ViscoelasticSprings { .. } => vec![Piece::Prony, Piece::Springs],
+            Self::Springs { work: Some(_), .. } => vec![Component::VanishingRange, Component::Springs],
+            Self::Springs { work: None, .. } => vec![Component::Springs],
+            Self::Continuous { edge: Some(_), .. } => vec![Component::VanishingRange, Component::Prony],
+            Self::Continuous { edge: None, .. } => vec![Component::Prony],
+            Self::ViscoelasticSprings { .. } => vec![Component::Prony, Component::Springs],
         }
     }
 
@@ -271,11 +271,11 @@ impl ImpactLaw {
         }
     }
 
-    pub(super) fn pieces(&self) -> Vec<Piece> {
+    pub(super) fn pieces(&self) -> Vec<Component> {
         match self {
             Self::Elastic(adhesion) => adhesion.pieces(),
-            Self::Viscoelastic { edge: Some(_), .. } => vec![Piece::VanishingRange, Piece::Prony],
-            Self::Viscoelastic { edge: None, .. } => vec![Piece::Prony],
+            Self::Viscoelastic { edge: Some(_), .. } => vec![Component::VanishingRange, Component::Prony],
+            Self::Viscoelastic { edge: None, .. } => vec![Component::Prony],
         }
     }
 
@@ -359,13 +359,13 @@ pub enum FrictionLaw {
 }
 
 impl FrictionLaw {
-    pub(super) fn piece(&self) -> Piece {
+    pub(super) fn piece(&self) -> Component {
         match self {
-            Self::Memory { .. } => Piece::TurningPoints,
-            Self::Springs { .. } => Piece::FrictionSprings,
-            Self::Viscoelastic { .. } => Piece::ViscoelasticFriction,
-            Self::Sliding(_) => Piece::Sliding,
-            Self::Peeling { .. } => Piece::Peeling,
+            Self::Memory { .. } => Component::TurningPoints,
+            Self::Springs { .. } => Component::FrictionSprings,
+            Self::Viscoelastic { .. } => Component::ViscoelasticFriction,
+            Self::Sliding(_) => Component::Sliding,
+            Self::Peeling { .. } => Component::Peeling,
         }
     }
 

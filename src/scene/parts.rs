@@ -21,7 +21,7 @@ pub struct Parts {
 
 /// A part of the computation of a round contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Piece {
+pub(super) enum Component {
     Profile,
     VanishingRange,
     FiniteRange,
@@ -34,7 +34,7 @@ pub(super) enum Piece {
     Springs,
 }
 
-impl Piece {
+impl Component {
     const ALL: [Self; 10] = [
         Self::Profile,
         Self::VanishingRange,
@@ -70,10 +70,10 @@ impl Parts {
     }
 
     /// Those of a round contact.
-    pub(super) fn round(solver: Solver, used: &[Piece]) -> Self {
-        let (used, left_out): (Vec<Piece>, Vec<Piece>) =
-            Piece::ALL.into_iter().partition(|piece| *piece == Piece::Profile || used.contains(piece));
-        let names = |pieces: Vec<Piece>| pieces.into_iter().map(Piece::name).collect();
+    pub(super) fn round(solver: Solver, used: &[Component]) -> Self {
+        let (used, left_out): (Vec<Component>, Vec<Component>) =
+            Component::ALL.into_iter().partition(|piece| *piece == Component::Profile || used.contains(piece));
+        let names = |pieces: Vec<Component>| pieces.into_iter().map(Component::name).collect();
         Self::new(solver, names(used), names(left_out))
     }
 }

@@ -6,7 +6,7 @@ use crate::friction::{Friction, Strength, StrengthCurve};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{self, Joined, Relaxation};
-use crate::scene::history::{Entry, Motion};
+use crate::scene::history::{Entry, MotionTable};
 use crate::shape::{Family, PlaneWave, PlaneWavy, Profile, RoughShape, Shape};
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ pub(super) struct Read {
     pub(super) geometry: Option<Geometry>,
     pub(super) strength: Option<Arc<StrengthCurve>>,
     /// One per history entry: the table it names.
-    pub(super) motions: Vec<Option<Motion>>,
+    pub(super) motions: Vec<Option<MotionTable>>,
 }
 
 impl Read {
@@ -83,10 +83,10 @@ fn strength(friction: Option<&Friction>, tables: &dyn Tables) -> Result<Option<A
     curve.map(Arc::new).map(Some).map_err(|error| Problem::new("friction.shear", error.to_string()))
 }
 
-fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<Motion>> {
+fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<MotionTable>> {
     let mut read = |(index, entry): (usize, &Entry)| {
         let Entry::Table(path) = entry else { return None };
-        let motion = Motion::read(path, tables);
+        let motion = MotionTable::read(path, tables);
         motion.map_err(|error| problems.push(Problem::new(format!("history[{index}]"), error.to_string()))).ok()
     };
     history.iter().enumerate().map(&mut read).collect()

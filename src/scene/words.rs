@@ -1,7 +1,7 @@
 //! Plans in words.
 
 use super::law::FrictionLaw;
-use super::parts::{Parts, Piece, Solver};
+use super::parts::{Component, Parts, Solver};
 use super::plan::{ImpactPlan, Plan, PlanePlan, RoughPlan, RoundPlan};
 use crate::contact::direct::QuasiStatic;
 use crate::contact::plane::PlaneContact;
@@ -42,7 +42,7 @@ impl ImpactPlan {
         let (mut solver, mut used) = (self.law.solver(), self.law.pieces());
         let mut state_bytes = size_of::<QuasiStatic>();
         if self.ball.is_some() {
-            used.push(Piece::TurningPoints);
+            used.push(Component::TurningPoints);
             solver.reason.push_str("; along the surface the Coulomb bed is driven by its memory of turning points, which does not act back on the normal motion");
             state_bytes += size_of::<TangentialMemory>() + 8 * TangentialMemory::BYTES_PER_TURN;
         }
@@ -73,7 +73,7 @@ impl RoughPlan {
         );
         let (mut used, mut left_out) =
             (vec!["equivalent rough line", "springs sorted by height"], vec!["real contact area"]);
-        (if self.base.is_some() { &mut used } else { &mut left_out }).push(Piece::Profile.name());
+        (if self.base.is_some() { &mut used } else { &mut left_out }).push(Component::Profile.name());
         (if self.surface.seeds.len() > 1 { &mut used } else { &mut left_out }).push("ensemble");
         // Gaps, forces and energies of the members that run at a time are no more than those of all.
         Parts { springs, state_bytes: 24 * springs, ..Parts::new(solver, used, left_out) }

@@ -1,7 +1,7 @@
 //! Laws of viscoelastic contacts that hold for whole scenes.
 
 use proptest::prelude::*;
-use springbed::contact::adhesion::{Adhesion, Edge, Jkr, Rate};
+use springbed::contact::adhesion::{Adhesion, EdgeRule, Jkr, Rate};
 use springbed::input::quantity::{
     Accuracy, Amplitude, Displacement, Duration, Force, Frequency, Length, Modulus, Poisson, Positive, Speed, Stress,
     Viscosity, WorkOfAdhesion,
@@ -77,7 +77,7 @@ fn retract(speed: f64) -> Entry {
 
 const TERMS: [(f64, f64); 3] = [(0.75, 0.3), (0.5, 5.0), (0.2, 1e-4)];
 
-fn jkr(edge: Edge) -> Option<Adhesion> {
+fn jkr(edge: EdgeRule) -> Option<Adhesion> {
     Some(Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(1e-6).unwrap(), edge: Some(edge) }))
 }
 
@@ -121,7 +121,7 @@ fn ten_records_or_a_thousand_under_a_force_and_in_an_oscillation() {
 #[test]
 fn ten_records_or_a_hundred_at_an_adhesive_edge() {
     let rate = Rate { speed: Speed::new(1e-3).unwrap(), exponent: Positive::new(0.5).unwrap() };
-    for edge in [Edge::Relaxed, Edge::Instantaneous, Edge::Rate(rate)] {
+    for edge in [EdgeRule::Relaxed, EdgeRule::Instantaneous, EdgeRule::Rate(rate)] {
         let history = vec![indent(0.01, 1.0), hold(3.0), retract(0.003)];
         let held = Scene { adhesion: jkr(edge), ..scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history) };
         let (few, many) = (with_steps(&held, 10), with_steps(&held, 100));
@@ -137,7 +137,7 @@ fn ten_records_or_a_hundred_at_an_adhesive_edge() {
 fn a_pull_parts_the_bodies() {
     let history = vec![press(1e-5, 1.0), hold_force(50.0), press(-1e-5, 2e3)];
     let pulled = Scene {
-        adhesion: jkr(Edge::Relaxed),
+        adhesion: jkr(EdgeRule::Relaxed),
         accuracy: Accuracy::new(1e-3).ok(),
         ..scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history)
     };

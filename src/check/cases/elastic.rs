@@ -154,7 +154,7 @@ fn bed_envelope() -> Attempt<Pairs> {
     let spacing = reach / f64::from(springs);
     let part = |k: i32| {
         let d = 4e-4 * (1.0 + 1e-3 * f64::from(k));
-        let mut bed = SpringBed::new(ground.clone(), (200, reach), 0.0).with_edge(EdgeLocation::AtSprings);
+        let mut bed = SpringBed::new(ground.clone(), 200, reach, 0.0).with_edge(EdgeLocation::AtSprings);
         bed.indent(d);
         let scaled = (bed.force() / (4.0 / 3.0 * d.powf(1.5)) - 1.0) * d / (spacing * spacing);
         let highest = 0.125 + spacing * spacing / d / 384.0;

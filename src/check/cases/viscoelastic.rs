@@ -3,7 +3,7 @@
 use crate::check::case::{Attempt, Case, Pairs, Proof, worst};
 use crate::check::sketch::{Sketch, ball, beside, relaxing, result, si};
 use crate::check::ting::TingTriangle;
-use crate::contact::adhesion::Edge;
+use crate::contact::adhesion::EdgeRule;
 use crate::material::{Relaxation, Spectrum};
 use crate::numerics::quadrature;
 use crate::run::record::{Outcome, Record};
@@ -189,7 +189,7 @@ fn loop_of_a_ball() -> Attempt<Pairs> {
 
 /// Slow retraction reaches JKR's pull-off with E∞ = 1: F = −(5/6)πwR at d = −1.608772 (w²R/E∞²)^{1/3}.
 fn slow_pull_off() -> Attempt<Pairs> {
-    let soft = soft_ball(&solid(1.0, &[(5.0, 1.0), (0.5, 30.0)])).jkr(1.0, Some(Edge::Relaxed));
+    let soft = soft_ball(&solid(1.0, &[(5.0, 1.0), (0.5, 30.0)])).jkr(1.0, Some(EdgeRule::Relaxed));
     let outcome = soft.indent(5.0, 1e6).hold(1e6).retract(1e-7).run()?;
     let pulled = outcome.records.iter().rfind(|record| record.normal.force < 0.0);
     let last = pulled.ok_or("the bodies never pull")?.normal;

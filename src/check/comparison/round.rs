@@ -147,7 +147,7 @@ impl Scenario {
         let (ground, adhesion) = elastic(&self.plan)?;
         let reach = reach_for(ground.profile(), self.most.contact_radius_m.unwrap_or(0.0));
         let work = adhesion.work_at_edge().ok_or("springs carry no attraction at a distance")?;
-        let mut bed = SpringBed::new(ground, (springs, reach), work);
+        let mut bed = SpringBed::new(ground, springs, reach, work);
         bed.indent(depth);
         Ok(Found {
             force_n: Some(bed.force()),

@@ -9,8 +9,7 @@ mod persson;
 mod scaling;
 
 pub use crate::contact::plane::{
-    Connection, ConnectivityError, GrossSliding, PlaneContact, WavyParabola, Westergaard, flat_punch_load,
-    single_harmonic_load,
+    Connection, GrossSliding, PlaneContact, WavyParabola, Westergaard, flat_punch_load, single_harmonic_load,
 };
 pub use beside::in_words;
 pub use exact_range::{ExactRange, exact_ranges};

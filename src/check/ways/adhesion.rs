@@ -28,7 +28,7 @@ pub fn pull_off(effort: Thoroughness) -> Attempt<Study> {
     for (name, location) in EDGES {
         methods.extend(effort.decades(2, 5).map(|count| {
             let prepare = move || {
-                let bed = SpringBed::new(HalfSpace::new(paraboloid(1.0)?, 1.0), (count, 3.2), 1.0).with_edge(location);
+                let bed = SpringBed::new(HalfSpace::new(paraboloid(1.0)?, 1.0), count, 3.2, 1.0).with_edge(location);
                 Ok(move || Ok(springs(bed.clone())))
             };
             Method::new(name, Setting::springs(count), prepare)

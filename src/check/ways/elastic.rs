@@ -60,7 +60,7 @@ fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Thor
         let bed = |count| {
             let shape = shape.clone();
             let prepare = move || {
-                let bed = SpringBed::new(HalfSpace::new(shape.clone(), 1.0), (count, reach), 0.0).with_edge(location);
+                let bed = SpringBed::new(HalfSpace::new(shape.clone(), 1.0), count, reach, 0.0).with_edge(location);
                 Ok(move || Ok(springs(bed.clone())))
             };
             Method::new(name, Setting::springs(count), prepare)

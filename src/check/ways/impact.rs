@@ -5,7 +5,7 @@ use crate::check::case::Attempt;
 use crate::check::contacts::{paraboloid, plain};
 use crate::check::row::{Computed, Setting};
 use crate::check::study::{Method, Study, Thoroughness};
-use crate::drive::impact::{Passage, Projectile, StruckHalfSpace};
+use crate::drive::impact::{Passage, Projectile, SteppedMass, StruckHalfSpace};
 use crate::material::{Relaxation, Spectrum};
 use std::hint::black_box;
 use std::sync::Arc;
@@ -24,6 +24,7 @@ pub fn hertz(effort: Thoroughness) -> Attempt<Study> {
     for k in 0..finest {
         methods.push(driven(10f64.powi(-2 * k - 1))?);
     }
+    methods.extend(effort.decades(1, 4).map(move |steps| stepped(steps, depth)));
     methods.extend(effort.decades(1, 6).map(move |steps| verlet(steps, depth)));
     Ok(Study {
         case: "impact",
@@ -56,10 +57,24 @@ fn driven(accuracy: f64) -> Attempt<Method> {
     }))
 }
 
+/// Duration of one of `steps` per contact [s].
+#[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
+fn step(steps: usize, depth: f64) -> f64 {
+    2.943 * depth / steps as f64
+}
+
+/// The drive of any contact by a mass, here of the direct path, `steps` per contact.
+fn stepped(steps: usize, depth: f64) -> Method {
+    let mass = SteppedMass { impact: IMPACT, longest: step(steps, depth) };
+    Method::new("mass in steps on any contact", Setting::steps(steps), move || {
+        let ball = paraboloid(1.0)?;
+        Ok(move || solved(black_box(mass).rebound(&mut plain(ball.clone(), 1.0))?.contact_time, size_of_val(&mass)))
+    })
+}
+
 /// The way of particle codes, `steps` per contact.
 fn verlet(steps: usize, depth: f64) -> Method {
-    #[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
-    let step = 2.943 * depth / steps as f64;
+    let step = step(steps, depth);
     Method::new("velocity Verlet on Hertz's law", Setting::steps(steps), move || {
         Ok(move || {
             let time = verlet_contact_time(4.0 / 3.0, IMPACT.mass, IMPACT.speed, black_box(step));

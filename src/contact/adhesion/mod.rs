@@ -31,7 +31,7 @@ pub struct AdhesionTraits<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Range<'a> {
     /// It acts at the edge alone; what holds an opening edge of a viscoelastic body.
-    Vanishing(Option<&'a Edge>),
+    Vanishing(Option<&'a EdgeRule>),
     /// It acts across the gap.
     Finite,
 }
@@ -57,12 +57,12 @@ pub struct Jkr {
     pub work: WorkOfAdhesion,
     /// What holds an opening edge of a viscoelastic body; needed there, refused elsewhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub edge: Option<Edge>,
+    pub edge: Option<EdgeRule>,
 }
 
 /// What holds the opening edge of an adhesive contact of a viscoelastic body.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-pub enum Edge {
+pub enum EdgeRule {
     /// The relaxed modulus E∞: the process zone is long against the relaxation.
     Relaxed,
     /// The instantaneous modulus E(0): a process zone of length zero.
@@ -71,7 +71,7 @@ pub enum Edge {
     Rate(Rate),
 }
 
-impl Edge {
+impl EdgeRule {
     /// The rule by which the edge of a viscoelastic contact holds, in words.
     #[must_use]
     pub fn in_words(&self) -> String {

@@ -1,6 +1,7 @@
 //! Whether the contact of a rough parabola with an elastic half-plane is in one piece.
 
-use crate::numerics::root::{self, RootError};
+use crate::contact::error::ConnectivityError;
+use crate::numerics::root;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// A parabola x²/2R with a deviation φ(x) from it, pressed on an elastic half-plane by a load per width.
@@ -14,27 +15,6 @@ pub struct WavyParabola<'a> {
     pub radius: f64,
     /// Slope φ′(x) of the deviation.
     pub slope: &'a (dyn Fn(f64) -> f64 + Sync),
-}
-
-/// Why no contact was found.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum ConnectivityError {
-    /// The deviation is too rough for the Chebyshev series.
-    #[error(
-        "slope of the roughness is not resolved by {terms} Chebyshev terms over the contact of half width {half_width:e} m: it has kinks or too short waves"
-    )]
-    NotResolved {
-        /// Terms tried.
-        terms: usize,
-        /// Half width of the contact [m].
-        half_width: f64,
-    },
-    /// No half width carries the load.
-    #[error("no balanced contact in one piece carries this load")]
-    NoContact,
-    /// No centre balances the contact.
-    #[error("no centre balances the contact: {0}")]
-    NoCentre(#[from] RootError),
 }
 
 /// Whether a contact is in one piece.
@@ -123,7 +103,7 @@ impl WavyParabola<'_> {
             let here = self.balanced_in(c, window, &cosines);
             for contact in &here {
                 let nearest = before.iter().min_by(|a, b| contact.away(a).total_cmp(&contact.away(b)));
-                found.extend(nearest.and_then(|other| self.between(other, contact, (load, &cosines))));
+                found.extend(nearest.and_then(|other| self.between([other, contact], load, &cosines)));
             }
             before = here;
         }
@@ -139,7 +119,7 @@ impl WavyParabola<'_> {
     }
 
     /// The contact with exactly the load between two of neighbouring half widths on one branch, if it lies between them.
-    fn between(&self, a: &PlaneContact, b: &PlaneContact, (load, cosines): (f64, &Cosines)) -> Option<PlaneContact> {
+    fn between(&self, [a, b]: [&PlaneContact; 2], load: f64, cosines: &Cosines) -> Option<PlaneContact> {
         if (a.load - load) * (b.load - load) > 0.0 {
             return None;
         }

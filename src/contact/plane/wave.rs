@@ -1,8 +1,8 @@
 //! One period of a wave on the half-plane.
 
-use super::{PlaneError, Westergaard};
+use super::Westergaard;
 use crate::contact::adhesion::line::Energy;
-use crate::contact::error::ContactError;
+use crate::contact::error::{ContactError, PlaneError};
 use crate::contact::model::{ContactModel, Event, Glance, Loading, Pull, Straight};
 use crate::contact::state::Normal;
 use crate::numerics::root;

@@ -1,8 +1,8 @@
 //! A wavy parabola pressed on the half-plane, while its contact is in one piece.
 
-use super::{PlaneContact, PlaneError, WavyParabola};
+use super::{PlaneContact, WavyParabola};
 use crate::contact::adhesion::line::Energy;
-use crate::contact::error::ContactError;
+use crate::contact::error::{ContactError, PlaneError};
 use crate::contact::model::{ContactModel, Event, Glance, Loading, Pull, Straight};
 use crate::contact::state::Normal;
 use crate::shape::PlaneWavy;

@@ -1,9 +1,9 @@
 //! The continuous bed as a contact that is driven piece by piece.
 
 use super::Spectrum;
-use super::creep::Creep;
 use super::memory::Memory;
 use crate::contact::adhesion::line::Energy;
+use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Straight};
 use crate::contact::state::Normal;

@@ -5,7 +5,8 @@
 use super::Spectrum;
 use super::layout::Layout;
 use super::ledger::Ledger;
-use super::spring::{Free, Motion, Spring, decay};
+use super::spring::{Free, Motion, Spring};
+use crate::numerics::exponential::decay;
 use ndarray::{Array2, ArrayViewMut1, Axis, s};
 use std::sync::Arc;
 

@@ -2,12 +2,11 @@
 
 use super::Spectrum;
 use super::continuous::in_time;
-use super::creep::Creep;
 use super::layout::Layout;
 use super::lazy::Lazy;
-use super::memory::BedError;
 use crate::contact::adhesion::line::Energy;
-use crate::contact::error::ContactError;
+use crate::contact::creep::Creep;
+use crate::contact::error::{BedError, ContactError};
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Straight};
 use crate::contact::spring_loads::{SeenSpring, SpringLoads};
 use crate::contact::state::Normal;

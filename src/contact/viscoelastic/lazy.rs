@@ -9,9 +9,10 @@
 use super::Spectrum;
 use super::layout::Layout;
 use super::ledger::{Ledger, impulse};
-use super::spring::{Free, Motion, Piece, Spring, decay};
+use super::spring::{Free, Motion, Piece, Spring};
 use super::totals::Totals;
 use crate::contact::model::Straight;
+use crate::numerics::exponential::decay;
 use crate::shape::Profile;
 use std::sync::Arc;
 

@@ -2,8 +2,9 @@
 //!
 //! All per unit length of the bed, in closed form, each independent of the others.
 
-use super::spring::{Free, Piece, decay};
+use super::spring::{Free, Piece};
 use super::{Element, Mode, Spectrum};
+use crate::numerics::exponential::{cubic_remainder, decay, square_remainder};
 
 /// Energies of a bed [J], or of one spring per unit length [J/m].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -69,19 +70,4 @@ pub(super) fn impulse(term: &Element, s: f64, v: f64, t: f64) -> f64 {
     let y = t / term.time;
     let lost = decay(y).1;
     s * term.time * lost + term.modulus * v * term.time * (term.time * square_remainder(y, lost))
-}
-
-/// y − a with a = 1 − e^(−y): Σ aᵏ/k from k = 2.
-pub(super) fn square_remainder(y: f64, a: f64) -> f64 {
-    if a > 0.3 { y - a } else { tail(a, 2) }
-}
-
-/// y − a − a²/2 with a = 1 − e^(−y): Σ aᵏ/k from k = 3.
-fn cubic_remainder(y: f64, a: f64) -> f64 {
-    if a > 0.3 { y - a - 0.5 * a * a } else { tail(a, 3) }
-}
-
-/// Σ aᵏ/k from k = `first`; 32 terms leave 0.3³² < 1e-16.
-fn tail(a: f64, first: i32) -> f64 {
-    (first..first + 32).rev().map(|k| a.powi(k) / f64::from(k)).sum()
 }

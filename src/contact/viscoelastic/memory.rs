@@ -13,21 +13,11 @@ use super::ledger::Ledger;
 use super::opening::{Edge, Opening};
 use super::spring::{Motion, Spring};
 use super::strip::{Detail, Ground, Past, Strip};
+use crate::contact::error::BedError;
 use crate::contact::model::Straight;
 use crate::numerics::root;
 use crate::shape::Profile;
 use std::sync::Arc;
-
-/// Why a bed could not follow.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum BedError {
-    /// The contact would become larger than the profile.
-    #[error("the contact outgrows the profile at the indentation {indentation:e} m")]
-    BeyondProfile {
-        /// Indentation [m].
-        indentation: f64,
-    },
-}
 
 /// Bed without discretization in space or time.
 #[derive(Debug, Clone)]

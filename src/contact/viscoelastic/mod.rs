@@ -8,7 +8,6 @@
 
 pub mod attraction;
 pub mod continuous;
-pub mod creep;
 pub mod direct;
 pub mod growing;
 #[cfg(test)]

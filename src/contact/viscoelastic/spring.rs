@@ -9,6 +9,7 @@
 //! was released in it.
 
 use super::Spectrum;
+use crate::numerics::exponential::decay;
 use crate::numerics::root;
 
 /// A part of the history with constant speed.
@@ -40,17 +41,6 @@ impl Motion {
     pub fn after(&self, t: f64) -> Self {
         Self { start: self.depth(t), duration: self.duration - t, ..*self }
     }
-}
-
-/// e^(−y) and 1 − e^(−y), both to full relative accuracy near y = 0.
-#[must_use]
-pub fn decay(y: f64) -> (f64, f64) {
-    if y > 0.5 {
-        let e = (-y).exp();
-        return (e, 1.0 - e);
-    }
-    let lost = -(-y).exp_m1();
-    (1.0 - lost, lost)
 }
 
 /// Free spring: modes zₘ at a time of reference and the displacement z₀ that stays.

@@ -6,9 +6,10 @@
 
 use super::attraction::{Attraction, Tear};
 use super::ledger::impulse;
-use super::spring::{Free, Motion, Piece, Spring, decay};
+use super::spring::{Free, Motion, Piece, Spring};
 use super::totals::Totals;
 use super::{Element, Spectrum};
+use crate::numerics::exponential::decay;
 use crate::numerics::quadrature;
 use crate::shape::Profile;
 use std::sync::Arc;

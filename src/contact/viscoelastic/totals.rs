@@ -1,7 +1,8 @@
 //! Sums over a part of the bed, and how they change when all its springs move alike.
 
 use super::Spectrum;
-use super::spring::{Spring, decay};
+use super::spring::Spring;
+use crate::numerics::exponential::decay;
 
 /// Σ w sᵢ and Σ w sᵢ² over pressed springs, Σ w zₘ² over free ones; w is the weight of a spring [m].
 #[derive(Debug, Clone, PartialEq)]

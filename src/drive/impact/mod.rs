@@ -14,7 +14,7 @@ pub use stepped::SteppedMass;
 
 use crate::contact::adhesion::equilibrium::BranchError;
 use crate::contact::adhesion::line::Energy;
-use crate::contact::viscoelastic::memory::BedError;
+use crate::contact::error::BedError;
 
 /// A mass that meets the half-space.
 #[derive(Debug, Clone, Copy, PartialEq)]

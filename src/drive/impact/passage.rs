@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 #[derive(Debug, Clone)]
 pub struct Passage<F = HalfSpace> {
     impact: Projectile,
-    legs: Vec<Leg<F>>,
+    legs: Vec<StableStretch<F>>,
     /// Kinetic energy left as the bodies part [J]; `None` if they stay together.
     left: Option<f64>,
     lost: f64,
@@ -29,7 +29,7 @@ pub struct Passage<F = HalfSpace> {
 
 /// A stretch between two jumps, in one direction.
 #[derive(Debug, Clone)]
-struct Leg<F> {
+struct StableStretch<F> {
     /// The contact somewhere on this stretch.
     contact: QuasiStatic<F>,
     from: f64,
@@ -68,7 +68,7 @@ impl<F: Foundation> Passage<F> {
     pub fn rebound(&self) -> Rebound {
         let turn = self.turn();
         let deepest = self.legs.get(turn).map_or(0.0, |leg| leg.to);
-        let duration: f64 = self.legs.iter().map(Leg::duration).sum();
+        let duration: f64 = self.legs.iter().map(StableStretch::duration).sum();
         let error: f64 = self.legs.iter().map(|leg| leg.error).sum();
         let restitution = self.left.map_or(0.0, |left| (left / self.impact.energy()).max(0.0).sqrt());
         Rebound {
@@ -84,7 +84,7 @@ impl<F: Foundation> Passage<F> {
     /// Bytes of its state.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.legs.iter().map(|leg| size_of::<Leg<F>>() + size_of::<f64>() * leg.clock.len()).sum()
+        self.legs.iter().map(|leg| size_of::<StableStretch<F>>() + size_of::<f64>() * leg.clock.len()).sum()
     }
 
     /// The contact at the greatest depth.
@@ -97,7 +97,7 @@ impl<F: Foundation> Passage<F> {
     /// States at `count` + 1 equal times from first touch to the end, with those on both sides of the jumps.
     #[must_use]
     pub fn moments(&self, count: usize) -> Vec<ImpactState> {
-        let duration: f64 = self.legs.iter().map(Leg::duration).sum();
+        let duration: f64 = self.legs.iter().map(StableStretch::duration).sum();
         let mut moments = vec![self.touch()];
         let mut start = 0.0;
         for leg in &self.legs {
@@ -141,12 +141,12 @@ impl<F: Foundation> Passage<F> {
     }
 
     /// Kinetic energy [J] on a leg at the depth `d`.
-    fn kinetic(&self, leg: &Leg<F>, d: f64) -> f64 {
+    fn kinetic(&self, leg: &StableStretch<F>, d: f64) -> f64 {
         self.impact.energy() - leg.stored(d).stored() - leg.spent
     }
 
     /// Follows the contact inwards to where the kinetic energy is used up; the contact there.
-    fn inwards(&mut self, mut contact: QuasiStatic<F>) -> Result<Leg<F>, ImpactError> {
+    fn inwards(&mut self, mut contact: QuasiStatic<F>) -> Result<StableStretch<F>, ImpactError> {
         let mut from = contact.first_touch();
         // What holds the bodies from the first touch on.
         self.lost += contact.indent(from)?.iter().map(|jump| jump.dissipated).sum::<f64>();
@@ -177,7 +177,7 @@ impl<F: Foundation> Passage<F> {
         mut contact: QuasiStatic<F>,
         (start, end): (f64, f64),
         jumps: &[Jump],
-    ) -> Result<Option<Leg<F>>, ImpactError> {
+    ) -> Result<Option<StableStretch<F>>, ImpactError> {
         let mut from = start;
         for (k, jump) in jumps.iter().enumerate() {
             let at = jump.before.indentation;
@@ -193,10 +193,14 @@ impl<F: Foundation> Passage<F> {
     }
 
     /// Adds a leg as far as the mass gets on it; the leg if it rests at its end.
-    fn leg(&mut self, contact: &QuasiStatic<F>, (from, to): (f64, f64)) -> Result<Option<Leg<F>>, ImpactError> {
+    fn leg(
+        &mut self,
+        contact: &QuasiStatic<F>,
+        (from, to): (f64, f64),
+    ) -> Result<Option<StableStretch<F>>, ImpactError> {
         let mut contact = contact.clone();
         contact.indent(0.5 * (from + to))?;
-        let mut leg = Leg { contact, from, to, spent: self.lost, clock: vec![0.0], error: 0.0 };
+        let mut leg = StableStretch { contact, from, to, spent: self.lost, clock: vec![0.0], error: 0.0 };
         let depth = |k: u32| leg.depth(PI * f64::from(k) / f64::from(LOOKS));
         let rest = (1..=LOOKS).find(|&k| self.kinetic(&leg, depth(k)) < 0.0);
         if let Some(k) = rest {
@@ -213,7 +217,7 @@ impl<F: Foundation> Passage<F> {
     }
 
     /// Follows the contact back to where the bodies part or the mass rests.
-    fn outwards(&mut self, deepest: Leg<F>) -> Result<(), ImpactError> {
+    fn outwards(&mut self, deepest: StableStretch<F>) -> Result<(), ImpactError> {
         let contact = deepest.contact.clone();
         let mut back = contact.clone();
         let mut jumps = back.indent(-f64::MAX)?;
@@ -231,7 +235,7 @@ impl<F: Foundation> Passage<F> {
 /// Relative error of closed forms, roots within roots included.
 const ROUNDING: f64 = 1e-11;
 
-impl<F: Foundation> Leg<F> {
+impl<F: Foundation> StableStretch<F> {
     fn depth(&self, phi: f64) -> f64 {
         let (sine, cosine) = (0.5 * phi).sin_cos();
         // From the nearer end, free of cancellation.

@@ -28,7 +28,7 @@ const FIRST: f64 = 1e-6;
 const GROWTH: f64 = 0.1;
 
 /// The mass on its way.
-struct Way<'c> {
+struct MovingMass<'c> {
     contact: &'c mut dyn ContactModel,
     impact: Projectile,
     speed: f64,
@@ -50,7 +50,7 @@ impl SteppedMass {
             lost: self.impact.energy(),
             error: 0.0,
         };
-        let mut way = Way { contact, impact: self.impact, speed: self.impact.speed, time: 0.0, most };
+        let mut way = MovingMass { contact, impact: self.impact, speed: self.impact.speed, time: 0.0, most };
         let mut step = FIRST * self.longest;
         for _ in 0..MOST_STEPS {
             if way.step(step)? || way.rests() {
@@ -62,7 +62,7 @@ impl SteppedMass {
     }
 }
 
-impl Way<'_> {
+impl MovingMass<'_> {
     fn rests(&self) -> bool {
         self.speed.abs() < 1e-9 * self.impact.speed && self.contact.state().force <= 0.0
     }

@@ -15,12 +15,12 @@ pub use viscoelastic::ViscoelasticFriction;
 use super::FrictionError;
 use super::driven::chords;
 use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
 use crate::contact::loaded::Loaded;
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
 use crate::contact::state::{Normal, Tangential};
 use crate::contact::viscoelastic::Spectrum;
-use crate::contact::viscoelastic::creep::Creep;
 use std::sync::Arc;
 
 /// A step of a history, seen after the normal contact has taken it.

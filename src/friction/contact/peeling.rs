@@ -18,7 +18,7 @@ use crate::friction::peeling::{Sheared, ShearedAdhesion};
 pub struct Peeling {
     contact: ShearedAdhesion,
     interface: Interface,
-    present: Option<Present>,
+    present: Option<HeldShear>,
     slide: f64,
     stick_radius: f64,
     dissipated: f64,
@@ -26,7 +26,7 @@ pub struct Peeling {
 
 /// A sheared state and what holds it.
 #[derive(Debug, Clone, Copy)]
-struct Present {
+struct HeldShear {
     state: Sheared,
     /// Shear stress against the sliding [Pa].
     stress: f64,
@@ -62,7 +62,7 @@ impl Peeling {
     }
 
     /// The state sheared by the stress of the present speed.
-    fn peeled(&self, step: &Step<'_>) -> Result<Present, FrictionError> {
+    fn peeled(&self, step: &Step<'_>) -> Result<HeldShear, FrictionError> {
         let normal = step.contact.state();
         let (rest, under) = (normal.contact_radius.unwrap_or(0.0), self.held(step.control, &normal));
         let stress = self.interface.law(step.speed)?.stress(0.0);
@@ -71,7 +71,7 @@ impl Peeling {
             Control::Force => self.contact.under_stress(under.value, stress)?,
         };
         let side = (step.slide[1] - step.slide[0]).signum();
-        Ok(Present { state, stress, side, under, rest })
+        Ok(HeldShear { state, stress, side, under, rest })
     }
 
     fn edge_load(&self, state: &Sheared) -> f64 {
@@ -107,7 +107,7 @@ impl TangentialContact for Peeling {
     fn state(&self) -> Tangential {
         let (slide, stick_radius, dissipated) = (self.slide, self.stick_radius, Some(self.dissipated));
         let at_rest = Tangential { slide, stick_radius, dissipated, stored: Some(0.0), ..Tangential::default() };
-        let Some(Present { state, side, rest, .. }) = self.present else { return at_rest };
+        let Some(HeldShear { state, side, rest, .. }) = self.present else { return at_rest };
         Tangential {
             force: side * state.tangential_force,
             stored: Some(0.5 * state.tangential_force * state.slide),
@@ -117,7 +117,7 @@ impl TangentialContact for Peeling {
     }
 
     fn sheared(&self, normal: Normal) -> Normal {
-        let Some(Present { state, .. }) = self.present else { return normal };
+        let Some(HeldShear { state, .. }) = self.present else { return normal };
         let (a, line) = (state.contact_radius, &self.contact.line);
         Normal {
             indentation: Some(state.indentation),
@@ -130,7 +130,7 @@ impl TangentialContact for Peeling {
     }
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
-        let Present { state, .. } = self.present?;
+        let HeldShear { state, .. } = self.present?;
         let ground = self.contact.line.ground().clone();
         Some(Box::new(Loaded::elastic(ground, state.contact_radius, self.edge_load(&state))))
     }

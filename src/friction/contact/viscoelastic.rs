@@ -3,11 +3,7 @@
 use super::{Step, TangentialContact};
 use crate::contact::model::{Effort, Loading};
 use crate::contact::state::Tangential;
-use crate::contact::viscoelastic::Spectrum;
-use crate::friction::{FrictionError, Grip, ViscoelasticBed};
-use crate::shape::Profile;
-use std::num::NonZeroUsize;
-use std::sync::Arc;
+use crate::friction::{FrictionError, ViscoelasticBed};
 
 /// A bed of viscoelastic springs with friction, driven along the depth of the normal contact.
 ///
@@ -16,28 +12,15 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct ViscoelasticFriction {
     bed: ViscoelasticBed,
-    /// Shortest time in which nothing relaxes [s], for a jump of the depth.
-    instant: f64,
     tangential_modulus: f64,
-    width: f64,
     slide: f64,
 }
 
 impl ViscoelasticFriction {
-    /// A bed of `springs` springs out to `radius` [m], never touched.
-    ///
-    /// # Errors
-    /// The profile ends before the bed.
-    pub fn new(
-        profile: &dyn Profile,
-        spectrum: Arc<Spectrum>,
-        grip: Grip,
-        (springs, radius): (NonZeroUsize, f64),
-    ) -> Result<Self, FrictionError> {
-        let instant = spectrum.instant();
-        let bed = ViscoelasticBed::new(profile, spectrum, grip, springs, radius)?;
-        let width = radius / springs.get() as f64;
-        Ok(Self { bed, instant, tangential_modulus: grip.tangential_modulus, width, slide: 0.0 })
+    /// The bed `bed`, never touched, of bodies with the instantaneous tangential modulus `tangential_modulus` G* [Pa].
+    #[must_use]
+    pub fn new(bed: ViscoelasticBed, tangential_modulus: f64) -> Self {
+        Self { bed, tangential_modulus, slide: 0.0 }
     }
 }
 
@@ -46,7 +29,7 @@ impl TangentialContact for ViscoelasticFriction {
         let depth = step.prescribed[1];
         let (down, way) = (depth - self.bed.depth(), step.slide[1] - self.slide);
         self.slide = step.slide[1];
-        let over = if step.over > 0.0 { step.over } else { self.instant };
+        let over = if step.over > 0.0 { step.over } else { self.bed.instant() };
         if step.over > 0.0 || down.abs() > 0.0 || way.abs() > 0.0 {
             self.bed.advance((down / over, way / over), over);
         }
@@ -54,7 +37,7 @@ impl TangentialContact for ViscoelasticFriction {
     }
 
     fn state(&self) -> Tangential {
-        let stick_radius = self.bed.held().1 as f64 * self.width;
+        let stick_radius = self.bed.stick_radius();
         Tangential {
             slide: self.slide,
             force: self.bed.forces().1,

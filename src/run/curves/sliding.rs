@@ -15,7 +15,7 @@ const AMONTONS: f64 = 0.01;
 
 /// Which way a body slides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Way {
+pub enum SlideDirection {
     /// Its displacement grows.
     Forward,
     /// Its displacement falls.
@@ -24,7 +24,7 @@ pub enum Way {
 
 /// Runs of states that slide one way; where the force turns suddenly, the turn belongs to the run after.
 #[must_use]
-pub fn ways(states: &[Tangential]) -> Vec<(Way, &[Tangential])> {
+pub fn ways(states: &[Tangential]) -> Vec<(SlideDirection, &[Tangential])> {
     let mut found = Vec::new();
     let (mut start, mut turn, mut side) = (0, 0, 0.0);
     for k in 1..states.len() {
@@ -41,9 +41,9 @@ pub fn ways(states: &[Tangential]) -> Vec<(Way, &[Tangential])> {
     found
 }
 
-fn way(states: &[Tangential]) -> Option<(Way, &[Tangential])> {
+fn way(states: &[Tangential]) -> Option<(SlideDirection, &[Tangential])> {
     let way = states.last()?.slide - states.first()?.slide;
-    (way.abs() > 0.0).then_some((if way > 0.0 { Way::Forward } else { Way::Backward }, states))
+    (way.abs() > 0.0).then_some((if way > 0.0 { SlideDirection::Forward } else { SlideDirection::Backward }, states))
 }
 
 /// μF of Coulomb friction [N], if the load stays while the body slides and the force comes near it.

@@ -41,7 +41,7 @@ struct Followed {
 pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
     let impact = &plan.impact;
     let fastest = impact.speed.iter().map(|speed| speed.si()).fold(0.0, f64::max);
-    let one = |&speed: &f64| follow(plan, (speed, (speed >= fastest).then_some(wanted)));
+    let one = |&speed: &f64| follow(plan, speed, (speed >= fastest).then_some(wanted));
     let speeds: Vec<f64> = impact.speed.iter().map(|speed| speed.si()).collect();
     let followed: Vec<Result<Followed, SimulationError>> = speeds.par_iter().map(one).collect();
     let mut followed = followed.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -63,13 +63,13 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
 }
 
 /// Follows the impact at one speed; records and fields only where `wanted`.
-fn follow(plan: &ImpactPlan, (speed, wanted): (f64, Option<Wanted>)) -> Result<Followed, SimulationError> {
+fn follow(plan: &ImpactPlan, speed: f64, wanted: Option<Wanted>) -> Result<Followed, SimulationError> {
     let oblique = oblique::of(plan, speed)?;
     let normal = impact::Projectile { mass: plan.impact.mass.si(), speed: speed * plan.impact.incidence().cos() };
     let followed = match &plan.law {
         ImpactLaw::Elastic(adhesion) => elastic::follow(plan, *adhesion, normal, wanted),
         ImpactLaw::Viscoelastic { relaxation, edge } => {
-            viscoelastic::follow(plan, (relaxation, edge.as_ref()), (normal, wanted))
+            viscoelastic::follow(plan, &viscoelastic::struck(plan, relaxation, edge.as_ref()), normal, wanted)
         }
     }?;
     within_bounds(plan, followed.row.rebound.greatest_depth)?;

@@ -16,19 +16,24 @@ use std::sync::Arc;
 /// Radii at which the pressure is given, denser towards the edge.
 const RADII: u32 = 64;
 
+/// What is struck: bodies with E*(t) and an adhesive edge, if any.
+pub fn struck(plan: &ImpactPlan, relaxation: &Relaxation, edge: Option<&HeldEdge>) -> StruckHalfSpace {
+    let spectrum = Arc::new(Spectrum::new(relaxation));
+    let attraction = edge.map(|edge| edge.attraction(&spectrum));
+    StruckHalfSpace { spectrum, profile: plan.profile.clone(), attraction }
+}
+
 /// Follows an impact; records and fields only where `wanted`.
 ///
 /// # Errors
 /// The contact would outgrow the profile, or comes to no end.
 pub fn follow(
     plan: &ImpactPlan,
-    (relaxation, edge): (&Relaxation, Option<&HeldEdge>),
-    (impact, wanted): (Projectile, Option<Wanted>),
+    ground: &StruckHalfSpace,
+    impact: Projectile,
+    wanted: Option<Wanted>,
 ) -> Result<Followed, SimulationError> {
-    let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = edge.map(|edge| edge.attraction(&spectrum));
-    let driven = StruckHalfSpace { spectrum, profile: plan.profile.clone(), attraction };
-    let flight = driven.flight(&impact, plan.accuracy()).map_err(failed)?;
+    let flight = ground.flight(&impact, plan.accuracy()).map_err(failed)?;
     let peak_pressure = flight.peak_pressure();
     let row = ImpactRow { speed: impact.speed, rebound: flight.rebound(), oblique: None, peak_pressure };
     let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);

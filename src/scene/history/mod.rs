@@ -6,7 +6,7 @@ mod ramp;
 mod wave;
 
 pub use impact::Impact;
-pub use motion::{Driven, Motion};
+pub use motion::{Driven, MotionTable};
 pub use ramp::{Hold, Indent, Press, Retract, Slide};
 pub use wave::Oscillate;
 
@@ -68,7 +68,12 @@ impl Entry {
     /// `number` is its place in the history, `motion` what its table holds, `steps` how many records the scene
     /// asks for per entry.
     #[must_use]
-    pub fn traits<'e>(&'e self, number: usize, motion: Option<&'e Motion>, steps: Option<usize>) -> EntryTraits<'e> {
+    pub fn traits<'e>(
+        &'e self,
+        number: usize,
+        motion: Option<&'e MotionTable>,
+        steps: Option<usize>,
+    ) -> EntryTraits<'e> {
         let rest = Stage::rest(number, steps.unwrap_or(RECORDS_PER_RAMP));
         let moves = |name, field, stage| EntryTraits {
             number,

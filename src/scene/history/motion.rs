@@ -9,7 +9,7 @@ use std::path::Path;
 ///
 /// Between two rows every column is linear in time; the first row is reached at once.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
+pub struct MotionTable {
     /// Times [s], strictly increasing.
     pub time: Vec<f64>,
     /// What is controlled, one value per time.
@@ -31,7 +31,7 @@ pub enum Driven {
 
 const RIGHT: &str = "expected time_s, one of indentation_m and force_n, and slide_m if it slides";
 
-impl Motion {
+impl MotionTable {
     /// The motion in the table at `path`: columns `time_s`, `indentation_m` or `force_n`, and
     /// perhaps `slide_m`.
     ///
@@ -103,9 +103,9 @@ mod tests {
     use super::*;
     use crate::input::table::InMemory;
 
-    fn read(columns: &[(&str, &[f64])]) -> Result<Motion, String> {
+    fn read(columns: &[(&str, &[f64])]) -> Result<MotionTable, String> {
         let tables = InMemory::default().with("h.csv", columns);
-        Motion::read(Path::new("h.csv"), &tables).map_err(|error| error.to_string())
+        MotionTable::read(Path::new("h.csv"), &tables).map_err(|error| error.to_string())
     }
 
     #[test]

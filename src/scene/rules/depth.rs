@@ -22,7 +22,7 @@ pub(super) fn too_deep(draft: &Draft<'_>) -> Vec<Problem> {
 }
 
 /// The greatest value an entry prescribes.
-struct Target<'t> {
+struct Demand<'t> {
     entry: &'t EntryTraits<'t>,
     /// Number of the stage.
     at: usize,
@@ -30,7 +30,7 @@ struct Target<'t> {
     value: f64,
 }
 
-fn target<'t>(entry: &'t EntryTraits<'t>, before: Option<f64>) -> Option<Target<'t>> {
+fn target<'t>(entry: &'t EntryTraits<'t>, before: Option<f64>) -> Option<Demand<'t>> {
     let value = |stage: &Stage| match stage.normal {
         Path::To(value) => Some(value),
         Path::Wave(wave) => before.map(|depth| depth + wave.amplitude),
@@ -38,11 +38,11 @@ fn target<'t>(entry: &'t EntryTraits<'t>, before: Option<f64>) -> Option<Target<
     };
     let values = entry.stages.iter().enumerate();
     let values =
-        values.filter_map(|(at, stage)| Some(Target { entry, at, control: stage.control?, value: value(stage)? }));
+        values.filter_map(|(at, stage)| Some(Demand { entry, at, control: stage.control?, value: value(stage)? }));
     values.max_by(|one, other| one.value.total_cmp(&other.value))
 }
 
-impl Target<'_> {
+impl Demand<'_> {
     fn beyond(&self, bounds: &[Bound], modulus: Option<f64>) -> Option<Problem> {
         let problem = |bound: &Bound| {
             let place = format!("{}{}", self.entry.place(), self.entry.field);

@@ -2,7 +2,7 @@
 
 use super::draft::Draft;
 use super::parts::cannot_be_on;
-use crate::contact::adhesion::{Edge, Range};
+use crate::contact::adhesion::{EdgeRule, Range};
 use crate::friction::Slip;
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Impact};
@@ -116,10 +116,10 @@ pub(super) fn impact_with_rate(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Op
     entry.impact?;
     draft.relaxation()?;
     match draft.scene.adhesion.as_ref()?.traits().range {
-        Range::Vanishing(Some(Edge::Rate(_))) => {
+        Range::Vanishing(Some(EdgeRule::Rate(_))) => {
             refused(entry, "Impact with an edge: Rate(…) cannot be computed: expected edge: Relaxed or Instantaneous")
         }
-        Range::Vanishing(Some(Edge::Relaxed | Edge::Instantaneous) | None) | Range::Finite => None,
+        Range::Vanishing(Some(EdgeRule::Relaxed | EdgeRule::Instantaneous) | None) | Range::Finite => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bodies, shape, adhesion, friction and springs against each other.
 
 use super::draft::Draft;
-use crate::contact::adhesion::{Adhesion, Edge, Range};
+use crate::contact::adhesion::{Adhesion, EdgeRule, Range};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::material::{Body, Relaxation};
@@ -55,17 +55,17 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
     }
 }
 
-fn edge_that_holds_nothing(edge: &Edge, relaxation: &Relaxation) -> Option<Problem> {
+fn edge_that_holds_nothing(edge: &EdgeRule, relaxation: &Relaxation) -> Option<Problem> {
     match edge {
-        Edge::Relaxed | Edge::Rate(_) if relaxation.equilibrium <= 0.0 => refused(
+        EdgeRule::Relaxed | EdgeRule::Rate(_) if relaxation.equilibrium <= 0.0 => refused(
             "adhesion.edge",
             "an edge held by the relaxed modulus, which is zero here, holds nothing: expected edge: Instantaneous, or an equilibrium modulus above zero",
         ),
-        Edge::Instantaneous if relaxation.viscosity > 0.0 => refused(
+        EdgeRule::Instantaneous if relaxation.viscosity > 0.0 => refused(
             "adhesion.edge",
             "Instantaneous with a viscosity has no finite instantaneous modulus: expected edge: Relaxed or Rate(…)",
         ),
-        Edge::Relaxed | Edge::Rate(_) | Edge::Instantaneous => None,
+        EdgeRule::Relaxed | EdgeRule::Rate(_) | EdgeRule::Instantaneous => None,
     }
 }
 

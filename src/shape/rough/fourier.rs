@@ -4,21 +4,14 @@
 //! a rough surface must be the same bytes everywhere. Lengths of a power of two take the
 //! radix-2 transform, all others Bluestein's chirp; sines come from `libm`.
 
+use crate::numerics::complex::Complex;
 use rayon::prelude::*;
 use std::f64::consts::PI;
-
-/// A complex number as (real, imaginary).
-pub(super) type Complex = (f64, f64);
-
-fn product(a: Complex, b: Complex) -> Complex {
-    (a.0 * b.0 - a.1 * b.1, a.0 * b.1 + a.1 * b.0)
-}
 
 /// e^{iπ·numerator/denominator}, the argument reduced exactly.
 #[expect(clippy::cast_precision_loss, reason = "lengths of a transform are far below 2^53")]
 fn unit_root(numerator: usize, denominator: usize) -> Complex {
-    let angle = PI * (numerator % (2 * denominator)) as f64 / denominator as f64;
-    (libm::cos(angle), libm::sin(angle))
+    Complex::polar(1.0, PI * (numerator % (2 * denominator)) as f64 / denominator as f64)
 }
 
 /// A transform of one length: X_k = Σ_j x_j e^{+2πi jk/n}, without a factor 1/n.
@@ -39,10 +32,10 @@ impl Transform {
         }
         let size = (2 * length - 1).next_power_of_two();
         let chirp: Vec<_> = (0..length).map(|j| unit_root(square_modulo(j, 2 * length), length)).collect();
-        let mut kernel = vec![(0.0, 0.0); size];
+        let mut kernel = vec![Complex::default(); size];
         for (j, c) in chirp.iter().enumerate() {
-            kernel[j] = (c.0, -c.1);
-            kernel[(size - j) % size] = (c.0, -c.1);
+            kernel[j] = c.conjugate();
+            kernel[(size - j) % size] = c.conjugate();
         }
         let roots = roots(size);
         radix_two(&mut kernel, &roots);
@@ -67,7 +60,7 @@ impl Transform {
 /// The rows of a matrix of `columns` columns as columns, rows stored one after another.
 pub(super) fn transposed(data: &[Complex], columns: usize) -> Vec<Complex> {
     let rows = data.len() / columns;
-    let mut turned = vec![(0.0, 0.0); data.len()];
+    let mut turned = vec![Complex::default(); data.len()];
     turned.par_chunks_mut(rows).enumerate().for_each(|(j, line)| {
         for (i, value) in line.iter_mut().enumerate() {
             *value = data[i * columns + j];
@@ -104,8 +97,8 @@ fn radix_two(data: &mut [Complex], roots: &[Complex]) {
         for block in data.chunks_exact_mut(2 * half) {
             let (low, high) = block.split_at_mut(half);
             for (j, (a, b)) in low.iter_mut().zip(high).enumerate() {
-                let turned = product(roots[j * stride], *b);
-                (*a, *b) = ((a.0 + turned.0, a.1 + turned.1), (a.0 - turned.0, a.1 - turned.1));
+                let turned = roots[j * stride] * *b;
+                (*a, *b) = (*a + turned, *a - turned);
             }
         }
         half *= 2;
@@ -114,20 +107,19 @@ fn radix_two(data: &mut [Complex], roots: &[Complex]) {
 
 /// Any length as a convolution with a chirp (Bluestein 1970): jk = (j² + k² − (k−j)²)/2.
 fn bluestein(data: &mut [Complex], (chirp, kernel): (&[Complex], &[Complex]), roots: &[Complex]) {
-    let mut work = vec![(0.0, 0.0); kernel.len()];
+    let mut work = vec![Complex::default(); kernel.len()];
     for ((w, &x), &c) in work.iter_mut().zip(&*data).zip(chirp) {
-        *w = product(x, c);
+        *w = x * c;
     }
     radix_two(&mut work, roots);
     for (w, &k) in work.iter_mut().zip(kernel) {
-        let (re, im) = product(*w, k);
-        *w = (re, -im);
+        *w = (*w * k).conjugate();
     }
     radix_two(&mut work, roots);
     #[expect(clippy::cast_precision_loss, reason = "lengths of a transform are far below 2^53")]
     let scale = 1.0 / kernel.len() as f64;
     for ((x, &w), &c) in data.iter_mut().zip(&work).zip(chirp) {
-        *x = product((w.0 * scale, -w.1 * scale), c);
+        *x = w.conjugate() * scale * c;
     }
 }
 
@@ -141,16 +133,15 @@ mod tests {
     fn every_length_is_its_defining_sum() {
         for length in (1..40).chain([64, 97, 100]) {
             let mut random = Random::seeded(length as u64);
-            let data: Vec<Complex> = (0..length).map(|_| (random.unit(), random.unit())).collect();
+            let data: Vec<Complex> = (0..length).map(|_| Complex { re: random.unit(), im: random.unit() }).collect();
             let mut fast = data.clone();
             Transform::new(length).run(&mut fast);
             for (k, f) in fast.iter().enumerate() {
-                let mut sum = (0.0, 0.0);
+                let mut sum = Complex::default();
                 for (j, &x) in data.iter().enumerate() {
-                    let term = product(x, unit_root(2 * (j * k % length), length));
-                    sum = (sum.0 + term.0, sum.1 + term.1);
+                    sum = sum + x * unit_root(2 * (j * k % length), length);
                 }
-                let error = (f.0 - sum.0).hypot(f.1 - sum.1);
+                let error = (*f - sum).square().sqrt();
                 assert!(error < 1e-13 * length as f64, "n = {length}, k = {k}: {error:e}");
             }
         }

@@ -5,6 +5,7 @@ use super::{
     error::positive,
     fourier::{Transform, transposed},
 };
+use crate::numerics::complex::Complex;
 use ndarray::Array2;
 use std::f64::consts::TAU;
 
@@ -148,7 +149,7 @@ impl HeightMap {
         };
         let (across, along) = (Transform::new(columns), Transform::new(rows));
         let mut data: Vec<_> =
-            level.indexed_iter().map(|((i, j), h)| (h * taper(i, rows) * taper(j, columns), 0.0)).collect();
+            level.indexed_iter().map(|((i, j), h)| Complex::from(h * taper(i, rows) * taper(j, columns))).collect();
         across.run_lines(&mut data);
         let mut data = transposed(&data, columns);
         along.run_lines(&mut data);
@@ -157,7 +158,7 @@ impl HeightMap {
         let scale = number(rows * columns).powi(2);
         let measured = data.iter().enumerate().skip(1).map(|(at, z)| {
             let q = wave(at / rows, columns, x).hypot(wave(at % rows, rows, y));
-            (q, (z.0 * z.0 + z.1 * z.1) / scale)
+            (q, z.square() / scale)
         });
         measured.collect()
     }

@@ -1,6 +1,7 @@
 //! The one-dimensional equivalent of a rough surface.
 
 use super::{Random, Rings, RoughError, fourier::Transform};
+use crate::numerics::complex::Complex;
 use std::f64::consts::TAU;
 
 /// A periodic rough line z(x) = Σ_k B_k cos(q_k x + φ_k), q_k = 2πk/length, B_k = √(2V_k), φ_k random in [0, 2π).
@@ -42,8 +43,7 @@ impl RoughLine {
     /// # Errors
     /// Fewer than two points on the shortest wave.
     pub fn heights(&self, points: usize) -> Result<Vec<f64>, RoughError> {
-        let turned = |_: usize, (b, phase): (f64, f64)| (b * libm::cos(phase), b * libm::sin(phase));
-        self.sampled(points, turned)
+        self.sampled(points, |_, amplitude, phase| Complex::polar(amplitude, phase))
     }
 
     /// Slopes z′(x_j) at a number of evenly spaced points.
@@ -51,11 +51,9 @@ impl RoughLine {
     /// # Errors
     /// Fewer than two points on the shortest wave.
     pub fn slopes(&self, points: usize) -> Result<Vec<f64>, RoughError> {
-        let turned = |k: usize, (b, phase): (f64, f64)| {
-            let q = TAU * number(k) / self.length;
-            (-q * b * libm::sin(phase), q * b * libm::cos(phase))
-        };
-        self.sampled(points, turned)
+        let i = Complex { re: 0.0, im: 1.0 };
+        let slope = |k, amplitude, phase| Complex::polar(TAU * number(k) / self.length * amplitude, phase) * i;
+        self.sampled(points, slope)
     }
 
     /// Height [m] at any place [m], by the sum itself.
@@ -67,22 +65,20 @@ impl RoughLine {
     }
 
     /// Real part of the sum of waves with complex amplitudes at the half-step places.
-    fn sampled(&self, points: usize, turned: impl Fn(usize, (f64, f64)) -> (f64, f64)) -> Result<Vec<f64>, RoughError> {
+    fn sampled(&self, points: usize, wave: impl Fn(usize, f64, f64) -> Complex) -> Result<Vec<f64>, RoughError> {
         let last = self.waves.len().saturating_sub(1);
         if 2 * last.max(1) > points {
             let short = self.length / number(last.max(1));
             let step = self.length / number(points);
             return Err(RoughError::TooFine { short, step, length: self.length, points, needed: 2 * last.max(1) });
         }
-        let mut data = vec![(0.0, 0.0); points];
-        for (k, wave) in self.waves.iter().enumerate() {
-            let (re, im) = turned(k, *wave);
+        let mut data = vec![Complex::default(); points];
+        for (k, &(amplitude, phase)) in self.waves.iter().enumerate() {
             let half_step = 0.5 * TAU * number(k) / number(points);
-            let (cos, sin) = (libm::cos(half_step), libm::sin(half_step));
-            data[k] = (re * cos - im * sin, re * sin + im * cos);
+            data[k] = wave(k, amplitude, phase) * Complex::polar(1.0, half_step);
         }
         Transform::new(points).run(&mut data);
-        Ok(data.into_iter().map(|z| z.0).collect())
+        Ok(data.into_iter().map(|z| z.re).collect())
     }
 }
 
@@ -118,10 +114,10 @@ mod tests {
             prop_assert!((mean_square(&heights) / rings.mean_square(0) - 1.0).abs() < 1e-12);
             let slopes = line.slopes(points).unwrap();
             prop_assert!((mean_square(&slopes) / rings.mean_square(1) - 1.0).abs() < 1e-11);
-            let mut spectrum: Vec<_> = heights.iter().map(|z| (*z, 0.0)).collect();
+            let mut spectrum: Vec<_> = heights.iter().map(|z| Complex::from(*z)).collect();
             Transform::new(points).run(&mut spectrum);
             for (k, v) in rings.variances().iter().enumerate().skip(1) {
-                let found = 2.0 * (spectrum[k].0.powi(2) + spectrum[k].1.powi(2)) / number(points).powi(2);
+                let found = 2.0 * spectrum[k].square() / number(points).powi(2);
                 prop_assert!((found - v).abs() < 1e-13 * (rings.mean_square(0) * v).sqrt() + 1e-12 * v);
             }
         }

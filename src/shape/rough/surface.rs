@@ -2,8 +2,9 @@
 
 use super::{
     Random, Rings, RoughError, RoughnessSpectrum,
-    fourier::{Complex, Transform, transposed},
+    fourier::{Transform, transposed},
 };
+use crate::numerics::complex::Complex;
 use ndarray::Array2;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -36,11 +37,11 @@ pub fn rough_surface(
     let rings = Rings::of(spectrum, length, points)?;
     let waves = Amplitudes::new(spectrum, &rings);
     let transform = Transform::new(points);
-    let mut columns = vec![(0.0, 0.0); points * points];
+    let mut columns = vec![Complex::default(); points * points];
     columns.par_chunks_mut(points).enumerate().for_each(|(m, line)| waves.fill(line, m, seed, &transform));
     let mut rows = transposed(&columns, points);
     transform.run_lines(&mut rows);
-    let heights = Array2::from_shape_fn((points, points), |(i, j)| rows[i * points + j].0);
+    let heights = Array2::from_shape_fn((points, points), |(i, j)| rows[i * points + j].re);
     Ok(heights)
 }
 
@@ -104,9 +105,8 @@ impl<'a> Amplitudes<'a> {
         for n in self.partners(m) {
             let Some((ring, density)) = self.of(m, n) else { continue };
             let amplitude = (self.factors[ring] * density).sqrt();
-            let phase = wave_phase(seed, m, n);
             line[n.rem_euclid(line.len().cast_signed()).cast_unsigned()] =
-                (amplitude * libm::cos(phase), amplitude * libm::sin(phase));
+                Complex::polar(amplitude, wave_phase(seed, m, n));
         }
         transform.run(line);
     }

@@ -6,7 +6,7 @@ use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Series};
 use crate::contact::state::Tangential;
 use crate::friction::Friction;
 use crate::friction::sliding::SlidingPoint;
-use crate::run::curves::sliding::{self, Way};
+use crate::run::curves::sliding::{self, SlideDirection};
 use crate::run::record::{
     CONTACT_RADIUS, Field, FieldRow, Outcome, Record, SLIDE, STICK_RADIUS, TANGENTIAL_FORCE, TIME,
 };
@@ -30,8 +30,8 @@ pub fn loops(plan: &Plan, records: &[Record]) -> Panel {
     let states: Vec<Tangential> = records.iter().filter_map(|record| record.tangential).collect();
     let panel = sliding::ways(&states).into_iter().map(|(way, states)| {
         let label = match way {
-            Way::Forward => "forward",
-            Way::Backward => "backward",
+            SlideDirection::Forward => "forward",
+            SlideDirection::Backward => "backward",
         };
         Series::new(label, states.iter().map(|state| (state.slide, state.force)).collect()).arrow()
     });

@@ -17,7 +17,7 @@ use crate::shape::Profile;
 use law::{BedResponse, Kinematics, Shrinking};
 use piece::{MotionPiece, MotionState};
 use std::sync::Arc;
-use step::{Collocation, Solved};
+use step::{Collocation, SolvedStep};
 
 /// A viscoelastic half-space that may be hit.
 ///
@@ -123,7 +123,7 @@ impl StruckHalfSpace {
     }
 
     /// The contact while it grows; whether the mass turns or stays in a liquid.
-    fn load(&self, impact: &Projectile, depth: f64, tolerance: f64) -> Result<(Vec<Solved>, bool), ImpactError> {
+    fn load(&self, impact: &Projectile, depth: f64, tolerance: f64) -> Result<(Vec<SolvedStep>, bool), ImpactError> {
         let terms = vec![0.0; self.spectrum.terms().len()];
         let flat = 2.0 * self.edge(0.0)? * self.spectrum.viscosity() * impact.speed;
         let mut now = MotionState {
@@ -135,7 +135,7 @@ impl StruckHalfSpace {
         };
         // The contact grows like a root at first, which no polynomial follows: a first step that does not matter.
         let mut pace = Pace::new(impact.speed * tolerance, FIRST_STEP * depth / impact.speed);
-        let mut steps: Vec<Solved> = Vec::new();
+        let mut steps: Vec<SolvedStep> = Vec::new();
         while pace.tries < MOST_STEPS {
             let step = Collocation {
                 model: self,
@@ -238,7 +238,7 @@ impl Flight {
     }
 
     /// A step in which the bodies part: whether this is at one of its ends; otherwise it is cut there.
-    fn parts(&mut self, law: &Shrinking<'_>, pace: &mut Pace, solved: Solved) -> bool {
+    fn parts(&mut self, law: &Shrinking<'_>, pace: &mut Pace, solved: SolvedStep) -> bool {
         let Some(part) = self.release(law, &solved.piece) else {
             // Torn off somewhere in the step: from now on half of the way to its end at most.
             pace.limit = solved.piece.end();
@@ -348,7 +348,7 @@ impl Pace {
     }
 
     /// The step solved, if it is good enough; sets the length of the next one.
-    fn accepted(&mut self, step: &Collocation<'_>) -> Result<Option<Solved>, ImpactError> {
+    fn accepted(&mut self, step: &Collocation<'_>) -> Result<Option<SolvedStep>, ImpactError> {
         self.tries += 1;
         let Some(solved) = step.solve()? else {
             self.span = 0.25 * step.span;
@@ -365,7 +365,7 @@ impl Pace {
     }
 
     /// The step `solved` again, shortened to the part `part`.
-    fn cut(&mut self, solved: &Solved, part: f64) {
+    fn cut(&mut self, solved: &SolvedStep, part: f64) {
         self.span = part * solved.piece.span;
     }
 }

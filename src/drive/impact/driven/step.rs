@@ -6,7 +6,7 @@ use super::collocation::{
 use super::law::{BedResponse, Kinematics, Shrinking};
 use super::piece::{MotionPiece, MotionState};
 use super::{ImpactError, StruckHalfSpace};
-use crate::contact::viscoelastic::memory::BedError;
+use crate::contact::error::BedError;
 use std::array::from_fn;
 
 /// Most iterations of a step; one that needs more is too long.
@@ -32,7 +32,7 @@ pub struct Collocation<'s> {
 }
 
 /// A step that has been solved.
-pub struct Solved {
+pub struct SolvedStep {
     /// The motion.
     pub piece: MotionPiece,
     /// Its end.
@@ -48,7 +48,7 @@ impl Collocation<'_> {
     ///
     /// # Errors
     /// The contact would outgrow the profile.
-    pub fn solve(&self) -> Result<Option<Solved>, ImpactError> {
+    pub fn solve(&self) -> Result<Option<SolvedStep>, ImpactError> {
         let terms = self.model.spectrum.terms();
         let fadings: Vec<[Fading; NODES]> =
             terms.iter().map(|term| RADAU.map(|c| Fading::new(self.span / term.time, c))).collect();
@@ -171,7 +171,7 @@ impl Collocation<'_> {
         flow: Polynomial,
         fadings: &[[Fading; NODES]],
         answer: BedResponse,
-    ) -> Solved {
+    ) -> SolvedStep {
         let piece = MotionPiece { flow, ..piece };
         let at_end = |of: &dyn Fn(&Fading, f64, usize) -> f64| -> Vec<f64> {
             let terms = self.model.spectrum.terms().iter().zip(fadings).enumerate();
@@ -192,7 +192,7 @@ impl Collocation<'_> {
         let misfit = (piece.acceleration(0.0) - self.start.acceleration).abs();
         let error = MISFIT * self.span * misfit + self.flow_error(&piece);
         let piece = MotionPiece { missed: error, ..piece };
-        Solved { piece, end, answer, error }
+        SolvedStep { piece, end, answer, error }
     }
 
     /// What the polynomial of the growth, looked at in its middle, may do to the speed [m/s].

@@ -1,8 +1,7 @@
 //! Creep of a contact that only grows: the exact answer to a prescribed force.
 
-use super::Spectrum;
-use super::ledger::square_remainder;
-use super::spring::decay;
+use crate::material::Spectrum;
+use crate::numerics::exponential::{decay, square_remainder};
 use crate::numerics::root;
 use crate::shape::Profile;
 use std::sync::Arc;
