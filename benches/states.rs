@@ -3,7 +3,7 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
-use springbed::app::scene_file::setup;
+use springbed::app::scene_file::plan;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::direct::QuasiStatic;
 use springbed::contact::foundation::HalfSpace;
@@ -58,12 +58,12 @@ fn scene(radius: usize, steps: usize) -> Plan {
          history: [Indent(to: 2e-5, over: 10), Retract(speed: 1e-6)])",
         2.5e-3 * (1.0 + 1e-6 * radius as f64)
     );
-    setup(Path::new("lens.ron"), &text).unwrap()
+    plan(Path::new("lens.ron"), &text).unwrap()
 }
 
 fn one_curve(c: &mut Criterion) {
-    let setup = scene(0, 500);
-    c.bench_function("jkr curve of 1000 records", |b| b.iter(|| run(black_box(&setup), Wanted::NOTHING).unwrap()));
+    let plan = scene(0, 500);
+    c.bench_function("jkr curve of 1000 records", |b| b.iter(|| run(black_box(&plan), Wanted::NOTHING).unwrap()));
 }
 
 /// 10 000 curves of 100 records on one and on two threads.
@@ -79,8 +79,8 @@ fn many_scenes(c: &mut Criterion) {
     }
 }
 
-fn pull_off(setup: &Plan) -> f64 {
-    let outcome = run(setup, Wanted::NOTHING).unwrap();
+fn pull_off(plan: &Plan) -> f64 {
+    let outcome = run(plan, Wanted::NOTHING).unwrap();
     outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::min)
 }
 

@@ -66,7 +66,7 @@
 //!
 //! let text = r#"(shape: Paraboloid(radius: "10 mm"), bodies: (Elastic(young: "210 GPa", poisson: 0.3), Rigid),
 //!     history: [Indent(to: "1 um", over: 1)])"#;
-//! let plan = Notation::Ron.setup(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
 //! let outcome = run(&plan, Wanted::NOTHING)?;
 //! let last = outcome.records.last().unwrap();
 //! assert!((last.normal.force / 30.76923076923077 - 1.0).abs() < 1e-14);

@@ -1,6 +1,6 @@
 //! The program springbed.
 //!
-//! `springbed run SCENE.ron` goes: command line → scene file → setup → simulation → exports → files.
+//! `springbed run SCENE.ron` goes: command line → scene file → plan → simulation → exports → files.
 
 use std::process::ExitCode;
 

@@ -13,7 +13,7 @@ pub struct SceneFile {
     /// The file.
     pub path: PathBuf,
     /// The scene with its tables read.
-    pub setup: Plan,
+    pub plan: Plan,
 }
 
 /// Largest scene file: a history of a million entries has a third of it.
@@ -26,8 +26,8 @@ impl SceneFile {
     /// Everything that is wrong with it, in the order of the text.
     pub fn load(path: &Path) -> Result<Self, Vec<Fault>> {
         let text = read_text(path, LARGEST).map_err(|fault| vec![fault])?;
-        let setup = setup(path, &text)?;
-        Ok(Self { path: path.to_owned(), setup })
+        let plan = plan(path, &text)?;
+        Ok(Self { path: path.to_owned(), plan })
     }
 
     /// Name of the file without directory and extension, the stem of its outputs.
@@ -37,13 +37,13 @@ impl SceneFile {
     }
 }
 
-/// The setup of the scene in `text`, which came from the file at `path`: JSON by its name, or else RON.
+/// The plan of the scene in `text`, which came from the file at `path`: JSON by its name, or else RON.
 ///
 /// # Errors
 /// Everything that is wrong with it, in the order of the text.
-pub fn setup(path: &Path, text: &str) -> Result<Plan, Vec<Fault>> {
+pub fn plan(path: &Path, text: &str) -> Result<Plan, Vec<Fault>> {
     let json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
     let notation = if json { Notation::Json } else { Notation::Ron };
-    let setup = notation.setup(text, &TableFiles::beside(path));
-    setup.map_err(|errors| errors.into_iter().map(|error| Fault::at(path, error)).collect())
+    let plan = notation.plan(text, &TableFiles::beside(path));
+    plan.map_err(|errors| errors.into_iter().map(|error| Fault::at(path, error)).collect())
 }

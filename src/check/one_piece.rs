@@ -2,9 +2,9 @@
 
 use super::theory::{Connection, PlaneContact, WavyParabola, Westergaard, exact_ranges};
 use crate::run::record::Outcome;
-use crate::scene::history::Entry;
-use crate::scene::plan::Plan;
+use crate::scene::plan::{Plan, PlanePlan, Section};
 use crate::scene::reach;
+use crate::scene::stage::Stage;
 use crate::shape::{PlaneWave, PlaneWavy, Profile, Rim, Shape};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
@@ -19,36 +19,36 @@ const RANGES: usize = 4;
 
 /// What is known about the contact of a scene staying in one piece; empty for rough shapes, whose contact never does.
 #[must_use]
-pub fn in_words(setup: &Plan, outcome: &Outcome) -> Vec<String> {
-    if setup.surface().is_some() {
-        return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
-    }
-    match &setup.scene.shape {
-        Shape::PlaneWave(wave) => return vec![flattened(setup, wave)],
-        Shape::PlaneWavy(wavy) => return sealed(setup, wavy, outcome),
-        _ => {}
-    }
-    let Some(profile) = setup.profile() else { return Vec::new() };
+pub fn in_words(plan: &Plan, outcome: &Outcome) -> Vec<String> {
+    let profile = match plan {
+        Plan::Rough(_) => {
+            return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
+        }
+        Plan::Plane(PlanePlan { section: Section::Wave { wave, .. }, .. }) => return vec![flattened(plan, wave)],
+        Plan::Plane(PlanePlan { section: Section::Wavy(wavy), .. }) => return sealed(plan, wavy, outcome),
+        Plan::Round(round) => round.profile.as_ref(),
+        Plan::Impact(impact) => impact.profile.as_ref(),
+    };
     let radii = outcome.records.iter().filter_map(|record| record.normal.contact_radius);
     let limit = limit(profile, radii.fold(0.0, f64::max));
-    let mut lines = round(profile, setup.pair.normal, limit);
-    lines.extend(plane(setup, profile, limit));
+    let mut lines = round(profile, plan.pair.normal, limit);
+    lines.extend(plane(plan, profile, limit));
     lines
 }
 
 /// When a wave is in full contact.
-fn flattened(setup: &Plan, wave: &PlaneWave) -> String {
-    let (modulus, amplitude, wavelength) = (setup.pair.normal, wave.amplitude.si(), wave.wavelength.si());
+fn flattened(plan: &Plan, wave: &PlaneWave) -> String {
+    let (modulus, amplitude, wavelength) = (plan.pair.normal, wave.amplitude.si(), wave.wavelength.si());
     let full = Westergaard { modulus, amplitude, wavelength }.full_contact_pressure();
     let force = full * wavelength * wave.width();
     format!("one contact per period; full contact from a mean pressure of {full:.4e} Pa, {force:.4e} N per period")
 }
 
 /// Loads of a wavy section at which its contact is in one piece, up to that of the scene.
-fn sealed(setup: &Plan, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
-    let largest = largest_force(setup, outcome) / wavy.width();
+fn sealed(plan: &Plan, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
+    let largest = largest_force(plan, outcome) / wavy.width();
     let slope = |x: f64| wavy.ripple_slope(x);
-    let parabola = WavyParabola { modulus: setup.pair.normal, radius: wavy.radius.si(), slope: &slope };
+    let parabola = WavyParabola { modulus: plan.pair.normal, radius: wavy.radius.si(), slope: &slope };
     let contact = |load: f64| parabola.symmetric(load).ok().flatten();
     let least = |sure: fn(&PlaneContact) -> bool| least_load(|load| contact(load).is_some_and(|c| sure(&c)), largest);
     let Some(whole) = least(|_| true) else {
@@ -62,14 +62,10 @@ fn sealed(setup: &Plan, wavy: &PlaneWavy, outcome: &Outcome) -> Vec<String> {
     ]
 }
 
-/// The largest force of the scene [N], whether its contact was in one piece or not.
-pub fn largest_force(setup: &Plan, outcome: &Outcome) -> f64 {
+/// The largest force of the scene [N], found or prescribed, whether its contact was in one piece or not.
+pub fn largest_force(plan: &Plan, outcome: &Outcome) -> f64 {
     let found = outcome.records.iter().map(|record| record.normal.force);
-    let pressed = setup.scene.history.iter().map(|entry| match entry {
-        Entry::Press(press) => press.to.si(),
-        _ => 0.0,
-    });
-    found.chain(pressed).fold(0.0, f64::max)
+    found.chain(plan.stages.iter().filter_map(Stage::force)).fold(0.0, f64::max)
 }
 
 /// The least load from which on, up to the largest, a condition holds, to a thousandth; `None` if it does not at the largest.
@@ -130,18 +126,18 @@ fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
 }
 
 /// The same profile as a cylinder on a half-plane: the sufficient condition of Kudish et al. and the least loads.
-fn plane(setup: &Plan, profile: &dyn Profile, limit: f64) -> Vec<String> {
-    let Some(radius) = mean_curvature_radius(&setup.scene.shape, profile, limit) else { return Vec::new() };
-    let slope = |x: f64| match &setup.scene.shape {
+fn plane(plan: &Plan, profile: &dyn Profile, limit: f64) -> Vec<String> {
+    let Some(radius) = mean_curvature_radius(&plan.scene.shape, profile, limit) else { return Vec::new() };
+    let slope = |x: f64| match &plan.scene.shape {
         Shape::WavyParaboloid(wavy) => {
             let wave_number = TAU / wavy.wavelength.si();
             wavy.amplitude.si() * wave_number * (wave_number * x).sin()
         }
         _ => differenced(profile, 1e-5 * limit, x) - x / radius,
     };
-    let parabola = WavyParabola { modulus: setup.pair.normal, radius, slope: &slope };
+    let parabola = WavyParabola { modulus: plan.pair.normal, radius, slope: &slope };
     // P = πE*c²/4R of the smooth parabola.
-    let load = |c: f64| FRAC_PI_4 * setup.pair.normal * c * c / radius;
+    let load = |c: f64| FRAC_PI_4 * plan.pair.normal * c * c / radius;
     let range = (load(0.02 * limit), load(limit / FARTHER));
     let reach = 2.0 * limit;
     let words = |wanted| match parabola.least_load(range, reach, wanted) {

@@ -48,6 +48,15 @@ impl Path {
         }
     }
 
+    /// Whether it is a sine.
+    #[must_use]
+    pub fn is_wave(self) -> bool {
+        match self {
+            Self::Wave(_) => true,
+            Self::To(_) | Self::Stay | Self::UntilParted { .. } => false,
+        }
+    }
+
     /// The parts of a stage of `over` [s] at which the path turns.
     #[must_use]
     pub fn turns(self, over: f64) -> Vec<f64> {

@@ -247,6 +247,12 @@ impl Plan {
         self.of_round(|plan| plan.contact.edge_work(), |plan| plan.law.edge_work())
     }
 
+    /// Whether the bodies of a round contact adhere.
+    #[must_use]
+    pub fn adheres(&self) -> bool {
+        self.of_round(|plan| Some(plan.contact.adheres()), |plan| Some(plan.law.adheres())).unwrap_or(false)
+    }
+
     /// What holds the edge of bodies that relax.
     #[must_use]
     pub fn held_edge(&self) -> Option<&HeldEdge> {

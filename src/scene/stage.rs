@@ -44,8 +44,25 @@ impl Stage {
     /// Whether depth or slide is a curve in time: under a prescribed force, and in a wave.
     #[must_use]
     pub fn is_curved(&self) -> bool {
-        let wave = |path| matches!(path, Path::Wave(_));
-        self.control == Some(Control::Force) || wave(self.normal) || wave(self.tangential)
+        self.control == Some(Control::Force) || self.normal.is_wave() || self.tangential.is_wave()
+    }
+
+    /// The force it goes to [N], where one is prescribed.
+    #[must_use]
+    pub fn force(&self) -> Option<f64> {
+        match (self.control?, self.normal) {
+            (Control::Force, Path::To(force)) => Some(force),
+            (Control::Force, Path::Stay | Path::Wave(_) | Path::UntilParted { .. }) | (Control::Indentation, _) => None,
+        }
+    }
+
+    /// The tangential displacement it slides to in one way [m].
+    #[must_use]
+    pub fn slide(&self) -> Option<f64> {
+        match self.tangential {
+            Path::To(slide) => Some(slide),
+            Path::Stay | Path::Wave(_) | Path::UntilParted { .. } => None,
+        }
     }
 
     /// The parts of the stage, up to 1, at which records stand: at equal times, and where a path turns.

@@ -53,7 +53,7 @@ impl Notation {
     ///
     /// # Errors
     /// The first fault of the notation, or else all that is wrong with the scene, in the order of the text.
-    pub fn setup(self, text: &str, tables: &dyn Tables) -> Result<Plan, Vec<TextError>> {
+    pub fn plan(self, text: &str, tables: &dyn Tables) -> Result<Plan, Vec<TextError>> {
         let scene = match self {
             Self::Ron => Scene::from_ron(text),
             Self::Json => Scene::from_json(text),

@@ -74,12 +74,12 @@ fn ready(scene: Scene) -> Plan {
 }
 
 /// Bytes taken in all, and in the largest piece, while a scene is run.
-fn run(setup: &Plan, wanted: Wanted) -> (usize, usize) {
+fn run(plan: &Plan, wanted: Wanted) -> (usize, usize) {
     // What is made once for the whole program is not the scene's.
-    run::run(setup, wanted).unwrap();
+    run::run(plan, wanted).unwrap();
     TAKEN.set(0);
     LARGEST.set(0);
-    run::run(setup, wanted).unwrap();
+    run::run(plan, wanted).unwrap();
     (TAKEN.get(), LARGEST.get())
 }
 
@@ -121,12 +121,12 @@ fn springs_friction_and_prony_elements_cost_what_they_say() {
 /// A field has 161 radii of three numbers.
 #[test]
 fn fields_and_stresses_nobody_wants_are_not_computed() {
-    let setup = ready(elastic());
-    let bare = run(&setup, Wanted::NOTHING).0;
-    let fields = run(&setup, Wanted { fields: true, ..Wanted::NOTHING }).0;
-    let stresses = run(&setup, Wanted { stresses: true, ..Wanted::NOTHING }).0;
+    let plan = ready(elastic());
+    let bare = run(&plan, Wanted::NOTHING).0;
+    let fields = run(&plan, Wanted { fields: true, ..Wanted::NOTHING }).0;
+    let stresses = run(&plan, Wanted { stresses: true, ..Wanted::NOTHING }).0;
     assert!(fields > bare + 161 * 24 && stresses > bare + 96 * 24, "{bare}, {fields}, {stresses} bytes");
-    let outcome = run::run(&setup, Wanted::NOTHING).unwrap();
+    let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
     assert!(outcome.fields.is_empty() && outcome.tables.is_empty());
 }
 

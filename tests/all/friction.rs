@@ -358,8 +358,8 @@ fn a_mismatch_of_the_bodies_is_told() {
     };
     let told = |bodies: (Body, Body)| {
         let scene = Scene { bodies, ..scene(ball(), coulomb(0.3), vec![indent(0.01), slide(1e-3)]) };
-        let setup = scene.resolve(&InMemory::default()).unwrap();
-        let outcome = run::run(&setup, Wanted::NOTHING).unwrap();
+        let plan = scene.resolve(&InMemory::default()).unwrap();
+        let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
         outcome.warnings.into_iter().find(|warning| warning.contains("elastic similarity"))
     };
     // Dundurs' β of ν = 0.1 on a rigid body is (1 − 2ν)/(2(1 − ν)) = 0.444.

@@ -5,7 +5,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use springbed::app::fault::Paint;
-use springbed::app::scene_file::setup;
+use springbed::app::scene_file::plan;
 use springbed::app::table_file::TableFiles;
 use springbed::input::table::Tables;
 use std::path::Path;
@@ -27,7 +27,7 @@ fn run<S: Strategy>(strategy: S, check: impl Fn(S::Value)) {
 
 /// Reads a scene; a fault must be printable and point into the text.
 fn read_scene(text: &str) {
-    if let Err(faults) = setup(Path::new("configs/scene.ron"), text) {
+    if let Err(faults) = plan(Path::new("configs/scene.ron"), text) {
         assert!(!faults.is_empty());
         for fault in faults {
             assert!(!fault.rendered(Paint::Plain).is_empty());
@@ -156,7 +156,7 @@ fn read_files(folder: &Path, bytes: &[u8]) {
         }
     }
     let text = "(shape: Table(\"t.csv\"), bodies: (Elastic(young: 1, poisson: 0), Rigid), history: [Table(\"t.csv\")])";
-    assert!(setup(&folder.join("scene.ron"), text).is_err(), "no table is a shape and a history at once");
+    assert!(plan(&folder.join("scene.ron"), text).is_err(), "no table is a shape and a history at once");
 }
 
 #[test]

@@ -47,8 +47,8 @@ fn every_scene_runs_and_gives_the_answers_in_its_comments() {
         let text = std::fs::read_to_string(&path).unwrap();
         let scene = SceneFile::load(&path).unwrap_or_else(|faults| panic!("{faults:?}"));
         let formats = [Format::Csv, Format::Json, Format::Svg];
-        let outcome = compute(&scene.setup, &formats).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let files = products(&scene.setup, "scene.ron", &outcome, &formats).unwrap();
+        let outcome = compute(&scene.plan, &formats).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let files = products(&scene.plan, "scene.ron", &outcome, &formats).unwrap();
         assert!(files.len() >= 2 && files.iter().all(|file| !file.content.is_empty()), "{}", path.display());
         for (name, right, bound) in answers(&text) {
             let found = result(&outcome, &name).unwrap_or_else(|| panic!("{}: no {name}", path.display()));
@@ -83,7 +83,7 @@ fn scenes_of_friction_quote_their_answers() {
 #[test]
 fn the_rail_and_the_wheel_of_the_book() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/rail_wheel.ron");
-    let outcome = compute(&SceneFile::load(&path).unwrap().setup, &[Format::Json]).unwrap();
+    let outcome = compute(&SceneFile::load(&path).unwrap().plan, &[Format::Json]).unwrap();
     assert!((result(&outcome, "peak_pressure_pa").unwrap() - 1.0e9).abs() < 0.05e9);
     assert!((result(&outcome, "largest_contact_radius_m").unwrap() - 6.8e-3).abs() < 0.05e-3);
     let yielding = outcome.warnings.iter().filter(|warning| warning.contains("first yield")).count();
@@ -98,8 +98,8 @@ fn the_jumps_of_the_wavy_lens() {
     let text = std::fs::read_to_string(&path).unwrap();
     let jumps = |steps: usize| {
         let text = text.replacen("title:", &format!("steps: {steps},\n    title:"), 1);
-        let setup = springbed::app::scene_file::setup(&path, &text).unwrap_or_else(|faults| panic!("{faults:?}"));
-        let records = compute(&setup, &[]).unwrap().records;
+        let plan = springbed::app::scene_file::plan(&path, &text).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let records = compute(&plan, &[]).unwrap().records;
         let pairs: Vec<_> = records.windows(2).map(|pair| (pair[0], pair[1])).collect();
         let jumped = |pair: &&(springbed::run::record::Record, springbed::run::record::Record)| {
             (pair.1.time - pair.0.time).abs() <= 0.0 && pair.0.normal.contact_radius != pair.1.normal.contact_radius

@@ -57,9 +57,9 @@ fn wrong_json_is_refused_with_its_place() {
 #[cfg(feature = "cli")]
 #[test]
 fn a_scene_file_may_be_json() {
-    use springbed::app::scene_file::setup;
+    use springbed::app::scene_file::plan;
     let path = Path::new("scene.json");
-    assert!(setup(path, SCENE).is_ok());
-    let faults = setup(path, &SCENE.replace("Indent", "Slide")).unwrap_err();
+    assert!(plan(path, SCENE).is_ok());
+    let faults = plan(path, &SCENE.replace("Indent", "Slide")).unwrap_err();
     assert_eq!(faults[0].position.unwrap().line, 4, "{faults:?}");
 }

@@ -42,7 +42,7 @@ pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), 
         console.result(&json(faults)?)?;
     }
     for scene in &loaded? {
-        let title = &scene.setup.scene.title;
+        let title = &scene.plan.scene.title;
         if !common.json {
             console.say(&format!(
                 "{}: ok{}{title}",

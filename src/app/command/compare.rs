@@ -17,9 +17,9 @@ use std::path::Path;
 pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failure> {
     let scene = SceneFile::load(path).map_err(Failure::Scene)?;
     let progress = Progress::of("comparing", console);
-    let comparison = compare(&scene.setup, &|share| progress.done(share)).map_err(Failure::failed)?;
+    let comparison = compare(&scene.plan, &|share| progress.done(share)).map_err(Failure::failed)?;
     drop(progress);
-    let title = &scene.setup.scene.title;
+    let title = &scene.plan.scene.title;
     if common.json {
         console.result(&export::comparison_json(&comparison).map_err(Failure::failed)?)?;
     } else {
@@ -50,7 +50,7 @@ fn files(scene: &SceneFile, comparison: &Comparison, common: &Common) -> Result<
     }
     #[cfg(feature = "plot")]
     if wants(Format::Svg) {
-        let title = &scene.setup.scene.title;
+        let title = &scene.plan.scene.title;
         files.push((format!("{stem}.compare.svg"), export::comparison_figure(title, comparison).svg()));
     }
     Ok(files)

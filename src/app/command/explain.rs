@@ -17,36 +17,36 @@ use std::path::Path;
 /// The scene is wrong or cannot be computed.
 pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failure> {
     let scene = SceneFile::load(path).map_err(Failure::Scene)?;
-    let outcome = compute(&scene.setup, &[]).map_err(Failure::failed)?;
-    let text = if common.json { json(&scene.setup, &outcome)? } else { text(&scene.setup, &outcome) };
+    let outcome = compute(&scene.plan, &[]).map_err(Failure::failed)?;
+    let text = if common.json { json(&scene.plan, &outcome)? } else { text(&scene.plan, &outcome) };
     console.result(&text)
 }
 
-fn text(setup: &Plan, outcome: &Outcome) -> String {
+fn text(plan: &Plan, outcome: &Outcome) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: &str| {
         let _ = writeln!(text, "{name:<16}{value}");
     };
-    line("scene", &setup.scene.title);
-    for (name, value) in moduli(setup) {
+    line("scene", &plan.scene.title);
+    for (name, value) in moduli(plan) {
         line(name, &with_prefix(value, "Pa"));
     }
-    if let Some(held) = setup.held_edge() {
+    if let Some(held) = plan.held_edge() {
         line("edge", &held.edge.in_words());
     }
-    let plan = &outcome.plan;
-    line("solver", &format!("{}: {}", plan.solver, plan.reason));
-    line("parts used", &plan.used.join(", "));
-    line("parts left out", &plan.left_out.join(", "));
-    line("springs", &plan.springs.to_string());
-    line("bytes of state", &plan.state_bytes.to_string());
-    line("accuracy asked", &format!("{:e}", setup.accuracy()));
+    let parts = &outcome.plan;
+    line("solver", &format!("{}: {}", parts.solver, parts.reason));
+    line("parts used", &parts.used.join(", "));
+    line("parts left out", &parts.left_out.join(", "));
+    line("springs", &parts.springs.to_string());
+    line("bytes of state", &parts.state_bytes.to_string());
+    line("accuracy asked", &format!("{:e}", plan.accuracy()));
     let estimate = &outcome.error_estimate;
     line("error expected", &format!("{:.0e} ({})", estimate.relative, estimate.basis));
-    for words in one_piece::in_words(setup, outcome) {
+    for words in one_piece::in_words(plan, outcome) {
         line("connectivity", &words);
     }
-    for words in theories(setup, outcome) {
+    for words in theories(plan, outcome) {
         line("theory", &words);
     }
     if outcome.warnings.is_empty() {
@@ -59,17 +59,17 @@ fn text(setup: &Plan, outcome: &Outcome) -> String {
 }
 
 /// What theories of rough contact say of the largest force of the scene.
-fn theories(setup: &Plan, outcome: &Outcome) -> Vec<String> {
+fn theories(plan: &Plan, outcome: &Outcome) -> Vec<String> {
     let states = outcome.records.iter().map(|record| &record.normal);
     let largest = states.max_by(|one, other| one.force.total_cmp(&other.force));
-    largest.map_or_else(Vec::new, |state| theory::in_words(setup, state.force, state.stiffness))
+    largest.map_or_else(Vec::new, |state| theory::in_words(plan, state.force, state.stiffness))
 }
 
 /// Effective moduli by name [Pa].
-fn moduli(setup: &Plan) -> Vec<(&'static str, f64)> {
-    let mut rows = vec![("G*", setup.pair.tangential)];
-    match setup.relaxation() {
-        None => rows.insert(0, ("E*", setup.pair.normal)),
+fn moduli(plan: &Plan) -> Vec<(&'static str, f64)> {
+    let mut rows = vec![("G*", plan.pair.tangential)];
+    match plan.relaxation() {
+        None => rows.insert(0, ("E*", plan.pair.normal)),
         Some(relaxation) => {
             rows.insert(0, ("E*(∞)", relaxation.equilibrium));
             rows.insert(0, ("E*(0)", relaxation.instantaneous()));
@@ -78,16 +78,16 @@ fn moduli(setup: &Plan) -> Vec<(&'static str, f64)> {
     rows
 }
 
-fn json(setup: &Plan, outcome: &Outcome) -> Result<String, Failure> {
+fn json(plan: &Plan, outcome: &Outcome) -> Result<String, Failure> {
     let value = serde_json::json!({
-        "title": setup.scene.title,
-        "pair": setup.pair,
-        "relaxation": setup.relaxation(),
+        "title": plan.scene.title,
+        "pair": plan.pair,
+        "relaxation": plan.relaxation(),
         "plan": outcome.plan,
-        "accuracy": setup.accuracy(),
+        "accuracy": plan.accuracy(),
         "error_estimate": outcome.error_estimate,
-        "connectivity": one_piece::in_words(setup, outcome),
-        "theories": theories(setup, outcome),
+        "connectivity": one_piece::in_words(plan, outcome),
+        "theories": theories(plan, outcome),
         "warnings": outcome.warnings,
     });
     serde_json::to_string_pretty(&value).map_err(Failure::failed)

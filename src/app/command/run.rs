@@ -78,13 +78,13 @@ fn no_clash(scenes: &[SceneFile], common: &Common) -> Result<(), Failure> {
 }
 
 fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Result<Done, String> {
-    let setup = &scene.setup;
+    let plan = &scene.plan;
     let file = scene.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    let outcome = compute_watched(setup, &common.format, watch).map_err(|error| error.to_string())?;
-    let products = products(setup, &file, &outcome, &common.format).map_err(|error| error.to_string())?;
-    let json = if common.json { export::json(&setup.scene, &file, &outcome) } else { Ok(String::new()) };
+    let outcome = compute_watched(plan, &common.format, watch).map_err(|error| error.to_string())?;
+    let products = products(plan, &file, &outcome, &common.format).map_err(|error| error.to_string())?;
+    let json = if common.json { export::json(&plan.scene, &file, &outcome) } else { Ok(String::new()) };
     Ok(Done {
-        summary: export::summary(&setup.scene.title, &outcome),
+        summary: export::summary(&plan.scene.title, &outcome),
         json: json.map_err(|error| error.to_string())?,
         written: written(&products, scene, common)?,
         warnings: outcome.warnings,

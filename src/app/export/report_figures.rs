@@ -36,7 +36,7 @@ fn ways(quantity: &str, rows: &[Row], error: Error) -> Panel {
     let mut panel = Panel::new(Axis::log(quantity, "1"), Axis::log("run time", "s"));
     for run in rows.chunk_by(|one, next| one.method == next.method) {
         let place = |row: &Row| Some((error(row)?.abs().max(FLOOR), row.times?.warm));
-        let series = Series::new(run[0].method, run.iter().filter_map(place).collect());
+        let series = Series::new(run[0].method, run.iter().filter_map(place));
         panel = panel.with(series.marks(Marks::Numbered));
     }
     let slope = |panel: Panel, order: f64| panel.guide(Guide::slope(-1.0 / order, format!("order {order}")));
@@ -47,7 +47,7 @@ fn ways(quantity: &str, rows: &[Row], error: Error) -> Panel {
 fn beside(mut panel: Panel, others: &[Other<'_>]) -> Panel {
     const MARKS: [Mark; 5] = [Mark::Cross, Mark::Plus, Mark::Ring, Mark::Block, Mark::Diamond];
     for (group, mark) in others.chunk_by(|one, next| one.0 == next.0).zip(MARKS.into_iter().cycle()) {
-        let points = group.iter().map(|(_, error, time)| (*error, *time)).collect();
+        let points = group.iter().map(|(_, error, time)| (*error, *time));
         let series = Series::new(group[0].0, points).line(Line::Absent).colour(Hue::Grey);
         panel = panel.with(series.marks(Marks::As(mark)));
     }
@@ -68,7 +68,7 @@ pub fn speed(rows: &[Row], machine: &Machine) -> Figure {
             seen.push(row.method);
             let place = |row: &&Row| Some((row.setting.counted?.1 as f64, row.times?.warm));
             let label = format!("{}: {}", row.method, row.setting.counted.map_or("", |counted| counted.0));
-            let series = Series::new(label, same.iter().filter_map(place).collect());
+            let series = Series::new(label, same.iter().filter_map(place));
             panel = panel.with(series.marks(Marks::Numbered));
         }
     }

@@ -43,7 +43,7 @@ type Ends = Option<(f64, f64)>;
 
 /// Least and largest x and y of the points shown.
 fn ends(panel: &Panel) -> (Ends, Ends) {
-    let points = panel.series.iter().flat_map(|s| &s.points);
+    let points = panel.series.iter().flat_map(|s| s.points.iter().flatten());
     let shown = points.filter(|p| inside(&panel.x, p.0) && inside(&panel.y, p.1));
     shown.fold((None, None), |(x, y), p| (join(x, p.0), join(y, p.1)))
 }

@@ -40,7 +40,7 @@ impl Map<'_> {
 
 /// The series inside the frame.
 pub(super) fn curve(series: &Series, map: &Map) -> DrawnCurve {
-    let places: Vec<Option<Dot>> = series.points.iter().map(|p| map.place(*p)).collect();
+    let places: Vec<Option<Dot>> = series.points.iter().map(|point| map.place((*point)?)).collect();
     let runs = places.split(Option::is_none);
     let runs: Vec<Vec<Dot>> = runs.map(|run| run.iter().flatten().copied().collect()).collect();
     let pieces: Vec<Vec<Dot>> = runs.iter().flat_map(|run| clip(run, map.size)).collect();

@@ -164,7 +164,7 @@ mod tests {
         let axis = Axis::linear("", "1");
         let mut panel = Panel::new(axis.clone(), axis);
         for label in ["approach", "retract", "approach", "hold"] {
-            panel = panel.with(Series::new(label, Vec::new()));
+            panel = panel.with(Series::new(label, [(0.0, 0.0); 0]));
         }
         let numbers: Vec<usize> = (0..4).map(|i| number(&panel, i)).collect();
         assert_eq!(numbers, [0, 1, 0, 2]);

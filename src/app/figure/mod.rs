@@ -5,7 +5,7 @@
 //!
 //! let force = (0..=100).map(|i| f64::from(i) * 1e-8).map(|d| (d, 3.0e10 * (0.01 * d * d * d).sqrt()));
 //! let panel = Panel::new(Axis::linear("indentation d", "m"), Axis::linear("force F", "N"))
-//!     .with(Series::new("approach", force.collect()).arrow());
+//!     .with(Series::new("approach", force).arrow());
 //! let svg = Figure::new("Steel ball on a rigid flat").with(panel).svg();
 //! assert!(svg.contains("indentation d (µm)"));
 //! ```
@@ -163,6 +163,9 @@ impl Axis {
     }
 }
 
+/// Points in SI units; one that is missing interrupts the line.
+pub type Points = Vec<Option<(f64, f64)>>;
+
 /// A curve or a cloud of points.
 ///
 /// Series of one panel with the same label share one look and one entry of the legend.
@@ -170,16 +173,16 @@ impl Axis {
 pub struct Series {
     /// Entry in the legend; none if empty.
     pub label: String,
-    /// Points in SI units; one that is not finite interrupts the line.
-    pub points: Vec<(f64, f64)>,
+    /// Points in SI units; one that is missing, or not finite, interrupts the line.
+    pub points: Points,
     /// How the points are shown.
     pub style: Style,
 }
 
 impl Series {
-    /// A line in the next free look.
-    pub fn new(label: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
-        Self { label: label.into(), points, style: Style::default() }
+    /// A line in the next free look, of points all of which are there or of points that may be missing.
+    pub fn new(label: impl Into<String>, points: impl IntoIterator<Item = impl Into<Option<(f64, f64)>>>) -> Self {
+        Self { label: label.into(), points: points.into_iter().map(Into::into).collect(), style: Style::default() }
     }
 
     /// The series in a colour of its own.

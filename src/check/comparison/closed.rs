@@ -3,9 +3,9 @@
 use crate::check::case::Attempt;
 use crate::check::closed_forms::{self, ClosedForm};
 use crate::check::row::Found;
-use crate::contact::adhesion::Adhesion;
 use crate::contact::elliptic::EllipticHertz;
 use crate::numerics::root;
+use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::Plan;
 use crate::shape::{Ellipsoid, Paraboloid, Shape};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -13,11 +13,15 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The closed form of a state and its name; `None` where there is none.
 pub(super) fn form(plan: &Plan, depth: f64) -> Attempt<Option<(&'static str, Found)>> {
     let (shape, modulus) = (&plan.scene.shape, plan.pair.normal);
-    match (&plan.scene.adhesion, shape) {
-        (None, Shape::Ellipsoid(ellipsoid)) => elliptic(ellipsoid, modulus, depth).map(Some),
-        (None, _) => Ok(axisymmetric(shape, depth)?.map(|contact| plain(shape, modulus, contact))),
-        (Some(Adhesion::Jkr(jkr)), Shape::Paraboloid(ball)) => jkr_ball(ball, modulus, jkr.work.si(), depth).map(Some),
-        (Some(Adhesion::Jkr(_) | Adhesion::Maugis(_)), _) => Ok(None),
+    match (plan.direct(), shape) {
+        (Some(ElasticAdhesion::None), Shape::Ellipsoid(ellipsoid)) => elliptic(ellipsoid, modulus, depth).map(Some),
+        (Some(ElasticAdhesion::None), _) => {
+            Ok(axisymmetric(shape, depth)?.map(|contact| plain(shape, modulus, contact)))
+        }
+        (Some(ElasticAdhesion::Vanishing { work }), Shape::Paraboloid(ball)) => {
+            jkr_ball(ball, modulus, work, depth).map(Some)
+        }
+        (Some(ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. }) | None, _) => Ok(None),
     }
 }
 

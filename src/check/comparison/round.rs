@@ -85,13 +85,13 @@ impl Scenario {
                 "{what}: the half-space solver computes the frictionless elastic contact only and is left out"
             ));
         };
-        if self.plan.scene.adhesion.is_some() {
+        if self.plan.adheres() {
             left_out("adhesion");
         }
         if self.plan.relaxation().is_some() {
             left_out("viscoelastic bodies");
         }
-        if self.plan.scene.friction.is_some() {
+        if self.plan.has_friction() {
             notes.push("friction: compared is the normal contact, which friction does not change here".to_owned());
         }
         notes.extend(super::WITHOUT.map(str::to_owned));
@@ -170,7 +170,7 @@ impl Scenario {
     /// The half-space on all grids, if it can compute the state, and what it is called where it is right.
     #[cfg(feature = "half-space")]
     fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
-        let (Some(depth), None) = (self.depth, &self.plan.scene.adhesion) else { return Vec::new() };
+        let Some(depth) = self.depth.filter(|_| !self.plan.adheres()) else { return Vec::new() };
         let method = |grid| self.method("half-space", Setting::grid(grid), move |own| own.pixels(grid, depth));
         super::GRIDS.map(|grid| (format!("half-space on {grid}² pixels, the finest grid"), method(grid))).into()
     }

@@ -2,8 +2,8 @@
 
 use super::{GreenwoodWilliamson, SummitStatistics, area_fraction, contact_conductance, plasticity_index};
 use crate::material::Body;
+use crate::numerics::root::RootError;
 use crate::scene::plan::Plan;
-use crate::shape::Shape;
 use crate::shape::rough::Roughness;
 
 /// Hardness over yield stress of metals (Tabor 1951).
@@ -13,19 +13,21 @@ const HARDNESS: f64 = 2.8;
 ///
 /// Empty without roughness. The area theories ask for a nominally flat surface; on a ball they say nothing.
 #[must_use]
-pub fn in_words(setup: &Plan, force: f64, stiffness: f64) -> Vec<String> {
-    let Some(surface) = setup.surface() else { return Vec::new() };
-    let (roughness, modulus) = (surface.roughness(), setup.pair.normal);
+pub fn in_words(plan: &Plan, force: f64, stiffness: f64) -> Vec<String> {
+    let Plan::Rough(rough) = plan else { return Vec::new() };
+    let (surface, roughness, modulus) = (&rough.surface, rough.surface.roughness(), plan.pair.normal);
     let mut lines = Vec::new();
-    if is_flat(&setup.scene.shape) && force > 0.0 {
+    if rough.base.is_none() && force > 0.0 {
         let pressure = force / (surface.length() * surface.length());
         let share = area_fraction(pressure, modulus, roughness.rms_slope);
         lines.push(format!(
             "Persson: {share:.3e} of the nominal area touches under {force:.3e} N, rather a quarter more"
         ));
-        lines.extend(of_summits(&roughness, modulus, pressure));
+        lines.push(of_summits(&roughness, modulus, pressure).unwrap_or_else(|why| {
+            format!("Greenwood and Williamson: no separation within 30 deviations carries {pressure:.3e} Pa ({why})")
+        }));
     }
-    if let Some(stress) = yield_stress(&setup.scene.bodies) {
+    if let Some(stress) = yield_stress(&plan.scene.bodies) {
         let index = plasticity_index(modulus, roughness.rms_slope, HARDNESS * stress);
         let fate = if index < 2.0 / 3.0 { "summits stay elastic at any load" } else { "summits yield" };
         lines.push(format!("plasticity index {index:.3}: {fate} (hardness {HARDNESS} times the yield stress)"));
@@ -36,22 +38,14 @@ pub fn in_words(setup: &Plan, force: f64, stiffness: f64) -> Vec<String> {
 }
 
 /// Greenwood and Williamson at the nominal pressure [Pa].
-fn of_summits(roughness: &Roughness, modulus: f64, pressure: f64) -> Option<String> {
+fn of_summits(roughness: &Roughness, modulus: f64, pressure: f64) -> Result<String, RootError> {
     let contact = GreenwoodWilliamson { summits: SummitStatistics::of(roughness), modulus };
     let separation = contact.separation(pressure)?;
     let (share, radius) = (contact.area_fraction(separation), contact.summits.radius);
     let summits = contact.summits_in_contact(separation);
-    Some(format!(
+    Ok(format!(
         "Greenwood and Williamson: {share:.3e} on {summits:.3e} summits per m² of radius {radius:.3e} m, each on its own"
     ))
-}
-
-/// Whether the roughness lies on no shape of its own.
-fn is_flat(shape: &Shape) -> bool {
-    match shape {
-        Shape::RoughLine(line) => line.base.is_none(),
-        shape => matches!(shape, Shape::HeightMap(..)),
-    }
 }
 
 /// The lesser yield stress [Pa] of the bodies that state one.

@@ -1,6 +1,6 @@
 //! Independent summits of one curvature and Gaussian heights.
 
-use crate::numerics::root;
+use crate::numerics::root::{self, RootError};
 use crate::shape::rough::Roughness;
 use std::f64::consts::{PI, TAU};
 
@@ -110,13 +110,15 @@ impl GreenwoodWilliamson {
         4.0 / 3.0 * self.summits.density * self.modulus * self.summits.radius.sqrt() * self.tail(1.5, separation)
     }
 
-    /// Separation [m] at a nominal pressure [Pa]; `None` beyond 30 deviations, where next to no summit is left.
-    #[must_use]
-    pub fn separation(&self, pressure: f64) -> Option<f64> {
+    /// Separation [m] at a nominal pressure [Pa].
+    ///
+    /// # Errors
+    /// It lies beyond 30 deviations, where next to no summit is left.
+    pub fn separation(&self, pressure: f64) -> Result<f64, RootError> {
         let s = &self.summits;
         let at = |h: f64| s.mean_height + h * s.deviation;
-        let h = root::brent(|h| (self.pressure(at(h)) / pressure).ln(), -30.0, 30.0).ok()?;
-        Some(at(h))
+        let h = root::brent(|h| (self.pressure(at(h)) / pressure).ln(), -30.0, 30.0)?;
+        Ok(at(h))
     }
 }
 

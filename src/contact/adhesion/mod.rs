@@ -62,6 +62,7 @@ pub struct Jkr {
 
 /// What holds the opening edge of an adhesive contact of a viscoelastic body.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(rename = "Edge")]
 pub enum EdgeRule {
     /// The relaxed modulus E∞: the process zone is long against the relaxation.
     Relaxed,

@@ -2,13 +2,14 @@
 
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::state::Tangential;
+use crate::friction::FrictionError;
 use crate::friction::peeling::ShearedAdhesion;
-use crate::friction::sliding::{SlidingLaw, SlidingPoint, amontons_range, friction_curve};
+use crate::friction::sliding::{SlidingPoint, amontons_range, friction_curve};
 use crate::run::record::Record;
 use crate::run::sheared;
-use crate::scene::history::Entry;
 use crate::scene::law::FrictionLaw;
 use crate::scene::plan::Plan;
+use crate::scene::stage::Stage;
 
 /// Deviation of d ln F_x/d ln F from one up to which Amontons' law counts as holding.
 const AMONTONS: f64 = 0.01;
@@ -70,15 +71,26 @@ pub fn slid(record: &Record) -> Option<(f64, f64)> {
 }
 
 /// Coefficient of friction of the last slide's law, from six decades below the greatest load to two above it, as
-/// far as the profile goes; empty without a law.
-#[must_use]
-pub fn coefficient(plan: &Plan, records: &[Record]) -> Vec<SlidingPoint> {
-    let (Some(ground), Some(law)) = (plan.ground(), law_of_last_slide(plan)) else { return Vec::new() };
-    let line = EdgeLine::new(ground, 0.0);
-    let contact = ShearedAdhesion { line, ratio: plan.pair.tangential / plan.pair.normal };
+/// far as the profile goes; empty without a law or where nothing slid.
+///
+/// # Errors
+/// The law has no strength at the speed of the slide; no contact carries a load.
+pub fn coefficient(plan: &Plan, records: &[Record]) -> Result<Vec<SlidingPoint>, FrictionError> {
     let load = records.iter().filter_map(slid).map(|point| point.0).fold(0.0, f64::max);
-    let loads = (0..=96).map(|k| load * 10f64.powf(f64::from(k) / 12.0 - 6.0));
-    loads.map_while(|load| friction_curve(&contact, law.as_ref(), &[load]).ok()).flatten().collect()
+    let interface = plan.round().and_then(|round| round.friction.as_ref()?.interface()).filter(|_| load > 0.0);
+    let (Some(ground), Some(interface)) = (plan.ground(), interface) else { return Ok(Vec::new()) };
+    let speed = speeds(plan).rev().map(|(_, speed)| speed).find(|speed| *speed > 0.0).unwrap_or(0.0);
+    let law = interface.law(speed)?;
+    let contact = ShearedAdhesion { line: EdgeLine::new(ground, 0.0), ratio: plan.pair.tangential / plan.pair.normal };
+    let mut curve = Vec::new();
+    for load in (0..=96).map(|k| load * 10f64.powf(f64::from(k) / 12.0 - 6.0)) {
+        match friction_curve(&contact, law.as_ref(), &[load]) {
+            Ok(point) => curve.extend(point),
+            Err(FrictionError::ForceBeyondProfile { .. }) => break,
+            Err(why) => return Err(why),
+        }
+    }
+    Ok(curve)
 }
 
 /// Loads [N] between which Amontons' law holds on the curve, d ln F_x/d ln F within 1 % of one; an end is `None`
@@ -90,45 +102,48 @@ pub fn amontons(curve: &[SlidingPoint]) -> Option<(Option<f64>, Option<f64>)> {
     Some((Some(low).filter(|low| *low > first), Some(high).filter(|high| *high < last)))
 }
 
-fn law_of_last_slide(plan: &Plan) -> Option<Box<dyn SlidingLaw>> {
-    let interface = plan.round()?.friction.as_ref()?.interface()?;
-    let speed = speeds(plan).into_iter().rfind(|speed| *speed > 0.0).unwrap_or(0.0);
-    interface.law(speed).ok()
-}
-
-/// Sliding speed [m/s] of every entry, zero of those that do not slide.
-fn speeds(plan: &Plan) -> Vec<f64> {
+/// Entry and sliding speed [m/s] of every stage; zero where the body does not slide one way.
+fn speeds(plan: &Plan) -> impl DoubleEndedIterator<Item = (usize, f64)> {
     let mut at = 0.0;
-    let mut speed = |entry: &Entry| {
-        let Entry::Slide(slide) = entry else { return 0.0 };
-        let way = slide.to.si() - std::mem::replace(&mut at, slide.to.si());
-        way.abs() / slide.over.si()
+    let mut speed = |stage: &Stage| {
+        let from = at;
+        at = stage.tangential.at(from, 1.0, stage.over);
+        let way = stage.slide().map_or(0.0, |to| (to - from).abs());
+        (stage.entry, if way > 0.0 { way / stage.over } else { 0.0 })
     };
-    plan.scene.history.iter().map(&mut speed).collect()
+    plan.stages.iter().map(&mut speed).collect::<Vec<_>>().into_iter()
 }
 
 /// A/A_JKR of the records of a sheared adhesive contact that slide, over the sliding speed [m/s], and the force
-/// [N] of the last of them; `None` if none does.
+/// [N] of the last of them; `None` if none does. The rows of a table, each with a speed of its own, are no points.
 #[must_use]
 pub fn area(plan: &Plan, records: &[Record]) -> Option<(Vec<(f64, f64)>, f64)> {
-    let speeds = speeds(plan);
-    let point = |record: &Record| Some((*speeds.get(record.entry)?, record.tangential?.area_ratio?));
+    let speeds: Vec<(usize, f64)> = speeds(plan).collect();
+    let speed = |entry: usize| {
+        let mut own = speeds.iter().filter(|(of, _)| *of == entry);
+        own.next().filter(|_| own.next().is_none()).map(|(_, speed)| *speed)
+    };
+    let point = |record: &Record| Some((speed(record.entry)?, record.tangential?.area_ratio?));
     let force = records.iter().rev().find(|record| point(record).is_some())?.normal.force;
     Some((records.iter().filter_map(point).filter(|point| point.0 > 0.0).collect(), force))
 }
 
-/// A/A_JKR over the speeds [m/s] of the table of shear strength, under the force `force` [N] (Savkoor & Briggs).
-#[must_use]
-pub fn area_in_theory(plan: &Plan, force: f64) -> Vec<(f64, f64)> {
-    let Some(plan) = plan.round() else { return Vec::new() };
+/// A/A_JKR over the speeds [m/s] of the table of shear strength, under the force `force` [N] (Savkoor & Briggs), as far
+/// as the shear does not peel the contact off; empty without a table.
+///
+/// # Errors
+/// No contact carries the force.
+pub fn area_in_theory(plan: &Plan, force: f64) -> Result<Vec<(f64, f64)>, FrictionError> {
+    let Some(plan) = plan.round() else { return Ok(Vec::new()) };
     let interface = plan.friction.as_ref().and_then(FrictionLaw::interface);
-    let (Some(contact), Some(interface)) = (sheared(plan), interface) else { return Vec::new() };
-    let Some((least, most)) = interface.strength.as_ref().map(|curve| curve.range()) else { return Vec::new() };
-    let speed = |k: i32| least * (most / least).powf(f64::from(k) / 200.0);
-    let ratio = |speed: f64| {
-        let stress = interface.law(speed).ok()?.stress(0.0);
-        let rest = contact.under_stress(force, 0.0).ok()?.contact_radius;
-        Some((speed, (contact.under_stress(force, stress).ok()?.contact_radius / rest).powi(2)))
+    let (Some(contact), Some(interface)) = (sheared(plan), interface) else { return Ok(Vec::new()) };
+    let Some((least, most)) = interface.strength.as_ref().map(|curve| curve.range()) else { return Ok(Vec::new()) };
+    let rest = contact.under_stress(force, 0.0)?.contact_radius;
+    let ratio = |speed: f64| match contact.under_stress(force, interface.law(speed)?.stress(0.0)) {
+        Ok(state) => Ok(Some((speed, (state.contact_radius / rest).powi(2)))),
+        Err(FrictionError::Peeled { .. }) => Ok(None),
+        Err(why) => Err(why),
     };
-    (0..=200).filter_map(|k| ratio(speed(k))).collect()
+    let speed = |k: i32| least * (most / least).powf(f64::from(k) / 200.0);
+    (0..=200).filter_map(|k| ratio(speed(k)).transpose()).collect()
 }

@@ -87,7 +87,7 @@ fn stated(case: &Case) -> Vec<Row> {
 /// One scene by its own solver at several accuracies and by springs.
 fn accuracy_of(path: &Path, effort: Thoroughness, console: &Console) -> Result<(Report, Failed), Failure> {
     let scene = SceneFile::load(path).map_err(Failure::Scene)?;
-    let studies = [ways::scene(&scene.setup, effort).map_err(Failure::failed)?];
+    let studies = [ways::scene(&scene.plan, effort).map_err(Failure::failed)?];
     let rows = measured(&studies, effort, console);
     let machine = Machine::here();
     let name = format!("{}.accuracy", scene.stem());

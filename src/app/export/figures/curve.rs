@@ -1,6 +1,6 @@
 //! Curves of records and of tables, on axes that name their columns.
 
-use crate::app::figure::{Axis, Guide, Hue, Line, Marks, Panel, Scale, Series};
+use crate::app::figure::{Axis, Guide, Hue, Line, Marks, Panel, Points, Scale, Series};
 use crate::run::curves::between::filled;
 use crate::run::curves::branches::{Branch, Direction, branches, jumps};
 use crate::run::record::{INDENTATION, Record, TIME};
@@ -22,14 +22,9 @@ pub fn log(axis: Axis) -> Axis {
     Axis { scale: Scale::Log, ..axis }
 }
 
-/// A point of a curve; a number that is missing interrupts the line.
-pub fn point(x: Option<f64>, y: Option<f64>) -> (f64, f64) {
-    (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN))
-}
-
-/// One column of a table over another.
-pub fn points(x: &Filled, y: &Filled) -> Vec<(f64, f64)> {
-    x.numbers().iter().zip(y.numbers()).map(|(x, y)| point(*x, *y)).collect()
+/// One column of a table over another; where either has no number there is no point.
+pub fn points(x: &Filled, y: &Filled) -> Points {
+    x.numbers().iter().zip(y.numbers()).map(|(x, y)| x.zip(*y)).collect()
 }
 
 /// One column of a table over another, in a panel of their own.
@@ -38,12 +33,12 @@ pub fn panel(x: &Filled, y: &Filled) -> Panel {
 }
 
 /// One quantity of the records over another.
-pub fn of_records(records: &[Record], x: &Column<Record>, y: &Column<Record>) -> Vec<(f64, f64)> {
-    records.iter().map(|record| point((x.of)(record), (y.of)(record))).collect()
+pub fn of_records(records: &[Record], x: &Column<Record>, y: &Column<Record>) -> Points {
+    records.iter().map(|record| (x.of)(record).zip((y.of)(record))).collect()
 }
 
 /// Points marked one by one.
-pub fn marked(label: &str, points: Vec<(f64, f64)>, marks: Marks) -> Series {
+pub fn marked(label: &str, points: impl IntoIterator<Item = (f64, f64)>, marks: Marks) -> Series {
     Series::new(label, points).line(Line::Absent).marks(marks)
 }
 
@@ -74,8 +69,9 @@ pub fn against_depth(plan: &Plan, records: &[Record], column: &Column<Record>, a
         Series::new(label, points).colour(colour).line(line).arrow()
     };
     let panel = found.iter().map(drawn).fold(Panel::new(axis_of(&INDENTATION), axis), Panel::with);
-    let at = |record: &Record| point(record.normal.indentation, (column.of)(record));
-    jumps(records).fold(panel, |panel, (before, after)| panel.guide(Guide::Jump { from: at(before), to: at(after) }))
+    let at = |record: &Record| record.normal.indentation.zip((column.of)(record));
+    let jumps = jumps(records).filter_map(|(before, after)| at(before).zip(at(after)));
+    jumps.fold(panel, |panel, (from, to)| panel.guide(Guide::Jump { from, to }))
 }
 
 /// Name, colour and line of a branch.

@@ -1,6 +1,6 @@
 //! Pressure over the radius and stress under the axis.
 
-use super::curve::{point, points};
+use super::curve::points;
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::run::record::{Field, FieldRow, Outcome};
@@ -91,12 +91,12 @@ fn mean_pressure(field: &Field) -> f64 {
 }
 
 fn curve(field: &Field) -> Series {
-    let point = |row: &FieldRow| point(Some(row.radius), row.pressure);
+    let point = |row: &FieldRow| row.pressure.map(|pressure| (row.radius, pressure));
     let acts = |row: &&FieldRow| row.pressure.is_some_and(|p| p.abs() > 0.0);
     let reach = field.rows.iter().filter(acts).map(|row| row.radius).fold(field.contact_radius, f64::max);
     let rows = field.rows.iter().filter(|row| row.radius <= 1.4 * reach);
     let label = format!("{}, a = {}", field.label, with_prefix(field.contact_radius, "m"));
-    Series::new(label, rows.map(point).collect())
+    Series::new(label, rows.map(point))
 }
 
 /// Stresses on the axis at the largest force.

@@ -1,27 +1,27 @@
 //! Tangential loops, stick and slip, shear stress, fretting, sliding friction against load.
 
-use super::curve::{axis_of, marked, of_records, panel, point};
+use super::curve::{axis_of, marked, of_records, panel};
 use super::fields::shown;
-use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Series};
+use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Points, Series};
 use crate::contact::state::Tangential;
-use crate::friction::Friction;
 use crate::friction::sliding::SlidingPoint;
 use crate::run::curves::sliding::{self, SlideDirection};
 use crate::run::record::{
     CONTACT_RADIUS, Field, FieldRow, Outcome, Record, SLIDE, STICK_RADIUS, TANGENTIAL_FORCE, TIME,
 };
 use crate::scene::Plot;
+use crate::scene::law::FrictionLaw;
 use crate::scene::plan::Plan;
 
 /// What suits a scene with friction that asks for nothing.
-pub fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
-    match (&plan.scene.friction, &plan.scene.adhesion) {
-        (Some(Friction::Coulomb(_)), _) => {
+pub fn suiting(law: &FrictionLaw, outcome: &Outcome) -> Vec<Plot> {
+    match law {
+        FrictionLaw::Memory { .. } | FrictionLaw::Springs { .. } | FrictionLaw::Viscoelastic { .. } => {
             let fretting = outcome.table("fretting").map(|_| Plot::Fretting);
             [Plot::Friction, Plot::Stick, Plot::Shear].into_iter().chain(fretting).collect()
         }
-        (_, Some(_)) => vec![Plot::Friction, Plot::Area, Plot::Radius, Plot::Pressure],
-        (_, None) => vec![Plot::Friction, Plot::Coefficient, Plot::Shear],
+        FrictionLaw::Peeling { .. } => vec![Plot::Friction, Plot::Area, Plot::Radius, Plot::Pressure],
+        FrictionLaw::Sliding(_) => vec![Plot::Friction, Plot::Coefficient, Plot::Shear],
     }
 }
 
@@ -33,7 +33,7 @@ pub fn loops(plan: &Plan, records: &[Record]) -> Panel {
             SlideDirection::Forward => "forward",
             SlideDirection::Backward => "backward",
         };
-        Series::new(label, states.iter().map(|state| (state.slide, state.force)).collect()).arrow()
+        Series::new(label, states.iter().map(|state| (state.slide, state.force))).arrow()
     });
     let panel = panel.fold(Panel::new(axis_of(&SLIDE), axis_of(&TANGENTIAL_FORCE)), Panel::with);
     let Some(limit) = sliding::limit(plan, records) else { return panel };
@@ -57,16 +57,17 @@ pub fn stress(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     let all = shown(&outcome.fields);
     let fields: Vec<&&Field> = all.iter().filter(rubs).take(3).collect();
     let panel = Panel::new(Axis::linear("radius r", "m").from(0.0), Axis::linear("shear stress τ", "Pa"));
-    let curve = |field: &Field, reach: f64, of: &dyn Fn(&FieldRow) -> Option<f64>| -> Vec<(f64, f64)> {
+    let curve = |field: &Field, reach: f64, of: &dyn Fn(&FieldRow) -> Option<f64>| -> Points {
         let inside = field.rows.iter().filter(|row| row.radius <= reach * field.contact_radius);
-        inside.map(|row| point(Some(row.radius), of(row))).collect()
+        inside.map(|row| Some((row.radius, of(row)?))).collect()
     };
     let series = fields.iter().map(|field| Series::new(field.label.clone(), curve(field, 1.2, &|row| row.shear)));
     let panel = series.fold(panel, Panel::with);
     let field = fields.first()?;
-    let Some(Friction::Coulomb(law)) = &plan.scene.friction else { return Some(panel) };
+    let coefficient = plan.round().and_then(|round| round.friction.as_ref()?.coulomb());
+    let Some(coefficient) = coefficient else { return Some(panel) };
     let largest = field.rows.iter().filter_map(|row| row.shear).max_by(|x, y| x.abs().total_cmp(&y.abs()))?;
-    let coefficient = law.coefficient.si() * largest.signum();
+    let coefficient = coefficient * largest.signum();
     let limit = curve(field, 1.0, &|row| Some(coefficient * row.pressure?));
     Some(panel.with(Series::new("limit μp", limit).line(Line::Dotted).colour(Hue::Black)))
 }
@@ -80,14 +81,17 @@ pub fn fretting(outcome: &Outcome) -> Option<Panel> {
 }
 
 /// Coefficient of friction over the load, and where Amontons' law holds.
-pub fn coefficient(plan: &Plan, records: &[Record]) -> Option<Panel> {
-    plan.scene.friction.as_ref()?;
-    let curve = sliding::coefficient(plan, records);
-    let slid = records.iter().filter_map(sliding::slid).collect();
-    let panel = Panel::new(Axis::log("normal force F", "N"), Axis::log("friction coefficient Fₓ/F", "1"))
-        .with(Series::new("law", curve.iter().map(|point| (point.force, point.coefficient)).collect()))
-        .with(marked("this scene", slid, Marks::As(Mark::Disc)));
-    Some(amontons(panel, &curve))
+pub fn coefficient(plan: &Plan, records: &[Record]) -> Panel {
+    let slid = records.iter().filter_map(sliding::slid);
+    let panel = Panel::new(Axis::log("normal force F", "N"), Axis::log("friction coefficient Fₓ/F", "1"));
+    let slid = marked("this scene", slid, Marks::As(Mark::Disc));
+    match sliding::coefficient(plan, records) {
+        Ok(curve) => {
+            let law = Series::new("law", curve.iter().map(|point| (point.force, point.coefficient)));
+            amontons(panel.with(law).with(slid), &curve)
+        }
+        Err(why) => panel.with(slid).note(format!("The law is not drawn: {why}.")),
+    }
 }
 
 fn amontons(panel: Panel, curve: &[SlidingPoint]) -> Panel {
@@ -109,8 +113,9 @@ pub fn area(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
         .guide(Guide::horizontal(1.0, "JKR"))
         .guide(Guide::horizontal(hertz, "Hertz"));
     let panel = match sliding::area_in_theory(plan, force) {
-        line if line.is_empty() => panel,
-        line => panel.with(Series::new("Savkoor & Briggs", line)),
+        Ok(line) if line.is_empty() => panel,
+        Ok(line) => panel.with(Series::new("Savkoor & Briggs", line)),
+        Err(why) => panel.note(format!("Savkoor & Briggs are not drawn: {why}.")),
     };
     Some(panel.with(marked("this scene", points, Marks::As(Mark::Disc))))
 }

@@ -15,19 +15,19 @@ pub fn restitution(impacts: &Table) -> Option<Panel> {
     let (speed, restitution) = (impacts.column("speed")?, impacts.column("restitution")?);
     let mut panel = Panel::new(log(axis(speed)), axis(restitution).from(0.0).to(1.0));
     let sticks = impacts.column("sticks")?.numbers();
-    let rows = points(speed, restitution).into_iter().zip(sticks);
-    let (mut stuck, mut free): (Vec<_>, Vec<_>) = rows.partition(|(_, sticks)| sticks.is_some_and(|yes| yes > 0.0));
-    free.sort_by(|x, y| x.0.0.total_cmp(&y.0.0));
-    stuck.sort_by(|x, y| x.0.0.total_cmp(&y.0.0));
+    let mut rows: Vec<_> =
+        points(speed, restitution).into_iter().zip(sticks).filter_map(|(point, sticks)| point.zip(*sticks)).collect();
+    rows.sort_by(|(one, _), (other, _)| one.0.total_cmp(&other.0));
+    let (stuck, free): (Vec<_>, Vec<_>) = rows.into_iter().partition(|(_, sticks)| *sticks > 0.0);
     let names = if stuck.is_empty() { ("", "") } else { ("comes free", "stays") };
     if !free.is_empty() {
-        let series = Series::new(names.0, free.iter().map(|(point, _)| *point).collect());
+        let series = Series::new(names.0, free.iter().map(|(point, _)| *point));
         panel = panel.with(if free.len() <= MARKED { series.marks(Marks::Numbered) } else { series });
     }
     if stuck.is_empty() {
         return Some(panel);
     }
-    let stuck = stuck.iter().map(|(point, _)| (point.0, 0.0)).collect();
+    let stuck = stuck.iter().map(|(point, _)| (point.0, 0.0));
     Some(panel.with(marked(names.1, stuck, Marks::Numbered)))
 }
 
@@ -42,11 +42,11 @@ pub fn incidence(angle: f64, incidence: &Table, impacts: &Table) -> Option<Vec<P
     let (before, after) = (incidence.column("local_incidence")?, incidence.column("local_rebound")?);
     let mut local = points(before, after);
     // Beyond gross slip all along the curve is a straight line: only its beginning is shown.
-    local.retain(|point| point.0.abs() <= LARGEST_LOCAL);
+    local.retain(|point| point.is_some_and(|(incidence, _)| incidence.abs() <= LARGEST_LOCAL));
     let local = Panel::new(axis(before), axis(after)).with(Series::new("", local)).guide(Guide::horizontal(0.0, ""));
     let (path, rebound) = (incidence.column("angle")?, incidence.column("rebound_angle")?);
     let degrees = |point: (f64, f64)| (point.0.to_degrees(), point.1.to_degrees());
-    let angles = points(path, rebound).into_iter().map(degrees).collect();
+    let angles = points(path, rebound).into_iter().map(|point| point.map(degrees));
     let angles =
         Panel::new(Axis::linear(path.label, "°"), Axis::linear(rebound.label, "°")).with(Series::new("", angles));
     let own = |quantity| impacts.column(quantity)?.numbers().iter().flatten().next().copied();

@@ -13,8 +13,7 @@ use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Outcome, Record};
 use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::Plot;
-use crate::scene::history::Entry;
-use crate::scene::plan::{Plan, RoundPlan};
+use crate::scene::plan::{ImpactPlan, Plan, RoundPlan};
 use crate::shape::Rim;
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
@@ -35,7 +34,7 @@ pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
 /// What suits a scene that asks for nothing.
 fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match plan {
-        Plan::Round(RoundPlan { friction: Some(_), .. }) => friction::suiting(plan, outcome),
+        Plan::Round(RoundPlan { friction: Some(law), .. }) => friction::suiting(law, outcome),
         Plan::Round(round) => {
             let pressure = (!outcome.fields.is_empty()).then_some(Plot::Pressure);
             let shape = (!matches!(round.profile.rim(), Rim::Wall(_))).then_some(Plot::Shape);
@@ -53,46 +52,59 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
 
 fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let records = &outcome.records;
-    match (plot, plan) {
-        (_, Plan::Rough(rough)) => rough::panels(plot, rough, outcome),
-        (Plot::Force, Plan::Impact(_)) => {
-            let loop_of = against_depth(plan, records, &FORCE, axis_of(&FORCE));
-            impacts::over_time(records).into_iter().chain([loop_of]).collect()
+    match plot {
+        Plot::Force => force(plan, outcome),
+        Plot::Radius => radius(plan, records),
+        Plot::Pressure => vec![fields::pressure(plan, outcome)],
+        Plot::Stress => vec![fields::stress(outcome)],
+        Plot::Energy => vec![energy(records)],
+        Plot::Shape => indenter(plan, outcome).into_iter().collect(),
+        Plot::Friction => vec![friction::loops(plan, records)],
+        Plot::Stick => vec![friction::stick(records)],
+        Plot::Shear => friction::stress(plan, outcome).into_iter().collect(),
+        Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
+        Plot::Coefficient => vec![friction::coefficient(plan, records)],
+        Plot::Area => friction::area(plan, outcome).into_iter().collect(),
+        Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
+        Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
+    }
+}
+
+/// The profile, or the line that stands for a rough surface; a plane section has neither.
+fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
+    match plan {
+        Plan::Round(RoundPlan { profile, .. }) | Plan::Impact(ImpactPlan { profile, .. }) => {
+            Some(shape::profile(profile.as_ref(), outcome))
         }
-        (Plot::Force, _) => force(plan, records),
-        (Plot::Radius, _) => radius(plan, records),
-        (Plot::Pressure, _) => vec![fields::pressure(plan, outcome)],
-        (Plot::Stress, _) => vec![fields::stress(outcome)],
-        (Plot::Energy, _) => vec![energy(records)],
-        (Plot::Shape, _) => plan.profile().map(|profile| shape::profile(profile, outcome)).into_iter().collect(),
-        (Plot::Friction, _) => vec![friction::loops(plan, records)],
-        (Plot::Stick, _) => vec![friction::stick(records)],
-        (Plot::Shear, _) => friction::stress(plan, outcome).into_iter().collect(),
-        (Plot::Fretting, _) => friction::fretting(outcome).into_iter().collect(),
-        (Plot::Coefficient, _) => friction::coefficient(plan, records).into_iter().collect(),
-        (Plot::Area, _) => friction::area(plan, outcome).into_iter().collect(),
-        (Plot::Moduli, _) => plan.relaxation().map(shape::moduli).into_iter().collect(),
-        (Plot::Restitution, _) => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
+        Plan::Rough(rough) => Some(rough::line(rough)),
+        Plan::Plane(_) => None,
     }
 }
 
 /// The angles of every oblique impact.
 fn oblique(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
-    let Plan::Impact(plan) = plan else { return Vec::new() };
+    let angle = match plan {
+        Plan::Impact(plan) => plan.impact.incidence(),
+        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) => return Vec::new(),
+    };
     let tables = outcome.table("incidence").zip(outcome.table("impacts"));
-    let panels = tables.and_then(|(table, impacts)| impacts::incidence(plan.impact.incidence(), table, impacts));
-    panels.unwrap_or_default()
+    tables.and_then(|(table, impacts)| impacts::incidence(angle, table, impacts)).unwrap_or_default()
 }
 
-/// Force against indentation, and against time where the bodies remember.
-fn force(plan: &Plan, records: &[Record]) -> Vec<Panel> {
-    let column = if plan.scene.shape.is_plane() { LINE_FORCE } else { FORCE };
-    let mut panels = vec![against_depth(plan, records, &column, axis_of(&column))];
-    if plan.relaxation().is_some() {
-        panels.extend([FORCE, INDENTATION].iter().map(|column| against_time(records, column)));
-        panels.extend(last_loop(plan, records));
+/// Force against indentation; against time too in an impact and where the bodies remember.
+fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
+    let records = &outcome.records;
+    let against_depth = |column| against_depth(plan, records, column, axis_of(column));
+    match plan {
+        Plan::Rough(rough) => rough::force(rough, outcome),
+        Plan::Plane(_) => vec![against_depth(&LINE_FORCE)],
+        Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(&FORCE)]).collect(),
+        Plan::Round(round) if round.contact.relaxation().is_none() => vec![against_depth(&FORCE)],
+        Plan::Round(_) => {
+            let over_time = [FORCE, INDENTATION].map(|column| against_time(records, &column));
+            [against_depth(&FORCE)].into_iter().chain(over_time).chain(last_loop(plan, records)).collect()
+        }
     }
-    panels
 }
 
 /// Contact radius against indentation, and against time where the bodies remember.
@@ -105,7 +117,7 @@ fn radius(plan: &Plan, records: &[Record]) -> Vec<Panel> {
 
 /// Force against indentation in the last oscillation alone, where nothing else hides it.
 fn last_loop(plan: &Plan, records: &[Record]) -> Option<Panel> {
-    let entry = plan.scene.history.iter().rposition(|entry| matches!(entry, Entry::Oscillate(_)))?;
+    let entry = plan.stages.iter().rfind(|stage| stage.normal.is_wave())?.entry;
     let inside: Vec<Record> = records.iter().filter(|record| record.entry == entry).copied().collect();
     let series = Series::new("", of_records(&inside, &INDENTATION, &FORCE)).arrow();
     Some(Panel::new(axis_of(&INDENTATION), axis_of(&FORCE)).titled("oscillation").with(series))

@@ -1,31 +1,22 @@
 //! Rough shapes: force and stiffness of the bed, and the line itself.
 
 use super::curve::{axis_of, log, of_records, points};
-use crate::app::figure::{Axis, Guide, Line, Panel, Series};
+use crate::app::figure::{Axis, Guide, Line, Panel, Points, Series};
 use crate::run::record::{FORCE, INDENTATION, Outcome, Record, STIFFNESS};
 use crate::run::table::{Column, Table};
 use crate::scene::Plot;
 use crate::scene::plan::RoughPlan;
-use crate::shape::Shape;
 use crate::shape::rough::{RoughLine, SpectrumSource};
+use crate::shape::{Family, RoughShape};
 
 /// What suits a rough shape.
 pub const SUITING: [Plot; 2] = [Plot::Force, Plot::Shape];
 
-/// Panels of a rough shape.
-pub fn panels(plot: Plot, plan: &RoughPlan, outcome: &Outcome) -> Vec<Panel> {
-    match plot {
-        Plot::Force => vec![force(outcome), stiffness(plan, outcome)],
-        Plot::Shape => vec![line(plan)],
-        Plot::Energy => vec![super::energy(&outcome.records)],
-        _ => Vec::new(),
-    }
-}
-
-fn force(outcome: &Outcome) -> Panel {
+/// Force over the indentation and stiffness over the force.
+pub fn force(plan: &RoughPlan, outcome: &Outcome) -> Vec<Panel> {
     let panel = banded(outcome, &INDENTATION, &FORCE);
     let panel = Panel { y: panel.y.from(0.0), ..panel };
-    panel.note("Indentation counts from first touch.")
+    vec![panel.note("Indentation counts from first touch."), stiffness(plan, outcome)]
 }
 
 fn stiffness(plan: &RoughPlan, outcome: &Outcome) -> Panel {
@@ -57,36 +48,37 @@ fn banded(outcome: &Outcome, x: &Column<Record>, y: &Column<Record>) -> Panel {
 /// The curves one standard deviation above and below the mean.
 ///
 /// Across the scatter: that of the force under a prescribed depth, of the depth under a prescribed force.
-fn moved(table: &Table, x: &Column<Record>, y: &Column<Record>) -> Option<[Vec<(f64, f64)>; 2]> {
+fn moved(table: &Table, x: &Column<Record>, y: &Column<Record>) -> Option<[Points; 2]> {
     let column = |of: &Column<Record>, what: &str| table.column(&format!("{}_{what}", of.quantity));
     let means = points(column(x, "mean")?, column(y, "mean")?);
     let deviations = points(column(x, "deviation")?, column(y, "deviation")?);
     Some([1.0, -1.0].map(|sign: f64| {
-        let moved = |(mean, by): (&(f64, f64), &(f64, f64))| {
+        let moved = |mean: (f64, f64), by: (f64, f64)| {
             if by.1 > 0.0 { (mean.0, mean.1 + sign * by.1) } else { (mean.0 + sign * by.0, mean.1) }
         };
-        means.iter().zip(&deviations).map(moved).collect()
+        means.iter().zip(&deviations).map(|(mean, by)| Some(moved((*mean)?, (*by)?))).collect()
     }))
 }
 
 /// Hurst exponent of a nominally flat self-affine surface.
 fn hurst(plan: &RoughPlan) -> Option<f64> {
-    let Shape::RoughLine(line) = &plan.scene.shape else { return None };
-    match (&line.base, &line.spectrum) {
-        (None, SpectrumSource::SelfAffine(spectrum)) => Some(spectrum.hurst.si()),
-        _ => None,
+    match plan.scene.shape.family() {
+        Family::Line(RoughShape { base: None, spectrum: SpectrumSource::SelfAffine(spectrum), .. }) => {
+            Some(spectrum.hurst.si())
+        }
+        Family::Line(_) | Family::Map(..) | Family::Round | Family::Wave(_) | Family::Wavy(_) => None,
     }
 }
 
 /// The rough line on its base.
-fn line(plan: &RoughPlan) -> Panel {
+pub fn line(plan: &RoughPlan) -> Panel {
     let surface = &plan.surface;
     let seed = surface.seeds.first().copied().unwrap_or(1);
     let line = RoughLine::new(&surface.rings, seed);
     let places = line.places(surface.points);
     let heights = line.heights(surface.points).unwrap_or_default();
     let gap = |(x, z): (&f64, &f64)| (*x, plan.reduced(x.abs()) + z);
-    let points = places.iter().zip(&heights).map(gap).filter(|point| point.1.is_finite()).collect();
+    let points = places.iter().zip(&heights).map(gap).filter(|point| point.1.is_finite());
     let panel = Panel::new(Axis::linear("place x", "m"), Axis::linear("height g + z", "m"));
     panel.with(Series::new("", points)).note(format!("Equivalent line of seed {seed}."))
 }

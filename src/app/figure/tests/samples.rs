@@ -28,7 +28,7 @@ fn hertz() -> Figure {
     let down: Vec<f64> = grid(500).map(|t| t * deepest).collect();
     let up: Vec<f64> = down.iter().rev().copied().collect();
     let both = |f: &dyn Fn(f64) -> f64| {
-        let curve = |d: &[f64]| d.iter().map(|d| (*d, f(*d))).collect();
+        let curve = |d: &[f64]| d.iter().map(|d| (*d, f(*d))).collect::<Vec<_>>();
         (curve(&down), curve(&up))
     };
     let depth = || Axis::linear("indentation d", "m");
@@ -36,7 +36,7 @@ fn hertz() -> Figure {
     let (ad, au) = both(&|d| (radius * d).sqrt());
     let peak = 2.0 / PI * modulus * (deepest / radius).sqrt();
     let pressure = grid(300).map(|t| (t * edge, peak * (1.0 - t * t).max(0.0).sqrt()));
-    let shape = |k: f64| grid(200).map(move |t| (1.3 * t * edge, k * (1.3 * t * edge).powi(2) / radius)).collect();
+    let shape = |k: f64| grid(200).map(move |t| (1.3 * t * edge, k * (1.3 * t * edge).powi(2) / radius));
     Figure::new("Steel ball on a rigid flat")
         .with(
             Panel::new(depth(), Axis::linear("force F", "N"))
@@ -50,7 +50,7 @@ fn hertz() -> Figure {
         )
         .with(
             Panel::new(Axis::linear("radius r", "m"), Axis::linear("pressure p", "Pa"))
-                .with(Series::new("at the largest depth, d = 1 µm", pressure.collect()))
+                .with(Series::new("at the largest depth, d = 1 µm", pressure))
                 .guide(Guide::vertical(edge, "edge a"))
                 .guide(Guide::horizontal(peak, "peak 1.47 GPa")),
         )
@@ -73,17 +73,18 @@ fn jkr() -> Figure {
     let stable = |from: f64| grid(400).map(move |t| from + t * (last - from));
     let parted = depth(least);
     let air = [(parted * 1.5, 0.0), (0.0, 0.0), (f64::NAN, f64::NAN)];
-    let approach = |f: &dyn Fn(f64) -> f64| air.into_iter().chain(stable(first).map(|a| (depth(a), f(a)))).collect();
+    let approach =
+        |f: &dyn Fn(f64) -> f64| air.into_iter().chain(stable(first).map(|a| (depth(a), f(a)))).collect::<Vec<_>>();
     let retract = |f: &dyn Fn(f64) -> f64| {
         let back = stable(least).rev().map(|a| (depth(a), f(a)));
-        back.chain([(f64::NAN, 0.0), (parted, 0.0), (parted * 1.5, 0.0)]).collect()
+        back.chain([(f64::NAN, 0.0), (parted, 0.0), (parted * 1.5, 0.0)]).collect::<Vec<_>>()
     };
     let pressure = grid(600).map(|t| t * last).map(|r| {
         let root = (1.0 - (r / last).powi(2)).sqrt();
         (r, 2.0 * modulus * last / (PI * radius) * root - (2.0 * modulus * work / (PI * last)).sqrt() / root)
     });
     let d = || Axis::linear("indentation d", "m");
-    let shape = |k: f64| grid(200).map(move |t| (1.2 * t * last, k * (1.2 * t * last).powi(2) / radius)).collect();
+    let shape = |k: f64| grid(200).map(move |t| (1.2 * t * last, k * (1.2 * t * last).powi(2) / radius));
     Figure::new("Soft PDMS lens on glass: adhesion after Johnson, Kendall and Roberts")
         .with(
             Panel::new(d(), Axis::linear("force F", "N"))
@@ -100,7 +101,7 @@ fn jkr() -> Figure {
         )
         .with(
             Panel::new(Axis::linear("radius r", "m"), Axis::linear("pressure p", "Pa").from(-1.5e5))
-                .with(Series::new("at the largest depth", pressure.collect()))
+                .with(Series::new("at the largest depth", pressure))
                 .guide(Guide::vertical(last, "edge a"))
                 .note("Singular at the edge: K = 13.1 kPa·√m; cut off below −150 kPa."),
         )
@@ -131,7 +132,7 @@ fn work_precision() -> Figure {
         let points = (0..7)
             .map(f64::from)
             .map(|k| (10f64.powf(-1.5 - 0.25 * i - 1.1 * k), 10f64.powf(-7.0 + 0.55 * i + 1.1 * k * order)));
-        panel = panel.with(Series::new(name, points.collect()).marks(Marks::Numbered));
+        panel = panel.with(Series::new(name, points).marks(Marks::Numbered));
     }
     Figure::new("Work and precision: Hertz contact").with(panel)
 }
@@ -141,9 +142,9 @@ fn moduli() -> Figure {
     let terms: Vec<(f64, f64)> =
         (0..30).map(|k| (10f64.powf(4.0 + 0.17 * f64::from(k)), 10f64.powf(8.0 - 0.57 * f64::from(k)))).collect();
     let sum = |w: f64, f: &dyn Fn(f64) -> f64| terms.iter().map(|(g, t)| g * f(w * t)).sum::<f64>();
-    let storage = omega().map(|w| (w, sum(w, &|x| x * x / (1.0 + x * x)))).collect();
-    let loss = omega().map(|w| (w, sum(w, &|x| x / (1.0 + x * x)))).collect();
-    let relax = omega().map(|t| (t, terms.iter().map(|(g, tau)| g * (-t / tau).exp()).sum())).collect();
+    let storage = omega().map(|w| (w, sum(w, &|x| x * x / (1.0 + x * x))));
+    let loss = omega().map(|w| (w, sum(w, &|x| x / (1.0 + x * x))));
+    let relax = omega().map(|t| (t, terms.iter().map(|(g, tau)| g * (-t / tau).exp()).sum::<f64>()));
     Figure::new("Polyisobutylene, 30 Prony terms")
         .with(
             Panel::new(Axis::log("time t", "s"), Axis::log("relaxation modulus G", "Pa").from(1e-2))
@@ -159,9 +160,9 @@ fn moduli() -> Figure {
 fn restitution() -> Figure {
     let speed = || grid(100).map(|t| 10f64.powf(-2.7 + 1.5 * t));
     let stick = 0.012;
-    let adhesive = speed().map(|v| (v, (1.0 - (stick / v).powi(2)).max(0.0).sqrt())).collect();
-    let viscous = speed().map(|v| (v, 1.0 - 0.3 * v.powf(0.2))).collect();
-    let measured = (0..12)
+    let adhesive = speed().map(|v| (v, (1.0 - (stick / v).powi(2)).max(0.0).sqrt()));
+    let viscous = speed().map(|v| (v, 1.0 - 0.3 * v.powf(0.2)));
+    let measured: Vec<_> = (0..12)
         .map(|i| 0.011 * 1.28f64.powi(i))
         .map(|v| (v, (1.0 - (stick / v).powi(2)).max(0.0).sqrt() * 0.97))
         .collect();
@@ -179,9 +180,9 @@ fn restitution() -> Figure {
 
 fn time() -> Figure {
     let t = || grid(20_000).map(|t| t * 0.02);
-    let force = t().map(|t| (t, 2e-8 * (1.0 - (-t / 4e-3).exp()) + 1e-9 * (2e4 * t).sin())).collect();
-    let radius = t().map(|t| (t, 3e-7 * t.cbrt())).collect();
-    let looped = grid(50_000).map(|t| t * 600.0).map(|p| (1e-6 + 2e-7 * p.sin(), 3e-9 * (p + 0.4).sin())).collect();
+    let force = t().map(|t| (t, 2e-8 * (1.0 - (-t / 4e-3).exp()) + 1e-9 * (2e4 * t).sin()));
+    let radius = t().map(|t| (t, 3e-7 * t.cbrt()));
+    let looped = grid(50_000).map(|t| t * 600.0).map(|p| (1e-6 + 2e-7 * p.sin(), 3e-9 * (p + 0.4).sin()));
     Figure::new("Oscillating indentation")
         .with(Panel::new(Axis::linear("time t", "s"), Axis::linear("force F", "N")).with(Series::new("", force)))
         .with(
