@@ -1,4 +1,15 @@
 //! What most programs need: `use springbed::prelude::*;`.
+//!
+//! # Examples
+//! ```
+//! use springbed::prelude::*;
+//!
+//! // A paraboloid, R = E* = d = 1, carries 4/3.
+//! let mut ball = Contact::paraboloid(1.0)?.elastic(1.0)?;
+//! ball.advance(1.0, 0.0)?;
+//! assert!((ball.force() - 4.0 / 3.0).abs() < 1e-14);
+//! # Ok::<(), LibraryError>(())
+//! ```
 
 pub use crate::contact::loaded::Loaded;
 pub use crate::contact::punch::{Point, Stresses};

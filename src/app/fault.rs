@@ -1,4 +1,12 @@
 //! What is wrong with a file, shown as `file:line:column: message` with the line itself below.
+//!
+//! # Examples
+//! ```
+//! use springbed::app::fault::Fault;
+//!
+//! let fault = Fault::whole("tip.csv".as_ref(), "has no rows");
+//! assert!(fault.position.is_none() && fault.message == "has no rows");
+//! ```
 
 use crate::text::{Position, TextError};
 use std::fmt::Write as _;

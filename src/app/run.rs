@@ -1,4 +1,17 @@
 //! A scene from its plan to the bytes of its files.
+//!
+//! # Examples
+//! ```
+//! use springbed::app::{run, scene_file};
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)])"#;
+//! let plan = scene_file::plan("ball.ron".as_ref(), text).map_err(|faults| faults[0].message.clone())?;
+//! let formats = [run::Format::Csv];
+//! let products = run::products(&plan, "ball.ron", &run::compute(&plan, &formats)?, &formats)?;
+//! assert!(products[0].ending == ".csv" && products[0].content.starts_with("time_s,"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::export;
 use crate::run::record::Outcome;

@@ -1,4 +1,14 @@
 //! Scene files: bytes in, a checked scene out, or every fault with its place.
+//!
+//! # Examples
+//! ```
+//! use springbed::app::scene_file::plan;
+//!
+//! // A fault names the file and the place in it.
+//! let faults = plan("lens.ron".as_ref(), "(shape: Ball(radius: 1))").unwrap_err();
+//! assert_eq!(faults[0].file, std::path::Path::new("lens.ron"));
+//! assert!(faults[0].position.is_some());
+//! ```
 
 use super::fault::Fault;
 use super::read::read_text;

@@ -1,4 +1,15 @@
 //! Tables: CSV files with a header, next to the scene.
+//!
+//! # Examples
+//! ```
+//! use springbed::app::table_file::TableFiles;
+//! use springbed::input::table::Tables;
+//!
+//! // Tables are looked for beside the scene.
+//! let tables = TableFiles::beside("configs/measured_tip.ron".as_ref());
+//! assert_eq!(tables.names("measured_tip.csv".as_ref())?, ["radius_m", "height_m"]);
+//! # Ok::<(), springbed::input::table::TableError>(())
+//! ```
 
 use super::matrix_file;
 use super::read::read_text;

@@ -1,4 +1,15 @@
 //! The rough bed held against the full half-space: where they agree and where they do not.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::agreement::SelfAffineSquares;
+//!
+//! // The bed of the equivalent line beside the half-space on one small square.
+//! let squares = SelfAffineSquares { hurst: 0.8, points: 32, seeds: vec![1] };
+//! let agreement = squares.agreement(|_| ())?;
+//! assert!((agreement.law - 1.0 / 1.8).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error + Send + Sync>>(())
+//! ```
 
 use super::case::{Attempt, Pairs};
 use super::theory::{StiffnessLaw, area_fraction, stiffness_exponent};

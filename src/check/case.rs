@@ -1,4 +1,13 @@
 //! A case: what is computed, what is right, how far apart they may be and why.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::case::{Proof, worst};
+//!
+//! // The largest relative difference of pairs (computed, right).
+//! assert!((worst(&[(1.0, 1.0), (2.2, 2.0)]) - 0.1).abs() < 1e-15);
+//! assert_eq!(Proof::Rounding.word(), "rounding");
+//! ```
 
 pub use super::attempt::{Attempt, Pairs, Proof, worst};
 use super::extreme::Extreme;

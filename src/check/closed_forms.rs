@@ -3,6 +3,15 @@
 //!
 //! Every function takes lengths in metres and E* = 1 Pa: multiply forces and pressures by E*. The angle
 //! of a profile with a kink at the radius b is φ = arccos(b/a).
+//!
+//! # Examples
+//! ```
+//! use springbed::check::closed_forms::hertz;
+//!
+//! // E* = 1: F = (4/3)√R d^{3/2}, a = √(Rd).
+//! let ball = hertz(4.0, 1.0);
+//! assert_eq!((ball.radius, ball.force), (2.0, 8.0 / 3.0));
+//! ```
 
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 

@@ -1,4 +1,20 @@
 //! Where the contact of a scene stays in one piece, in words.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::check::one_piece;
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let outcome = run(&plan, Wanted::NOTHING)?;
+//! assert!(one_piece::in_words(&plan, &outcome)[0].contains("one round contact"));
+//! assert!((one_piece::largest_force(&plan, &outcome) - 4.0 / 3.0).abs() < 1e-14);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::theory::{Connection, PlaneContact, WavyParabola, Westergaard, exact_ranges};
 use crate::run::record::Outcome;

@@ -1,4 +1,14 @@
 //! One row of any report: a case by one method at one fineness.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::row::{Row, Setting};
+//!
+//! // An error within its bound, and one that is not there.
+//! let row = Row { setting: Setting::springs(100), bound: Some(1e-3), ..Row::of(Ok(1e-4)) };
+//! assert!(row.passed());
+//! assert!(!Row { bound: Some(1e-3), ..Row::of(Err("no contact".into())) }.passed());
+//! ```
 
 use super::attempt::{Attempt, Proof};
 use super::clock::Times;

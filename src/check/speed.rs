@@ -1,4 +1,14 @@
 //! How much a kernel does in a second, and how that grows with springs, terms, records and threads.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::speed::{kernels, rows};
+//! use std::time::Duration;
+//!
+//! // The first kernel, run once.
+//! let rows = rows(&kernels()[..1], Duration::ZERO, |_| ());
+//! assert!(rows[0].method == "Hertz state" && rows[0].times.is_some());
+//! ```
 
 use super::case::Attempt;
 use super::contacts::{jkr, paraboloid};

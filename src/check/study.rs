@@ -2,6 +2,23 @@
 //!
 //! A method is set up once, run once cold and then warm for a while; the error is that of its answer,
 //! the time the least of the warm runs.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::check::study::Thoroughness;
+//! use springbed::check::ways;
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let study = ways::scene(&plan, Thoroughness::Brief).map_err(|why| why.to_string())?;
+//! let rows = study.rows(Thoroughness::Brief, &mut |_| ());
+//! assert!(rows[0].error.unwrap() < 1e-9 && rows.last().unwrap().error.unwrap() < 1e-2);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::attempt::Attempt;
 use super::clock::timed;

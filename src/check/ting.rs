@@ -1,4 +1,16 @@
 //! Ting's solution for a paraboloid driven in and out at constant speed.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::ting::TingTriangle;
+//! use springbed::material::Relaxation;
+//!
+//! // An elastic body pressed for a second and withdrawn carries nothing when the indenter is back.
+//! let relaxation = Relaxation { equilibrium: 1.0, terms: Vec::new(), viscosity: 0.0 };
+//! let triangle = TingTriangle { relaxation, radius: 1.0, speed: 1.0, turn: 1.0 };
+//! assert!((triangle.at(1.0)?.0 - 4.0 / 3.0).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error + Send + Sync>>(())
+//! ```
 
 use super::case::Attempt;
 use crate::material::Relaxation;

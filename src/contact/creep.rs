@@ -1,4 +1,21 @@
 //! Creep of a contact that only grows: the exact answer to a prescribed force.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::creep::Creep;
+//! use springbed::material::{Relaxation, Spectrum};
+//! use springbed::shape::Paraboloid;
+//! use springbed::input::quantity::Length;
+//! use std::sync::Arc;
+//!
+//! // A Maxwell body, E = τ = 1, under a constant force: a³ = (3R/4)F·J(t) with J = 1 + t.
+//! let body = Spectrum::new(&Relaxation { equilibrium: 0.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 });
+//! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
+//! let after = Creep::new(Arc::new(body), ball).after(0.1, 0.0).after(0.1, 3.0);
+//! let (_, radius) = after.indented().unwrap();
+//! assert!((radius.powi(3) / (0.75 * 0.1 * 4.0) - 1.0).abs() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::material::Spectrum;
 use crate::numerics::exponential::{decay, square_remainder};

@@ -2,6 +2,25 @@
 //!
 //! No spring is allocated. The edge is a root of the equilibrium curve on g(x) itself and the force
 //! an integral up to it, so the state is exact to rounding for any shape with a closed g(x).
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::direct::QuasiStatic;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // R = E* = w = 1 under a growing pull: off at −(3/2)πwR (JKR), and never back.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let mut ball = QuasiStatic::new(EdgeLine::new(ground, 1.0));
+//! ball.press(1.0)?;
+//! let jumps = ball.press(-5.0)?;
+//! assert!((jumps[0].before.force + 1.5 * std::f64::consts::PI).abs() < 1e-12);
+//! assert!(!ball.present().joined && ball.dissipated() > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::contact::adhesion::equilibrium::{Balance, BranchError, Branches, Control, Equilibrium, Leap, Search};
 use crate::contact::adhesion::line::{EdgeLine, Energy};

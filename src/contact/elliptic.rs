@@ -1,4 +1,16 @@
 //! Hertz contact of an ellipsoid, exact through complete elliptic integrals.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::elliptic::{EllipticHertz, mean_radius_error};
+//! use springbed::numerics::root::RootError;
+//!
+//! // Equal radii are Hertz' ball; at 10:1 the mean radius gives a force 10 % too small.
+//! let ball = EllipticHertz::at_indentation([1.0, 1.0], 1.0, 0.01)?;
+//! assert!((ball.force / (4.0 / 3.0 * 1e-3) - 1.0).abs() < 1e-12);
+//! assert!((mean_radius_error([10.0, 1.0])?.abs() - 0.10).abs() < 0.01);
+//! # Ok::<(), RootError>(())
+//! ```
 
 use crate::numerics::root::{RootError, brent};
 

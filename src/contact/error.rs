@@ -1,4 +1,12 @@
 //! Why a contact cannot follow what is prescribed.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::error::{ContactError, FrictionError};
+//!
+//! let why = ContactError::from(FrictionError::Parted { force: -1.0 });
+//! assert_eq!(why.to_string(), "the bodies part under the normal force -1e0 N");
+//! ```
 
 use super::adhesion::equilibrium::BranchError;
 use crate::numerics::root::RootError;

@@ -1,4 +1,20 @@
 //! A loaded contact as a value: pressure, surface and stresses from the present line load q(x).
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::loaded::Loaded;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Hertz, R = E* = a = 1: p₀ = 2E*a/πR, F = 4E*a³/3R, and the surface at the edge has sunk by half of d.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let loaded = Loaded::elastic(ground, 1.0, 0.0);
+//! assert!((loaded.pressure(0.0) - std::f64::consts::FRAC_2_PI).abs() < 1e-15);
+//! assert!((loaded.force() - 4.0 / 3.0).abs() < 1e-14 && (loaded.surface(1.0) - 0.5).abs() < 1e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::adhesion::equilibrium::Balance;
 use super::adhesion::range::{RangeDisc, attraction};

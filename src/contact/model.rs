@@ -1,4 +1,26 @@
 //! What a drive asks of a contact, whatever it is made of.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::direct::QuasiStatic;
+//! use springbed::contact::model::{ContactModel, Straight};
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Any contact is followed along straight pieces, and looked at ahead without being moved.
+//! fn pressed(contact: &mut dyn ContactModel) -> Result<f64, springbed::contact::error::ContactError> {
+//!     let ahead = contact.look(&Straight::between(0.0, 1.0, 1.0))?;
+//!     contact.follow(&Straight::between(0.0, 0.25, 1.0))?;
+//!     Ok(ahead.force / contact.state().force)
+//! }
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ratio = pressed(&mut QuasiStatic::new(EdgeLine::new(ground, 0.0)))?;
+//! assert!((ratio - 8.0).abs() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::creep::Creep;
 use super::error::ContactError;

@@ -2,6 +2,16 @@
 //!
 //! A line load of one over 0 ≤ x < b is the pressure 1/(π√(b²−r²)) of a flat punch. With ζ = z − ib and
 //! ρ = √(r² + ζ²) its stresses are imaginary parts of elementary functions (Johnson 1985, §3.8).
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::punch::Point;
+//! use std::f64::consts::FRAC_1_PI;
+//!
+//! // Far below a flat punch under the load 2b the stress is that of a point load, σ_zz = −3F/2πz².
+//! let deep = Point { radius: 0.0, depth: 100.0, poisson: 0.3 }.under_punch(1.0);
+//! assert!((deep.axial / (-1.5 * FRAC_1_PI * 2.0 / 1e4) - 1.0).abs() < 1e-3);
+//! ```
 
 use crate::numerics::complex::Complex;
 use std::f64::consts::FRAC_1_PI;

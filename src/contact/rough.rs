@@ -1,4 +1,16 @@
 //! Spring bed of a rough line: independent springs, sorted by height.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::rough::RoughBed;
+//!
+//! // Three springs of 2 N/m under gaps of 0, 1 and 3 m: at a depth of 2 two of them carry 2·(2 + 1) N.
+//! let bed = RoughBed::new(&[1.0, 0.0, 3.0], 2.0)?;
+//! let state = bed.at_indentation(2.0);
+//! assert_eq!((state.force, state.stiffness), (6.0, 4.0));
+//! assert_eq!(bed.at_force(6.0).indentation, 2.0);
+//! # Ok::<(), springbed::shape::rough::RoughError>(())
+//! ```
 
 use super::adhesion::line::Energy;
 use super::error::{ContactError, LineTooShort};

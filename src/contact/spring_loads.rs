@@ -1,4 +1,22 @@
 //! Pressure and surface of a bed of springs, from the loads and displacements of the springs.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::model::Loading;
+//! use springbed::contact::springs::SpringBed;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Pressure read off a bed: Hertz' 2E*a/πR on the axis, R = E* = a = 1.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let mut bed = SpringBed::new(ground, 1000, 1.1, 0.0);
+//! bed.indent(1.0);
+//! let peak = bed.spring_loads().pressure(0.0).unwrap();
+//! assert!((peak / std::f64::consts::FRAC_2_PI - 1.0).abs() < 1e-2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::loaded::{Curve, Loaded};
 use super::model::Loading;

@@ -3,6 +3,22 @@
 //! Spring i stands on both sides of the axis where the measure of its foundation is s = (i + ½)h, on a
 //! half-space at x = (i + ½)h, with the stiffness E*h (Popov & Heß 2015, eq. 3.1). Springs join and part one by one; between two such events the force
 //! is linear in the depth, so the work is known exactly and the energy ledger closes.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::springs::SpringBed;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Hertz, R = E* = 1: −1/4 ≤ (F_bed/F − 1)(a/h)² ≤ 1/8 while springs are counted, less between them.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let mut bed = SpringBed::new(ground, 200, 2.0, 0.0);
+//! bed.indent(1.0);
+//! assert!((bed.force() / (4.0 / 3.0) - 1.0).abs() < 0.25 * 0.01f64.powi(2));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::contact::spring_loads::{SeenSpring, SpringLoads};

@@ -1,4 +1,15 @@
 //! States of a contact.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::Energy;
+//! use springbed::contact::state::Normal;
+//!
+//! // What does not exist is absent, not zero: parted bodies have no indentation.
+//! let stored = Energy { elastic: 3.0, surface: -1.0 };
+//! let parted = Normal { stored, ..Normal::default() };
+//! assert!(parted.indentation.is_none() && parted.stored.stored() == 2.0);
+//! ```
 
 use super::adhesion::line::Energy;
 

@@ -2,6 +2,23 @@
 //!
 //! A contact is a sum of flat punches of radius x, each with the load 2x(−q′) dx, and one of radius a
 //! with the load 2aq(a) for a singular edge; where q alone is known, by parts, of line loads q dx.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::loaded::Loaded;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Hertz with ν = 0.3: the largest shear stress, 0.310 p₀, lies 0.481 a below the surface (Johnson 1985).
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let loaded = Loaded::elastic(ground, 1.0, 0.0);
+//! let hardest = loaded.hardest(0.3).unwrap();
+//! assert!((hardest.depth - 0.481).abs() < 1e-3);
+//! assert!((hardest.shear.abs() / loaded.pressure(0.0) - 0.310).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::loaded::{Bed, Loaded};
 use super::punch::{Point, Stresses};

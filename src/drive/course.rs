@@ -1,4 +1,15 @@
 //! What is prescribed during a stage of a history.
+//!
+//! # Examples
+//! ```
+//! use springbed::drive::course::{Path, Wave};
+//!
+//! // Half-way through a ramp, and a quarter of the way through a sine, where it turns.
+//! assert_eq!(Path::To(2.0).at(1.0, 0.5, 10.0), 1.5);
+//! let wave = Path::Wave(Wave { amplitude: 0.1, frequency: 1.0 });
+//! assert_eq!(wave.turns(1.0), [0.25, 0.75]);
+//! assert!((wave.at(1.0, 0.25, 1.0) - 1.1).abs() < 1e-15);
+//! ```
 
 use crate::contact::adhesion::equilibrium::Control;
 use std::f64::consts::TAU;

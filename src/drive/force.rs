@@ -1,4 +1,24 @@
 //! A prescribed force, followed in straight pieces of the depth.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::continuous::ContinuousContact;
+//! use springbed::contact::viscoelastic::memory::Memory;
+//! use springbed::drive::force::{Ramp, press};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use springbed::material::{Relaxation, Spectrum};
+//! use std::sync::Arc;
+//!
+//! // A ball, R = 1, on a Maxwell body, E = τ = 1, pressed by a force that grows: it is met to the accuracy asked for.
+//! let body = Arc::new(Spectrum::new(&Relaxation { equilibrium: 0.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 }));
+//! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
+//! let mut contact = ContinuousContact::new(Memory::new(body, ball));
+//! let ramp = Ramp { from: 0.0, rate: 0.1, accuracy: 1e-4, scale: 0.1 };
+//! let states = press(&mut contact, &ramp, &[0.5, 1.0])?;
+//! assert!((states[0].force - 0.05).abs() < 1e-5 && (states[1].force - 0.1).abs() < 1e-5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};

@@ -4,6 +4,32 @@
 //! record is one straight piece. One that remembers goes through straight pieces chosen before a record is
 //! looked at: one for a ramp or a hold, chords of the sine for an oscillation, pieces found by an error
 //! estimate for a prescribed force. Records and events cut a piece without bending it.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::equilibrium::Control;
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::direct::QuasiStatic;
+//! use springbed::drive::Driver;
+//! use springbed::drive::course::{Course, Extent, Path};
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // A ball, R = E* = 1, pressed to F = 4/3 in a second: half-way it carries half of that.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let mut contact = QuasiStatic::new(EdgeLine::new(ground, 0.0));
+//! let mut driver = Driver::new(&contact, 1e-6);
+//! let (normal, tangential) = (Path::To(4.0 / 3.0), Path::Stay);
+//! let course = Course { control: Control::Force, normal, tangential, over: 1.0, extent: Extent::Entry };
+//! driver.begin(&mut contact, course, 0.0)?;
+//! driver.advance(&mut contact, 0.5)?;
+//! assert!((driver.state(&contact).force - 2.0 / 3.0).abs() < 1e-15);
+//! driver.advance(&mut contact, 1.0)?;
+//! assert!((driver.state(&contact).indentation.unwrap() - 1.0).abs() < 1e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod chords;
 pub mod course;

@@ -1,4 +1,19 @@
 //! The plain bed of Coulomb springs, twin of the memory of turning points.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::{CoulombBed, Grip, Pose};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//!
+//! // The same numbers spring by spring: F_x → μF = 0.4 as the whole contact slips.
+//! let ball = Paraboloid { radius: Length::new(1.0)? };
+//! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
+//! let mut bed = CoulombBed::new(&ball, grip, 1000.try_into()?, 1.1)?;
+//! let forces = bed.advance(&[Pose { indentation: 1.0, slide: 0.0 }, Pose { indentation: 1.0, slide: 1.0 }]);
+//! assert!(forces[0].abs() < 1e-15 && (forces[1] - 0.4).abs() < 1e-5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::FrictionError;
 use super::turning::{Grip, Pose};

@@ -1,4 +1,22 @@
 //! Fretting maps: where in the contact friction takes its energy.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::{FrettingMap, Grip, Pose};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//!
+//! // R = E* = G* = d = 1, μ = 0.3, shaken by ±0.225: nothing is lost inside a/2, where the springs stick.
+//! let ball = Paraboloid { radius: Length::new(1.0)? };
+//! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
+//! let mut map = FrettingMap::new(&ball, grip, &[0.0, 0.45, 0.55, 0.9]);
+//! for slide in [0.0, 0.225, -0.225, 0.225] {
+//!     map.advance(Pose { indentation: 1.0, slide });
+//! }
+//! let lost = map.energy();
+//! assert!(lost[0] == 0.0 && lost[1] == 0.0 && lost[2] > 0.0 && lost[3] > lost[2]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::turning::{Grip, Pose};
 use crate::shape::{Profile, Rim};

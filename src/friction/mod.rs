@@ -1,4 +1,22 @@
 //! Tangential contact: stick, slip, dissipation, adhesion under shear, sliding, oblique impact.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::{Grip, Pose, TangentialMemory};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // R = E* = G* = d = 1, μ = 0.3, slid by 0.225: sticks inside a/2, F_x = (1 − (c/a)³)μF (Cattaneo & Mindlin).
+//! let ball = Paraboloid { radius: Length::new(1.0)? };
+//! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
+//! let mut contact = TangentialMemory::new(Arc::new(ball), grip);
+//! contact.advance(Pose { indentation: 1.0, slide: 0.0 })?;
+//! contact.advance(Pose { indentation: 1.0, slide: 0.225 })?;
+//! let state = contact.state();
+//! assert!((state.stick_radius - 0.5).abs() < 1e-14 && (state.tangential_force - 0.4 * 0.875).abs() < 1e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod bed;
 pub mod contact;

@@ -1,4 +1,17 @@
 //! Oblique impact of a ball with friction and spin.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::Grip;
+//! use springbed::friction::oblique::{Ball, BallMotion, SOLID};
+//!
+//! // A grazing ball slips all along and loses μ(1 + e) times its normal speed along the surface: 2·0.2·1 m/s.
+//! let grip = Grip { normal_modulus: 1e9, tangential_modulus: 0.8e9, coefficient: 0.2 };
+//! let ball = Ball { grip, radius: 0.01, mass: 0.03, gyration: SOLID };
+//! let rebound = ball.hit(BallMotion { normal_speed: 1.0, tangential_speed: 10.0, spin: 0.0 }, 1e-6)?;
+//! assert!((rebound.flight.tangential_speed - 9.6).abs() < 1e-9 && (rebound.impulse_ratio - 0.2).abs() < 1e-9);
+//! # Ok::<(), springbed::friction::FrictionError>(())
+//! ```
 
 use super::FrictionError;
 use super::turning::{Grip, Pose, TangentialMemory};

@@ -1,4 +1,22 @@
 //! Adhesion under shear: peeling of an adhesive contact by a tangential load.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::friction::peeling::{ShearedAdhesion, TangentialLoad, UNIFORM};
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // An adhesive ball, R = E* = w = 1, with nothing on it: shear makes its contact smaller than JKR's a³ = 9π/2.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let lens = ShearedAdhesion { line: EdgeLine::new(ground, 1.0), ratio: UNIFORM };
+//! let rest = lens.under(0.0, TangentialLoad::Force(0.0))?.contact_radius;
+//! assert!((rest.powi(3) / (4.5 * std::f64::consts::PI) - 1.0).abs() < 1e-12);
+//! assert!(lens.under(0.0, TangentialLoad::Force(1.0))?.contact_radius < rest);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::FrictionError;
 use crate::contact::adhesion::line::EdgeLine;

@@ -1,4 +1,21 @@
 //! Gross sliding under laws of soft matter, which act on the pressure p(r).
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::loaded::Loaded;
+//! use springbed::friction::sliding::{LinearLaw, sliding_force};
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // τ = τ_c + βp over a ball, R = E* = a = 1: F_x = τ_cπa² + βF.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let law = LinearLaw { strength: 0.01, slope: 0.1 };
+//! let force = sliding_force(&Loaded::elastic(ground, 1.0, 0.0), &law);
+//! assert!((force - (0.01 * std::f64::consts::PI + 0.1 * 4.0 / 3.0)).abs() < 1e-13);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::peeling::{ShearedAdhesion, TangentialLoad};
 use super::strength::{Strength, StrengthCurve};

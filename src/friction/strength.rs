@@ -1,4 +1,17 @@
 //! Shear strength of a sliding interface: a number, or a table over the sliding speed.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::StrengthCurve;
+//! use springbed::input::table::InMemory;
+//!
+//! let speeds: (&str, &[f64]) = ("speed_m_per_s", &[1e-6, 1e-4]);
+//! let tables = InMemory::default().with("gel.csv", &[speeds, ("shear_pa", &[1e5, 2e5])]);
+//! let curve = StrengthCurve::read("gel.csv".as_ref(), &tables)?;
+//! assert_eq!(curve.at(1e-4)?, 2e5);
+//! assert!(curve.at(1.0).unwrap_err().to_string().contains("outside the table"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::contact::error::OutsideTable;
 use crate::input::quantity::{Speed, Stress};

@@ -12,6 +12,27 @@
 //! The tangential force is the superposition F_x = μ Σ σₖ ΔFₖ over the pieces of the polyline, σₖ
 //! their slopes and ΔFₖ the normal force between their depths (Jäger 1993 for a single turning
 //! point; the memory is that of Masing and Preisach).
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::{Grip, Pose, TangentialMemory};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Slid to and fro under a constant load the loop closes: 19 slides later the force is the same to rounding.
+//! let ball = Paraboloid { radius: Length::new(1.0)? };
+//! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
+//! let mut contact = TangentialMemory::new(Arc::new(ball), grip);
+//! contact.advance(Pose { indentation: 1.0, slide: 0.0 })?;
+//! let mut forces = Vec::new();
+//! for k in 0..20 {
+//!     contact.advance(Pose { indentation: 1.0, slide: if k % 2 == 0 { 0.2 } else { -0.2 } })?;
+//!     forces.push(contact.state().tangential_force);
+//! }
+//! assert!((forces[1] + forces[0]).abs() < 1e-15 && (forces[19] - forces[1]).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::FrictionError;
 use super::load::{LinearProduct, LoadCurve, SpringDepth};

@@ -8,6 +8,26 @@
 //! been negative, so the facts of [`spring`](crate::contact::viscoelastic::spring) hold for both: at
 //! constant speeds the load of a pressed one passes zero at most once, and a free one creeps ever more
 //! slowly, so that slip begins at most once between two changes of speed and ends only at one.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::{Grip, ViscoelasticBed};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use springbed::material::{Relaxation, Spectrum};
+//! use std::sync::Arc;
+//!
+//! // Gross sliding follows the normal force as it relaxes: F_x = μF(t).
+//! let rubber = Spectrum::new(&Relaxation { equilibrium: 0.2, terms: vec![(0.8, 0.3)], viscosity: 0.0 });
+//! let ball = Paraboloid { radius: Length::new(1.0)? };
+//! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
+//! let mut bed = ViscoelasticBed::new(&ball, Arc::new(rubber), grip, 60.try_into()?, 1.2)?;
+//! bed.advance((1.0, 0.0), 0.8);
+//! bed.advance((0.0, 2.0), 1.0);
+//! let (normal, tangential) = bed.forces();
+//! assert!((tangential / (0.3 * normal) - 1.0).abs() < 1e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::FrictionError;
 use super::turning::Grip;

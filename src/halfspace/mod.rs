@@ -14,6 +14,27 @@
 //! **Residual.** The largest |g| where p > 0 and the largest −g elsewhere, over the whole grid, relative to the
 //! largest displacement in contact (or to what the largest pressure does to its own pixel, if that is more).
 //! It is computed from the pressure returned, not from the iteration's own recurrence.
+//!
+//! # Examples
+//! ```
+//! use ndarray::Array2;
+//! use springbed::halfspace::{Boundary, Prescribed, PressedMap, Settings, Start, solve};
+//!
+//! // A ball, R = E* = 1, pressed by 0.01 on 32² pixels: the depth is Hertz' (3F/4)^{2/3} to a few per cent.
+//! let side = 1.5 * 0.0075f64.cbrt() / 16.0;
+//! let place = |k: usize| (k as f64 - 16.0) * side;
+//! let heights = Array2::from_shape_fn((32, 32), |(i, j)| 0.5 * (place(i).powi(2) + place(j).powi(2)));
+//! let problem = PressedMap {
+//!     heights: heights.view(),
+//!     pixel: [side; 2],
+//!     modulus: 1.0,
+//!     boundary: Boundary::Free,
+//!     control: Prescribed::Force(0.01),
+//! };
+//! let solution = solve(&problem, Start::Coarser, &Settings::default())?;
+//! assert!((solution.indentation / 0.0075f64.powf(2.0 / 3.0) - 1.0).abs() < 0.02);
+//! # Ok::<(), springbed::halfspace::HalfSpaceError>(())
+//! ```
 
 mod error;
 mod face;

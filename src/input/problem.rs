@@ -1,4 +1,12 @@
 //! What is wrong with a scene, and where in it.
+//!
+//! # Examples
+//! ```
+//! use springbed::input::problem::Problem;
+//!
+//! let problem = Problem::new("history[1].to", "expected a depth above zero");
+//! assert_eq!(problem.to_string(), "history[1].to: expected a depth above zero");
+//! ```
 
 use std::fmt;
 

@@ -3,6 +3,18 @@
 //! A scene gives a quantity as a plain number in SI units or as text with a unit (`"10 mm"`).
 //! Parsing is the only way in, so the rest of the program never meets a NaN, an infinity or a
 //! negative radius.
+//!
+//! # Examples
+//! ```
+//! use springbed::input::quantity::{Length, Modulus};
+//!
+//! let young: Modulus = "210 GPa".parse()?;
+//! assert_eq!(young.si(), 210e9);
+//! assert!(Length::new(-1.0).is_err());
+//! let wrong = "20 mJ".parse::<Length>().unwrap_err();
+//! assert!(wrong.to_string().contains("expected a length"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::{fmt, marker::PhantomData, str::FromStr};

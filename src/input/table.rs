@@ -3,6 +3,17 @@
 //! A scene names a table by its path; physics opens no file, so the reader comes in as a
 //! [`Tables`]. What a table must hold (rising radii, rising times) is checked where it is used, and
 //! the error carries the row of the file so that a person finds it in their editor.
+//!
+//! # Examples
+//! ```
+//! use springbed::input::table::{InMemory, Tables};
+//!
+//! let tables = InMemory::default().with("h.csv", &[("time_s", &[0.0, 1.0]), ("force_n", &[0.0, 2.0])]);
+//! let columns = tables.columns("h.csv".as_ref(), &["force_n"])?;
+//! assert_eq!(columns.values, [[0.0, 2.0]]);
+//! assert!(tables.columns("h.csv".as_ref(), &["depth_m"]).is_err());
+//! # Ok::<(), springbed::input::table::TableError>(())
+//! ```
 
 use ndarray::Array2;
 use std::collections::BTreeMap;

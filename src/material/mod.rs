@@ -1,4 +1,15 @@
 //! Bodies, their materials and the effective moduli of a pair.
+//!
+//! # Examples
+//! ```
+//! use springbed::material::{Relaxation, Spectrum};
+//!
+//! // 1 MPa + 9 MPa·exp(−t/0.1 s): E*(0) = 10 MPa, and loss and storage at ω = 1/τ.
+//! let rubber = Relaxation { equilibrium: 1e6, terms: vec![(9e6, 0.1)], viscosity: 0.0 };
+//! let spectrum = Spectrum::new(&rubber);
+//! assert_eq!(rubber.instantaneous(), 1e7);
+//! assert!((spectrum.storage(10.0) / 5.5e6 - 1.0).abs() < 1e-14 && (spectrum.loss(10.0) / 4.5e6 - 1.0).abs() < 1e-14);
+//! ```
 
 mod secular;
 mod spectrum;

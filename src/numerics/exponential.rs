@@ -7,7 +7,7 @@
 //! let (kept, lost) = decay(1e-20);
 //! assert_eq!((kept, lost), (1.0, 1e-20));
 //! // y − (1 − e^(−y)) = y²/2 − y³/6 + …
-//! assert!((square_remainder(1e-4, decay(1e-4).1) / (0.5e-8 - 1e-12 / 6.0 + 1e-16 / 24.0) - 1.0).abs() < 1e-15);
+//! assert!((square_remainder(1e-6, decay(1e-6).1) / (0.5e-12 - 1e-18 / 6.0 + 1e-24 / 24.0) - 1.0).abs() < 1e-14);
 //! ```
 
 /// e^(−y) and 1 − e^(−y), both to full relative accuracy near y = 0.

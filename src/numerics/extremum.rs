@@ -1,4 +1,12 @@
 //! Guarded search for the greatest value of a function: Brent's method for extrema.
+//!
+//! # Examples
+//! ```
+//! use springbed::numerics::extremum;
+//!
+//! let peak = extremum::greatest(|x: f64| x * (-x).exp(), 0.0, 5.0);
+//! assert!((peak.place - 1.0).abs() < 1e-7 && (peak.value - (-1.0f64).exp()).abs() < 1e-15);
+//! ```
 
 /// Where a function is greatest, and how great.
 #[derive(Debug, Clone, Copy, PartialEq)]

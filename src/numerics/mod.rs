@@ -1,4 +1,14 @@
 //! Complex numbers, exponentials, roots, extrema, quadrature and special functions: no physics.
+//!
+//! # Examples
+//! ```
+//! use springbed::numerics::{quadrature, root};
+//!
+//! // Where ∫₀ˣ cos t dt reaches a half: at π/6.
+//! let x = root::brent(|x| quadrature::panel(f64::cos, 0.0, x) - 0.5, 0.0, 1.0)?;
+//! assert!((x - std::f64::consts::FRAC_PI_6).abs() < 1e-15);
+//! # Ok::<(), root::RootError>(())
+//! ```
 
 pub mod complex;
 pub mod exponential;

@@ -1,6 +1,15 @@
 //! Gauss–Legendre quadrature over panels.
 //!
 //! The nodes are computed here, in twenty lines; a crate for them brings a linear-algebra library along.
+//!
+//! # Examples
+//! ```
+//! use springbed::numerics::quadrature;
+//!
+//! // A panel takes a smooth integrand to rounding; breaks stand where it has a corner.
+//! assert!((quadrature::panel(f64::exp, 0.0, 1.0) - 1.0f64.exp_m1()).abs() < 1e-14);
+//! assert!((quadrature::panels(|x: f64| (x - 0.3).abs(), (0.0, 1.0), &[0.3]) - 0.29).abs() < 1e-15);
+//! ```
 
 use std::f64::consts::PI;
 use std::sync::LazyLock;

@@ -1,4 +1,14 @@
 //! Guarded root finding: Brent's method on a bracket.
+//!
+//! # Examples
+//! ```
+//! use springbed::numerics::root::{self, RootError};
+//!
+//! let edge = root::brent(|x: f64| x * x - 2.0, 1.0, 2.0)?;
+//! assert!((edge - 2f64.sqrt()).abs() < 1e-15);
+//! assert!(root::brent(|x: f64| x * x + 1.0, 0.0, 1.0).is_err());
+//! # Ok::<(), RootError>(())
+//! ```
 
 /// Why no root was found.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]

@@ -1,4 +1,12 @@
 //! Struve functions, which the waviness of a paraboloid leads to.
+//!
+//! # Examples
+//! ```
+//! use springbed::numerics::special::struve;
+//!
+//! // Abramowitz & Stegun, table 12.1: H₀(1) = 0.5686566.
+//! assert!((struve(1.0).zero - 0.568_656_627_048_288).abs() < 1e-15);
+//! ```
 
 use crate::numerics::quadrature;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_4};

@@ -1,4 +1,20 @@
 //! A scene run from its first touch to the end of its history.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid), adhesion: Jkr(work: 1),
+//!     history: [Press(to: 1, over: 1), Retract(speed: 0.1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let outcome = run(&plan, Wanted::NOTHING)?;
+//! let pull_off = outcome.number("pull_off_force_n").unwrap();
+//! assert!((pull_off + 1.5 * std::f64::consts::PI).abs() < 0.2, "{pull_off}");
+//! assert!(outcome.error_estimate.relative < 1e-9);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod conditioning;
 mod compose;

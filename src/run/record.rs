@@ -1,4 +1,21 @@
 //! What a simulation gives back: records, fields, tables, named results. No clock, no path, no thread count.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::run::record::FORCE;
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let outcome = run(&plan, Wanted::NOTHING)?;
+//! let last = outcome.records.last().unwrap();
+//! assert!(((FORCE.of)(last).unwrap() - 4.0 / 3.0).abs() < 1e-14);
+//! assert!(outcome.record_table().column("force").is_some());
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::named::{Finding, Named};
 use super::table::{Column, Table};

@@ -1,4 +1,11 @@
 //! SI units of what comes out of a run.
+//!
+//! # Examples
+//! ```
+//! use springbed::run::unit::Unit;
+//!
+//! assert_eq!((Unit::PASCAL.symbol, Unit::PASCAL.ending), ("Pa", "_pa"));
+//! ```
 
 /// An SI unit: how it is written, and how names in files end with it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,4 +1,20 @@
 //! The laws of a round contact as decided: who computes it, why, and from what.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::scene::law::{ContactLaw, ElasticAdhesion};
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid), adhesion: Jkr(work: 1),
+//!     history: [Press(to: 1, over: 1), Retract(speed: 0.1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let round = plan.round().unwrap();
+//! assert_eq!(round.contact, ContactLaw::Direct(ElasticAdhesion::Vanishing { work: 1.0 }));
+//! assert!(round.friction.is_none() && round.contact.adheres());
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::parts::{Component, Solver};
 use crate::contact::adhesion::EdgeRule;

@@ -1,4 +1,34 @@
 //! The scene: what is pressed on what, and how.
+//!
+//! # Examples
+//! ```
+//! use springbed::input::table::InMemory;
+//! use springbed::material::{Body, Elastic};
+//! use springbed::scene::Scene;
+//! use springbed::scene::history::{Entry, Indent};
+//! use springbed::shape::{Paraboloid, Shape};
+//!
+//! // A scene from values, and what is wrong with it: a flat body on a rigid one would need no scene at all.
+//! let ball = Shape::Paraboloid(Paraboloid { radius: "10 mm".parse()? });
+//! let steel = Body::Elastic(Elastic { young: "210 GPa".parse()?, poisson: "0.3".parse()?, yield_stress: None });
+//! let history = vec![Entry::Indent(Indent { to: "1 um".parse()?, over: "1 s".parse()? })];
+//! let scene = |bodies| Scene {
+//!     title: String::new(),
+//!     shape: ball.clone(),
+//!     bodies,
+//!     adhesion: None,
+//!     friction: None,
+//!     history: history.clone(),
+//!     accuracy: None,
+//!     springs: None,
+//!     steps: None,
+//!     plots: None,
+//! };
+//! let plan = scene((steel, Body::Rigid)).resolve(&InMemory::default()).map_err(|problems| problems[0].clone())?;
+//! assert!((plan.pair.normal / 230.769e9 - 1.0).abs() < 1e-5);
+//! assert!(scene((Body::Rigid, Body::Rigid)).resolve(&InMemory::default()).is_err());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod history;
 mod limits;

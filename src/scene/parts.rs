@@ -1,4 +1,20 @@
 //! A plan in words: who computes the scene, why, and from which parts.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! // An elastic ball is computed without a single spring, and without adhesion or friction.
+//! let parts = plan.parts();
+//! assert_eq!(parts.springs, 0);
+//! assert!(parts.left_out.contains(&"adhesion of vanishing range (JKR)"));
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use serde::Serialize;
 

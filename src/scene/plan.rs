@@ -1,4 +1,22 @@
 //! A scene decided: who computes it, and from what.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::scene::plan::{Plan, SceneSettings};
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! assert!(matches!(plan, Plan::Round(_)) && plan.pair.normal == 1.0);
+//! // The same scene on a bed of a hundred springs.
+//! let springs = std::num::NonZeroUsize::new(100);
+//! let bed = plan.with(SceneSettings { springs, ..plan.settings() }).map_err(|problems| problems[0].clone())?;
+//! assert_eq!(bed.parts().springs, 100);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
 use super::parts::Solver;

@@ -1,4 +1,17 @@
 //! How deep a profile can be pressed: to its end, and while its contact stays in one piece.
+//!
+//! # Examples
+//! ```
+//! use springbed::input::quantity::Length;
+//! use springbed::scene::reach;
+//! use springbed::shape::{Paraboloid, Sphere};
+//!
+//! // A sphere ends at its equator; a paraboloid goes on for ever.
+//! let sphere = reach::bounds(&Sphere { radius: Length::new(1.0)? }, false);
+//! assert!(sphere[0].depth == 1.0 && sphere[0].in_words().contains("where the profile ends"));
+//! assert!(reach::bounds(&Paraboloid { radius: Length::new(1.0)? }, false).is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::numerics::root;
 use crate::shape::{Profile, Rim};

@@ -1,4 +1,16 @@
 //! A history as a row of stages: what is prescribed, from when to when, and where records stand.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::equilibrium::Control;
+//! use springbed::scene::stage::{Path, Stage, Wave};
+//!
+//! // Records stand at equal times, and where a wave turns.
+//! let wave = Path::Wave(Wave { amplitude: 1e-9, frequency: 1.0 });
+//! let stage = Stage { normal: wave, over: 1.0, ..Stage::rest(0, 2) };
+//! assert_eq!(stage.parts(), [0.25, 0.5, 0.75, 1.0]);
+//! assert!(stage.is_curved() && stage.control == Some(Control::Indentation) && stage.force().is_none());
+//! ```
 
 use crate::contact::adhesion::equilibrium::Control;
 pub use crate::drive::course::{Extent, Path, Wave};

@@ -1,4 +1,19 @@
 //! What lies on the smooth profile of a scene: roughness, made ready.
+//!
+//! # Examples
+//! ```
+//! use springbed::input::table::InMemory;
+//! use springbed::scene::surface::{Source, of_map};
+//! use ndarray::Array2;
+//!
+//! // A map of 16 × 16 pixels with waves in it.
+//! let heights = Array2::from_shape_fn((16, 16), |(i, j)| 1e-8 * (0.7 * i as f64 + 0.4 * j as f64).sin());
+//! let tables = InMemory::default().with_heights("map.csv", heights);
+//! let surface = of_map("map.csv".as_ref(), "1 um".parse()?, &tables).map_err(|problems| problems[0].clone())?;
+//! assert!((surface.length() - 16e-6).abs() < 1e-18 && matches!(surface.source, Source::Map(_)));
+//! assert!(surface.roughness().rms_height > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::input::problem::Problem;
 use crate::input::quantity::Length;

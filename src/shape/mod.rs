@@ -2,6 +2,18 @@
 //!
 //! g(x) = |x| ∫₀^|x| f′(r) dr/√(x²−r²) = |x| ∫₀^{π/2} f′(|x| sin θ) dθ and
 //! f(r) = (2/π) ∫₀^r g(x) dx/√(r²−x²) (Popov & Heß 2015, eqs. 3.27 and 3.28).
+//!
+//! # Examples
+//! ```
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::{Paraboloid, Profile};
+//!
+//! // f = r²/2R becomes g = x²/R: the edge stands where g(a) = d, a = √(Rd).
+//! let ball = Paraboloid { radius: Length::new(0.01)? };
+//! assert!((ball.reduced(1e-4) / 1e-6 - 1.0).abs() < 1e-15);
+//! assert!((ball.edge(1e-6).unwrap() / 1e-4 - 1.0).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod ellipsoid;
 mod kernel;

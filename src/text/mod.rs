@@ -3,6 +3,17 @@
 //! Both have the same fields. A kind with its fields is `Sphere(radius: "5 mm")` in RON and
 //! `{"Sphere": {"radius": "5 mm"}}` in JSON, a kind without fields `Rigid` and `"Rigid"`, the two bodies
 //! `(…, …)` and `[…, …]`. What is wrong is said with line and column.
+//!
+//! # Examples
+//! ```
+//! use springbed::prelude::*;
+//!
+//! // What is wrong is told with its place.
+//! let text = r#"(shape: Paraboloid(radius: -1), bodies: (Rigid, Rigid), history: [])"#;
+//! let errors = Notation::Ron.plan(text, &InMemory::default()).unwrap_err();
+//! assert_eq!(errors[0].position.line, 1);
+//! assert!(errors[0].message.contains("radius"));
+//! ```
 
 mod json;
 mod names;

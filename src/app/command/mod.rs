@@ -1,4 +1,10 @@
 //! The command line: what can be asked for, and who answers.
+//!
+//! # Examples
+//! ```no_run
+//! // All of the program.
+//! let code = springbed::app::command::main();
+//! ```
 
 mod check;
 mod compare;

@@ -1,16 +1,23 @@
 //! Results as bytes: tables, JSON, figures, a summary. Nothing here writes a file.
+//!
+//! # Examples
+//! ```
+//! use springbed::app::export::with_prefix;
+//!
+//! assert_eq!(with_prefix(1.5e9, "Pa"), "1.5 GPa");
+//! ```
 
 mod comparison;
 mod json;
 mod summary;
 mod tables;
 mod validation;
-pub mod reports;
+pub(crate) mod reports;
 
 #[cfg(feature = "plot")]
 mod figures;
 #[cfg(feature = "plot")]
-pub mod report_figures;
+pub(crate) mod report_figures;
 
 pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]

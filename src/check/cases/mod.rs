@@ -1,4 +1,13 @@
 //! All cases with an exact answer, written once for tests, `verify` and the reports.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::cases;
+//!
+//! let all = cases::all();
+//! assert!(all.len() > 50 && cases::matching("impact/").len() >= 8);
+//! assert!(all.iter().all(|case| !case.because.is_empty()));
+//! ```
 
 mod adhesive;
 mod elastic;

@@ -1,4 +1,21 @@
 //! One scene by the direct path, by springs and by the full half-space: error against run time.
+//!
+//! # Examples
+//! ```no_run
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::check::comparison::compare;
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! // By the closed form, by springs and by the half-space: a minute.
+//! let comparison = compare(&plan, &|_| ())?;
+//! assert!(comparison.reference.contains("closed form"));
+//! assert!(comparison.rows.iter().all(|row| row.errors.force.is_none_or(|error| error.abs() < 0.1)));
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod closed;
 #[cfg(feature = "half-space")]

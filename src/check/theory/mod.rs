@@ -1,6 +1,16 @@
 //! Theories of rough contact beside which a bed or a half-space solution is shown.
 //!
 //! Closed forms and small quadratures, numbers in and numbers out. None of them is used to compute a bed.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::theory::{area_fraction, low_load_area_slope, stiffness_exponent};
+//!
+//! // Persson: a pressure of a thousandth of E* times the rms slope touches on √(8/π) thousandths of the area.
+//! let share = area_fraction(1e-3 * 1e9 * 0.1, 1e9, 0.1);
+//! assert!((share / (1e-3 * low_load_area_slope()) - 1.0).abs() < 1e-5);
+//! assert!((stiffness_exponent(0.8) - 1.0 / 1.8).abs() < 1e-15);
+//! ```
 
 mod beside;
 mod exact_range;

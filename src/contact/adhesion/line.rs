@@ -1,4 +1,20 @@
 //! Attraction of vanishing range on any profile, by Heß's rule.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // R = E* = w = 1 at a = 1: the edge springs are pulled by √(2πaw/E*), d = a²/R − √(2πaw/E*).
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let edge = EdgeLine::new(ground, 1.0);
+//! assert!((edge.elongation(1.0) - (2.0 * std::f64::consts::PI).sqrt()).abs() < 1e-15);
+//! assert!((edge.at(1.0).indentation - (1.0 - edge.elongation(1.0))).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use crate::contact::foundation::{Foundation, HalfSpace};

@@ -1,4 +1,15 @@
 //! Adhesion: the models as a scene names them, their equilibria and the branches of these.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::{Adhesion, Jkr, Range};
+//! use springbed::input::quantity::WorkOfAdhesion;
+//!
+//! let gel = Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(0.02)?, edge: None });
+//! assert_eq!((gel.traits().name, gel.traits().work), ("Jkr", 0.02));
+//! assert_eq!(gel.traits().range, Range::Vanishing(None));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod equilibrium;
 pub mod line;

@@ -1,4 +1,20 @@
 //! Attraction of constant stress and finite range on any profile (Maugis & Dugdale).
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::range::RangeDisc;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Maugis: w = 1 at the stress σ₀ = 2 acts up to the gap w/σ₀.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let disc = RangeDisc::new(ground, 1.0, 2.0)?;
+//! assert_eq!((disc.range(), disc.stress()), (0.5, 2.0));
+//! assert!(disc.at(1.5).reach > disc.at(1.5).contact_radius);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use super::line::Energy;

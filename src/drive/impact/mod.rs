@@ -3,6 +3,27 @@
 //! The mass is free, m d̈ = −F, and the contact follows it without inertia of its own. Of elastic
 //! bodies energy alone gives the motion, jump by jump ([`Passage`]); a viscoelastic body remembers,
 //! and its bed is driven step by step ([`StruckHalfSpace`]). Any other contact is driven in straight pieces ([`SteppedMass`]).
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::direct::QuasiStatic;
+//! use springbed::drive::impact::{Passage, Projectile, SteppedMass};
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // R = E* = m = v = 1: contact time 2.943275 (15/16)^{2/5} by energy, and in steps on any contact.
+//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let mut contact = QuasiStatic::new(EdgeLine::new(ground, 0.0));
+//! let impact = Projectile { mass: 1.0, speed: 1.0 };
+//! let exact = Passage::new(&contact, impact, 1e-9)?.rebound().contact_time.unwrap();
+//! assert!((exact / (2.943_275_184_324_705 * 0.9375f64.powf(0.4)) - 1.0).abs() < 1e-9);
+//! let stepped = SteppedMass { impact, longest: 0.05 }.rebound(&mut contact)?.contact_time.unwrap();
+//! assert!((stepped / exact - 1.0).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod driven;
 mod passage;

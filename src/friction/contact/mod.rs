@@ -1,4 +1,29 @@
 //! A normal contact with friction on top of it.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::direct::QuasiStatic;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::model::{ContactModel, Straight};
+//! use springbed::friction::Grip;
+//! use springbed::friction::contact::{CoulombMemory, FrictionalContact};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // A normal contact with friction on top is a contact again: pressed to d = 1, then slid by 1.
+//! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
+//! let normal = QuasiStatic::new(EdgeLine::new(HalfSpace::new(ball.clone(), 1.0), 0.0));
+//! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
+//! let friction = CoulombMemory::new(ball, grip, 1e-6);
+//! let mut contact = FrictionalContact::new(Box::new(normal), Box::new(friction));
+//! contact.follow(&Straight::between(0.0, 1.0, 1.0))?;
+//! contact.follow(&Straight { slide: 1.0, ..Straight::between(1.0, 1.0, 1.0) })?;
+//! contact.settle()?;
+//! assert!((contact.tangential().unwrap().force - 0.4).abs() < 1e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod memory;
 mod peeling;

@@ -1,4 +1,24 @@
 //! States between records, where a curve is too bent for a straight line from one to the next.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::run::curves::between::filled;
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1, over: 1)], steps: 2)"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! // Two records of a curve a ∝ √d, and the states between them: a² = Rd.
+//! let outcome = run(&plan, Wanted::NOTHING)?;
+//! let curve = filled(&plan, &outcome.records);
+//! assert!(curve.len() > 10 && curve.iter().all(|record| {
+//!     let (d, a) = (record.normal.indentation.unwrap(), record.normal.contact_radius.unwrap());
+//!     (a * a - d).abs() < 1e-15
+//! }));
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::state::Normal;

@@ -1,4 +1,19 @@
 //! Records told apart by direction: approach and retraction, with the jumps between them.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//! use springbed::run::curves::branches::{Direction, branches};
+//!
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid), adhesion: Jkr(work: 1),
+//!     history: [Press(to: 1, over: 1), Retract(speed: 0.1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let outcome = run(&plan, Wanted::NOTHING)?;
+//! assert_eq!(branches(&outcome.records).last().unwrap().direction, Direction::Retraction);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::run::record::Record;
 

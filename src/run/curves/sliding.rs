@@ -1,4 +1,16 @@
 //! Curves of sliding: ways to and fro, coefficient of friction over the load, contact area over the speed.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::state::Tangential;
+//! use springbed::run::curves::sliding::{SlideDirection, ways};
+//!
+//! // To and fro: two ways, which share the point at which they turn.
+//! let states = [0.0, 1.0, 2.0, 0.5].map(|slide| Tangential { slide, ..Tangential::default() });
+//! let ways = ways(&states);
+//! assert_eq!((ways[0].0, ways[1].0), (SlideDirection::Forward, SlideDirection::Backward));
+//! assert_eq!((ways[0].1.len(), ways[1].1.len()), (3, 2));
+//! ```
 
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::state::Tangential;

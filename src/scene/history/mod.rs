@@ -1,4 +1,15 @@
 //! Load histories, as a scene names them.
+//!
+//! # Examples
+//! ```
+//! use springbed::scene::history::{Entry, Indent};
+//!
+//! let press = Entry::Indent(Indent { to: "1 um".parse()?, over: "2 s".parse()? });
+//! let traits = press.traits(3, None, None);
+//! assert_eq!((traits.name, traits.place()), ("Indent", "history[3]".to_owned()));
+//! assert!(traits.by_depth() && !traits.slides() && traits.stages[0].over == 2.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod impact;
 mod motion;

@@ -1,4 +1,13 @@
 //! Which parts of a scene cannot be computed together: one table, every problem at once.
+//!
+//! # Examples
+//! ```
+//! use springbed::scene::rules::{Part, RULES};
+//!
+//! // Which parts ask whether they go with friction.
+//! let with_friction = RULES.iter().filter(|rule| rule.between.0 == Part::Friction || rule.between.1 == Part::Friction);
+//! assert!(with_friction.count() > 3);
+//! ```
 
 mod depth;
 mod draft;

@@ -4,6 +4,18 @@
 //! its one-dimensional equivalent, a line with C₁D = π q C(q), which keeps rms height and rms slope
 //! (Popov & Heß 2015, ch. 10). The bed answers force and stiffness against approach, approximately; it says
 //! nothing about the real contact area (Lyashenko, Pastewka & Persson 2013).
+//!
+//! # Examples
+//! ```
+//! use springbed::shape::rough::{Rings, RoughLine, RoughnessSpectrum};
+//!
+//! // A self-affine spectrum, and the line that stands for the surface: the same rms height for every seed.
+//! let spectrum = RoughnessSpectrum::table(&[(6.4, 1e-12), (64.0, 1e-15)])?;
+//! let line = RoughLine::new(&Rings::of(&spectrum, 1.0, 64)?, 7);
+//! let mean_square = line.heights(64)?.iter().map(|z| z * z).sum::<f64>() / 64.0;
+//! assert!((mean_square.sqrt() / spectrum.rms_height() - 1.0).abs() < 1e-12);
+//! # Ok::<(), springbed::shape::rough::RoughError>(())
+//! ```
 
 mod ensemble;
 mod error;
