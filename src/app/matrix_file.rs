@@ -3,7 +3,7 @@
 use ndarray::Array2;
 use std::path::Path;
 
-use super::read::read_bytes;
+use super::read::{number, read_bytes};
 use crate::input::table::TableError;
 
 /// Largest map: 16 million heights as text.
@@ -54,21 +54,9 @@ fn row(line: &str, heights: &mut Vec<f64>) -> Result<usize, String> {
         None => line.split_whitespace().collect(),
     };
     for (column, cell) in cells.iter().enumerate() {
-        heights.push(number(cell).map_err(|what| format!("column {}: {what}", column + 1))?);
+        heights.push(number(cell, "a height in metres").map_err(|what| format!("column {}: {what}", column + 1))?);
     }
     Ok(cells.len())
-}
-
-fn number(cell: &str) -> Result<f64, String> {
-    match cell.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(format!("\"{cell}\" is not finite: expected a height in metres")),
-        Err(_) if cell.is_empty() => Err("is empty: expected a height in metres".to_owned()),
-        Err(_) => {
-            let cell: String = cell.chars().take(40).collect();
-            Err(format!("\"{cell}\" is not a number: expected a height in metres such as 1.5e-6"))
-        }
-    }
 }
 
 fn shaped(size: (usize, usize), heights: Vec<f64>, path: &Path) -> Result<Array2<f64>, TableError> {

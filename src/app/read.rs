@@ -38,6 +38,22 @@ pub fn read_bytes(path: &Path, largest: u64) -> Result<Vec<u8>, Fault> {
     if bytes.len() as u64 > largest { Err(too_large(path, largest)) } else { Ok(bytes) }
 }
 
+/// The finite number in a cell of a table.
+///
+/// # Errors
+/// The cell holds none; the message ends with what is `expected`.
+pub fn number(cell: &str, expected: &str) -> Result<f64, String> {
+    match cell.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err(format!("\"{cell}\" is not finite: expected {expected}")),
+        Err(_) if cell.is_empty() => Err(format!("is empty: expected {expected}")),
+        Err(_) => {
+            let cell: String = cell.chars().take(40).collect();
+            Err(format!("\"{cell}\" is not a number: expected {expected} such as 1.5e-6"))
+        }
+    }
+}
+
 fn unreadable(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),

@@ -12,7 +12,7 @@
 //! ```
 
 use super::matrix_file;
-use super::read::read_text;
+use super::read::{number, read_text};
 use crate::input::table::{Columns, TableError, Tables};
 use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
 use ndarray::Array2;
@@ -118,8 +118,8 @@ impl NamedColumns {
         while reader.read_record(&mut record).map_err(|error| self.refused(&reader, &error))? {
             let row = self.row(&reader);
             for ((column, &at), name) in columns.values.iter_mut().zip(order).zip(names) {
-                let number =
-                    number(record.get(at).unwrap_or("").trim()).map_err(|message| format!("{name}: {message}"));
+                let number = number(record.get(at).unwrap_or("").trim(), "a number")
+                    .map_err(|message| format!("{name}: {message}"));
                 column.push(number.map_err(|message| TableError::at(&self.path, row, message))?);
             }
             columns.rows.push(row);
@@ -145,18 +145,6 @@ impl NamedColumns {
             _ => format!("cannot be read as CSV: {error}"),
         };
         TableError::at(&self.path, self.row(reader), message)
-    }
-}
-
-fn number(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(format!("\"{text}\" is not finite: expected a number")),
-        Err(_) if text.is_empty() => Err("is empty: expected a number".to_owned()),
-        Err(_) => Err(format!(
-            "\"{}\" is not a number: expected one such as 1.5e-6",
-            text.chars().take(40).collect::<String>()
-        )),
     }
 }
 

@@ -21,7 +21,7 @@ use crate::run::record::Outcome;
 use crate::scene::plan::{Plan, PlanePlan, Section};
 use crate::scene::reach;
 use crate::scene::stage::Stage;
-use crate::shape::{PlaneWave, PlaneWavy, Profile, Rim, Shape};
+use crate::shape::{PlaneWave, PlaneWavy, Profile, Shape};
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// Contact radii looked at, per largest contact radius of the scene.
@@ -103,10 +103,7 @@ fn least_load(whole: impl Fn(f64) -> bool, largest: f64) -> Option<f64> {
 fn limit(profile: &dyn Profile, largest: f64) -> f64 {
     let wanted = if largest > 0.0 { FARTHER * largest } else { profile.scale() };
     let wanted = wanted.max(FEATURES * profile.feature().unwrap_or(0.0));
-    match profile.rim() {
-        Rim::Wall(end) | Rim::End(end) => wanted.min(end * (1.0 - 1e-9)),
-        Rim::None => wanted,
-    }
+    wanted.min(profile.rim().radius() * (1.0 - 1e-9))
 }
 
 /// The round contact: where g stops growing, and the loads at which the mapping is exact.

@@ -132,14 +132,6 @@ pub fn orowan_on_hertz(force: f64, contact_radius: f64, (coefficient, limit): (f
     if s >= 1.0 { coefficient * force } else { area * limit * (1.0 - s * s / 3.0) }
 }
 
-/// Load [N] up to which a paraboloid under Coulomb–Orowan friction keeps to Amontons' law exactly:
-/// p₀ = τ_max/μ at F = π³R²(τ_max/μ)³/(6E*²).
-#[must_use]
-pub fn amontons_limit_on_hertz(radius: f64, modulus: f64, (coefficient, limit): (f64, f64)) -> f64 {
-    let pressure = limit / coefficient;
-    PI.powi(3) * radius * radius * pressure * (pressure / modulus).powi(2) / 6.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -331,8 +323,5 @@ mod tests {
             let exact = orowan_on_hertz(force, 0.8, (coefficient, limit));
             assert!((sliding_force(&pressed, &law) / exact - 1.0).abs() < 1e-12, "{k}");
         }
-        let limit = amontons_limit_on_hertz(1.0, 2.0, (0.4, 0.1));
-        let a = (0.75 * limit / 2.0).cbrt();
-        assert!((1.5 * limit / (PI * a * a) * 0.4 / 0.1 - 1.0).abs() < 1e-14);
     }
 }

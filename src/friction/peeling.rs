@@ -216,8 +216,13 @@ impl ShearedAdhesion {
 
     /// E*Δl² [N/m] with the elongation the normal force asks for.
     fn edge_energy(&self, a: f64, force: f64) -> f64 {
-        let elongation = (self.profile().load_integral(a) - 0.5 * force / self.modulus()) / a;
+        let elongation = self.elongation(a, force);
         self.modulus() * elongation * elongation
+    }
+
+    /// How far the springs at the edge are pulled [m] under the force `force` [N].
+    fn elongation(&self, a: f64, force: f64) -> f64 {
+        (self.profile().load_integral(a) - 0.5 * force / self.modulus()) / a
     }
 
     /// 2πaw [N/m].
@@ -241,10 +246,9 @@ impl ShearedAdhesion {
     }
 
     fn with_force(&self, a: f64, force: f64, tangential_force: f64) -> Result<Sheared, FrictionError> {
-        let elongation = (self.profile().load_integral(a) - 0.5 * force / self.modulus()) / a;
         Ok(Sheared {
             contact_radius: a,
-            indentation: self.profile().reduced(a) - elongation,
+            indentation: self.profile().reduced(a) - self.elongation(a, force),
             tangential_force,
             slide: tangential_force / (2.0 * self.ratio * self.modulus() * a),
         })
@@ -260,10 +264,7 @@ impl ShearedAdhesion {
     }
 
     fn grow_from(&self, low: f64, residual: impl Fn(f64) -> f64, force: f64) -> Result<f64, FrictionError> {
-        let limit = match self.profile().rim() {
-            Rim::None => f64::MAX.sqrt(),
-            Rim::Wall(end) | Rim::End(end) => end,
-        };
+        let limit = self.profile().rim().radius().min(f64::MAX.sqrt());
         let bracket = bracket_upwards(&residual, low, 2.0 * low, limit);
         let (low, high) = bracket.ok_or(FrictionError::ForceBeyondProfile { force })?;
         brent(&residual, low, high).map_err(|_| FrictionError::Parted { force })

@@ -118,7 +118,7 @@ fn outside(profile: &dyn Profile, turn: f64) -> Vec<f64> {
 }
 
 fn inside(profile: &dyn Profile, r: f64) -> bool {
-    !matches!(profile.rim(), Rim::End(end) | Rim::Wall(end) if r > end)
+    r <= profile.rim().radius()
 }
 
 /// Gap at the radius `r` outside a contact of radius `a`.

@@ -61,6 +61,17 @@ pub enum Rim {
     End(f64),
 }
 
+impl Rim {
+    /// Radius [m] at which the profile ends; infinite if it goes on for ever.
+    #[must_use]
+    pub fn radius(self) -> f64 {
+        match self {
+            Self::None => f64::INFINITY,
+            Self::Wall(end) | Self::End(end) => end,
+        }
+    }
+}
+
 /// An axisymmetric profile, ready for evaluation. Lengths in metres.
 ///
 /// The contact of radius a with indentation d = g(a) carries F = 2E*∫₀^a (d − g) dx, which is

@@ -8,6 +8,7 @@
 
 mod check;
 mod compare;
+mod delivery;
 mod explain;
 mod report;
 mod run;

@@ -5,7 +5,7 @@ use crate::check::row::{Computed, Found};
 use crate::contact::elliptic::EllipticHertz;
 use crate::halfspace::{Boundary, Prescribed, PressedMap, Settings, Solution, Start, solve};
 use crate::scene::plan::Plan;
-use crate::shape::{Profile, Rim, Shape};
+use crate::shape::{Profile, Shape};
 use ndarray::Array2;
 use std::f64::consts::PI;
 
@@ -55,10 +55,7 @@ fn height(plan: &Plan, x: f64, y: f64) -> f64 {
 
 /// Height of a smooth shape [m]; +∞ where it has no material.
 pub(super) fn smooth(profile: &dyn Profile, r: f64) -> f64 {
-    match profile.rim() {
-        Rim::Wall(end) | Rim::End(end) if r > end => f64::INFINITY,
-        _ => profile.height(r),
-    }
+    if r > profile.rim().radius() { f64::INFINITY } else { profile.height(r) }
 }
 
 /// Contact radius [m]: of Hertzian pressures from their second moments, else from the area.

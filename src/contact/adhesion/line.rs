@@ -18,7 +18,6 @@
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use crate::contact::foundation::{Foundation, HalfSpace};
-use crate::shape::Rim;
 use std::f64::consts::PI;
 
 /// Equilibrium of a contact whose edge carries the work of adhesion w, w = 0 included.
@@ -128,10 +127,7 @@ impl<F: Foundation> Equilibrium for EdgeLine<F> {
     }
 
     fn end(&self) -> f64 {
-        match self.ground.profile().rim() {
-            Rim::None => f64::INFINITY,
-            Rim::Wall(end) | Rim::End(end) => end,
-        }
+        self.ground.profile().rim().radius()
     }
 
     fn scale(&self) -> f64 {

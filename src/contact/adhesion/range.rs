@@ -20,7 +20,6 @@ use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use super::line::Energy;
 use crate::contact::foundation::HalfSpace;
 use crate::numerics::{quadrature, root};
-use crate::shape::Rim;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI};
 
 /// Equilibrium of a contact with the attractive stress σ₀ up to the gap w/σ₀.
@@ -275,10 +274,7 @@ impl Equilibrium for RangeDisc {
     }
 
     fn end(&self) -> f64 {
-        match self.ground.profile().rim() {
-            Rim::None => f64::INFINITY,
-            Rim::Wall(end) | Rim::End(end) => end,
-        }
+        self.ground.profile().rim().radius()
     }
 
     fn scale(&self) -> f64 {

@@ -2,6 +2,7 @@
 
 mod peers;
 
+use super::delivery::Findings;
 use super::{Common, Topic};
 use crate::app::console::{Console, Failure};
 #[cfg(feature = "plot")]
@@ -9,9 +10,7 @@ use crate::app::export::report_figures;
 use crate::app::export::reports::{self, ACCURACY, SPEED, STABILITY, STATED};
 use crate::app::machine::Machine;
 use crate::app::progress::Progress;
-use crate::app::run::Format;
 use crate::app::scene_file::SceneFile;
-use crate::app::write::write_all;
 use crate::check::case::{Case, Question};
 use crate::check::cases;
 use crate::check::row::Row;
@@ -46,22 +45,15 @@ pub fn run(
             )));
         }
     };
-    deliver(&report, common, console)?;
+    report.deliver(common, console)?;
     if failed.is_empty() { Ok(()) } else { Err(Failure::Failed(failed.join("; "))) }
-}
-
-/// A report made: what a person reads, and the files with their names.
-struct Report {
-    table: String,
-    json: String,
-    files: Vec<(String, String)>,
 }
 
 /// What failed, in words.
 type Failed = Vec<String>;
 
 /// Scenes with the errors they state, then all ways to compute the cases that have several.
-fn accuracy(effort: Thoroughness, console: &Console) -> Result<(Report, Failed), Failure> {
+fn accuracy(effort: Thoroughness, console: &Console) -> Result<(Findings, Failed), Failure> {
     let studies = cases::studies(effort).map_err(Failure::failed)?;
     let rows = measured(&studies, effort, console);
     let stated: Vec<Row> = cases::all().iter().flat_map(stated).collect();
@@ -74,7 +66,7 @@ fn accuracy(effort: Thoroughness, console: &Console) -> Result<(Report, Failed),
     let files = [files, figures(&studies, &rows, &machine)?].concat();
     let json = accuracy_json(&studies, &rows, &stated, &machine)?;
     let table = reports::accuracy_table(&studies, &rows, &machine);
-    let report = Report { table: format!("{}\n{table}", reports::stated_table(&stated)), json, files };
+    let report = Findings { table: format!("{}\n{table}", reports::stated_table(&stated)), json, files };
     Ok((report.named("accuracy"), [silent(&rows.concat()), beyond(&stated)].concat()))
 }
 
@@ -85,7 +77,7 @@ fn stated(case: &Case) -> Vec<Row> {
 }
 
 /// One scene by its own solver at several accuracies and by springs.
-fn accuracy_of(path: &Path, effort: Thoroughness, console: &Console) -> Result<(Report, Failed), Failure> {
+fn accuracy_of(path: &Path, effort: Thoroughness, console: &Console) -> Result<(Findings, Failed), Failure> {
     let scene = SceneFile::load(path).map_err(Failure::Scene)?;
     let studies = [ways::scene(&scene.plan, effort).map_err(Failure::failed)?];
     let rows = measured(&studies, effort, console);
@@ -98,7 +90,7 @@ fn accuracy_of(path: &Path, effort: Thoroughness, console: &Console) -> Result<(
         [files, vec![(format!("{name}.svg"), figure.svg())]].concat()
     };
     let json = accuracy_json(&studies, &rows, &[], &machine)?;
-    let report = Report { table: reports::accuracy_table(&studies, &rows, &machine), json, files };
+    let report = Findings { table: reports::accuracy_table(&studies, &rows, &machine), json, files };
     // A bed may not be able to follow what the scene's own solver can.
     Ok((report.named(&name), Vec::new()))
 }
@@ -136,7 +128,7 @@ fn figures(studies: &[Study], rows: &[Vec<Row>], machine: &Machine) -> Result<Ve
 }
 
 /// Every range of values against its exact answer or law, and the usual way beside.
-fn stability(console: &Console) -> Result<(Report, Failed), Failure> {
+fn stability(console: &Console) -> Result<(Findings, Failed), Failure> {
     let extreme = |case: &Case| matches!(case.question, Question::Over(_));
     let mut all: Vec<Case> = cases::all().into_iter().filter(extreme).collect();
     all.push(cases::USUAL);
@@ -147,7 +139,7 @@ fn stability(console: &Console) -> Result<(Report, Failed), Failure> {
     let passed = rows.iter().all(Row::passed);
     let json = text(&json!({ "passed": passed, "rows": reports::objects(STABILITY, &rows), "machine": machine }))?;
     let files = vec![("stability.csv".to_owned(), reports::csv(STABILITY, &rows).map_err(Failure::failed)?)];
-    let report = Report { table: reports::stability_table(&rows, &machine), json, files };
+    let report = Findings { table: reports::stability_table(&rows, &machine), json, files };
     Ok((report.named("stability"), beyond(&rows)))
 }
 
@@ -164,7 +156,7 @@ pub(super) fn verdicts(cases: &[Case], done: &(dyn Fn(f64) + Sync)) -> Vec<Row> 
 }
 
 /// Every kernel at several sizes.
-fn throughput(effort: Thoroughness, console: &Console) -> Result<(Report, Failed), Failure> {
+fn throughput(effort: Thoroughness, console: &Console) -> Result<(Findings, Failed), Failure> {
     let progress = Progress::of("report speed", console);
     let rows = speed::rows(&speed::kernels(), 5 * effort.budget(), |share| progress.done(share));
     drop(progress);
@@ -173,7 +165,7 @@ fn throughput(effort: Thoroughness, console: &Console) -> Result<(Report, Failed
     let files = vec![("speed.csv".to_owned(), reports::csv(SPEED, &rows).map_err(Failure::failed)?)];
     #[cfg(feature = "plot")]
     let files = [files, vec![("speed.svg".to_owned(), report_figures::speed(&rows, &machine).svg())]].concat();
-    let report = Report { table: reports::speed_table(&rows, &machine), json, files };
+    let report = Findings { table: reports::speed_table(&rows, &machine), json, files };
     Ok((report.named("speed"), silent(&rows)))
 }
 
@@ -192,33 +184,4 @@ pub(super) fn beyond(rows: &[Row]) -> Failed {
 
 fn text(value: &serde_json::Value) -> Result<String, Failure> {
     serde_json::to_string_pretty(value).map_err(Failure::failed)
-}
-
-impl Report {
-    /// The JSON among the files, under its name.
-    fn named(mut self, name: &str) -> Self {
-        self.files.push((format!("{name}.json"), self.json.clone()));
-        self
-    }
-}
-
-/// Says the report on standard output, as a table or as JSON, and writes its files of the formats asked for.
-fn deliver(report: &Report, common: &Common, console: &Console) -> Result<(), Failure> {
-    if common.json {
-        console.result(&report.json)?;
-    } else {
-        console.say(&report.table)?;
-    }
-    let wanted = |name: &str| {
-        let of = |format: Format, ending: &str| common.format.contains(&format) && name.ends_with(ending);
-        of(Format::Csv, ".csv") || of(Format::Json, ".json") || of(Format::Svg, ".svg")
-    };
-    let files = report.files.iter().filter(|file| wanted(&file.0));
-    let files: Vec<(String, &[u8])> = files.map(|(name, text)| (name.clone(), text.as_bytes())).collect();
-    let written = write_all(&common.out, &files).map_err(Failure::failed)?;
-    let written: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
-    if !written.is_empty() {
-        console.message(&format!("  wrote {}", written.join(", ")));
-    }
-    Ok(())
 }

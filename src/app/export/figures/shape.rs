@@ -13,10 +13,7 @@ const POINTS: usize = 400;
 pub fn profile(profile: &dyn Profile, outcome: &Outcome) -> Panel {
     let largest = outcome.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let wanted = if largest > 0.0 { 1.25 * largest } else { profile.scale() };
-    let reach = match profile.rim() {
-        Rim::None => wanted,
-        Rim::Wall(end) | Rim::End(end) => wanted.min(end),
-    };
+    let reach = wanted.min(profile.rim().radius());
     let at = |k: usize| reach * (k as f64 / POINTS as f64);
     let of = |height: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (at(k), height(at(k)))).collect::<Vec<_>>();
     let panel = Panel::new(Axis::linear("radius r, place x", "m").from(0.0), Axis::linear("height", "m"))

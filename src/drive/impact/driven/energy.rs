@@ -134,15 +134,19 @@ impl StruckHalfSpace {
         self.attraction.is_some() || self.profile.flat_radius() > 0.0
     }
 
+    /// ∫₀^a (d − g)² dx [m³].
+    pub(super) fn square_integral(&self, d: f64, a: f64) -> f64 {
+        let over = d - self.profile.reduced(a);
+        self.profile.energy_integral(a) + over * (2.0 * self.profile.load_integral(a) + over * a)
+    }
+
     /// E∞ ∫₀^a (d − g)² dx [J].
     fn steady(&self, d: f64, a: f64) -> f64 {
-        let over = d - self.profile.reduced(a);
-        let squares = self.profile.energy_integral(a) + over * (2.0 * self.profile.load_integral(a) + over * a);
-        self.spectrum.equilibrium() * squares
+        self.spectrum.equilibrium() * self.square_integral(d, a)
     }
 
     /// 2E∞ ∫₀^a (d − g) dx [N].
-    fn steady_force(&self, d: f64, a: f64) -> f64 {
+    pub(super) fn steady_force(&self, d: f64, a: f64) -> f64 {
         let over = d - self.profile.reduced(a);
         2.0 * self.spectrum.equilibrium() * (self.profile.load_integral(a) + a * over)
     }

@@ -175,9 +175,7 @@ impl StruckHalfSpace {
         let stiff = self.spectrum.instantaneous();
         let work = |d: f64| {
             let Some(a) = self.profile.edge(d) else { return f64::MAX };
-            let over = d - self.profile.reduced(a);
-            let squares = self.profile.energy_integral(a) + over * (2.0 * self.profile.load_integral(a) + over * a);
-            stiff * squares + self.spectrum.viscosity() * impact.speed * a * d - impact.energy()
+            stiff * self.square_integral(d, a) + self.spectrum.viscosity() * impact.speed * a * d - impact.energy()
         };
         let scale = self.profile.scale();
         let mut high = self.profile.reduced(scale).min(scale).max(1e-6 * scale);

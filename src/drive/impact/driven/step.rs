@@ -125,7 +125,7 @@ impl Collocation<'_> {
         piece: &MotionPiece,
         fadings: &[[Fading; NODES]],
     ) -> Result<(Polynomial, [BedResponse; NODES]), ImpactError> {
-        let (spectrum, profile) = (&self.model.spectrum, &self.model.profile);
+        let spectrum = &self.model.spectrum;
         let mut radius = [0.0; NODES];
         for j in 0..NODES {
             radius[j] = self.model.edge(piece.depth(RADAU[j]))?;
@@ -137,9 +137,7 @@ impl Collocation<'_> {
             let elements = spectrum.terms().iter().zip(fadings).enumerate();
             let elements: f64 = elements.map(|(k, (term, fading))| grown.sum_of(&fading[j], term.modulus, k)).sum();
             let (a, d) = (radius[j], piece.depth(RADAU[j]));
-            let over = d - profile.reduced(a);
-            let steady = 2.0 * spectrum.equilibrium() * (profile.load_integral(a) + a * over);
-            let force = steady + elements + spectrum.viscosity() * flows[j];
+            let force = self.model.steady_force(d, a) + elements + spectrum.viscosity() * flows[j];
             BedResponse { force, radius: a, touched: piece.start.time + RADAU[j] * piece.span, joined: true }
         };
         Ok((flow, from_fn(answer)))
