@@ -13,7 +13,7 @@
 //! assert_eq!((ball.radius, ball.force), (2.0, 8.0 / 3.0));
 //! ```
 
-use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Indentation and force of a contact without adhesion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,16 +39,6 @@ pub fn hertz_pressure(radius: f64, indentation: f64, r: f64) -> f64 {
     let contact = hertz(radius, indentation);
     let mean = contact.force / (PI * contact.radius * contact.radius);
     1.5 * mean * (1.0 - (r / contact.radius).powi(2)).max(0.0).sqrt()
-}
-
-/// Normal displacement outside a Hertz contact (Johnson 1985, eq. 3.42a):
-/// (p₀/2a)[(2a²−r²) arcsin(a/r) + ra√(1−a²/r²)]/E*, r ≥ a.
-///
-/// Loses (r/a)² digits far away.
-#[must_use]
-pub fn hertz_displacement(radius: f64, indentation: f64, r: f64) -> f64 {
-    let a = (radius * indentation).sqrt();
-    ((2.0 * a * a - r * r) * (a / r).asin() + r * a * (1.0 - (a / r).powi(2)).sqrt()) / (PI * radius)
 }
 
 /// Exact sphere (Sneddon 1965) by the rapidity t = artanh(a/R): d = Rt tanh t,
@@ -95,12 +85,6 @@ pub fn power(coefficient: f64, exponent: f64, a: f64) -> ClosedForm {
 #[must_use]
 pub fn flat_punch(radius: f64, indentation: f64) -> ClosedForm {
     ClosedForm { radius, indentation, force: 2.0 * radius * indentation }
-}
-
-/// Pressure p(r)/E* under a flat punch: (d/πb)/√(1−(r/b)²).
-#[must_use]
-pub fn flat_punch_pressure(radius: f64, indentation: f64, r: f64) -> f64 {
-    FRAC_1_PI * indentation / radius / (1.0 - (r / radius).powi(2)).sqrt()
 }
 
 /// Truncated cone: d = taφ, F = E*ta²(φ + sin φ cos φ), a = b/cos φ (Popov, Heß & Willert 2019, ch. 2).

@@ -70,6 +70,20 @@ impl<T: 'static> Method<T> {
         Self { name, setting, prepare: Box::new(move || prepare().map(|run| Box::new(run) as Prepared<T>)) }
     }
 
+    /// A method that has nothing to set up but its own copy of `from`.
+    pub(super) fn of<S: Clone + 'static>(
+        name: &'static str,
+        setting: Setting,
+        from: &S,
+        solved: impl Fn(&S) -> Attempt<T> + Copy + 'static,
+    ) -> Self {
+        let from = from.clone();
+        Self::new(name, setting, move || {
+            let from = from.clone();
+            Ok(move || solved(&from))
+        })
+    }
+
     /// What the method gives, and how long it takes.
     pub(super) fn row(&self, budget: Duration, into: impl FnOnce(T) -> Computed) -> Row {
         let row = Row { method: self.name, setting: self.setting, ..Row::default() };

@@ -1,6 +1,7 @@
 //! Closed forms of tangential contact: Cattaneo–Mindlin, Mindlin–Deresiewicz, Savkoor–Briggs,
 //! Coulomb–Orowan sliding, oblique impact in gross slip.
 
+use super::closed_forms;
 use std::f64::consts::PI;
 
 /// A paraboloid under a constant normal load, with Coulomb friction.
@@ -20,6 +21,13 @@ pub struct CattaneoMindlin {
 }
 
 impl CattaneoMindlin {
+    /// A ball with R = E* = 1 at the indentation `depth` [m].
+    #[must_use]
+    pub fn on_ball(depth: f64, tangential_modulus: f64, coefficient: f64) -> Self {
+        let hertz = closed_forms::hertz(1.0, depth);
+        Self { force: hertz.force, contact_radius: hertz.radius, tangential_modulus, coefficient }
+    }
+
     /// Largest tangential force μF [N].
     #[must_use]
     pub fn limit(&self) -> f64 {

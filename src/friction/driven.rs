@@ -29,20 +29,6 @@ impl TangentialMemory {
             .map(|way| start + way)
             .map_err(|_| FrictionError::GrossSlip { force, limit: most })
     }
-
-    /// Moves along a curve: the depth follows `depth`(t), t from 0 to 1, while the slide grows evenly
-    /// to `slide` (as under a prescribed normal force), by [`chords`].
-    ///
-    /// # Errors
-    /// The indentation leaves the profile.
-    pub fn advance_along(
-        &mut self,
-        depth: &dyn Fn(f64) -> f64,
-        slide: f64,
-        accuracy: f64,
-    ) -> Result<(), FrictionError> {
-        chords(depth, (self.position().slide, slide), accuracy).into_iter().try_for_each(|to| self.advance(to))
-    }
 }
 
 /// The ends of the chords of a curve: the depth follows `depth`(t), t from 0 to 1, while the slide
@@ -130,7 +116,8 @@ mod tests {
         let exact = 2.0 * GRIP.tangential_modulus * slide * 0.75;
         for accuracy in [1e-3, 1e-5, 1e-7] {
             let mut memory = TangentialMemory::new(Arc::new(shape.clone()), GRIP);
-            memory.advance_along(&|t: f64| t.powf(2.0 / 3.0), slide, accuracy).unwrap();
+            let path = chords(&|t: f64| t.powf(2.0 / 3.0), (0.0, slide), accuracy);
+            path.into_iter().for_each(|to| memory.advance(to).unwrap());
             let error = memory.state().tangential_force / exact - 1.0;
             // A depth wrong by ε shifts a = √d by ε/(2√d); over the path t^{2/3} that is (3/4)ε of the mean.
             assert!(error.abs() < accuracy, "{error:e}");

@@ -55,11 +55,6 @@ pub struct PlaneSolution {
 }
 
 impl PlaneSolution {
-    /// Normal force per length F = Σ p Δx \[N/m\].
-    pub fn force_per_length(&self) -> f64 {
-        self.pressure.iter().sum::<f64>() * self.step
-    }
-
     /// Width of all strips under pressure \[m\].
     pub fn contact_width(&self) -> f64 {
         self.pressure.iter().filter(|&&p| p > 0.0).count() as f64 * self.step

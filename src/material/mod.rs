@@ -38,6 +38,25 @@ pub enum Body {
 }
 
 impl Body {
+    /// Poisson's ratio ν; of a rigid body none.
+    #[must_use]
+    pub fn poisson(&self) -> Option<f64> {
+        match self {
+            Self::Elastic(elastic) => Some(elastic.poisson.si()),
+            Self::Viscoelastic(viscoelastic) => Some(viscoelastic.poisson.si()),
+            Self::Rigid => None,
+        }
+    }
+
+    /// Yield stress Y [Pa], if it is stated.
+    #[must_use]
+    pub fn yield_stress(&self) -> Option<f64> {
+        match self {
+            Self::Elastic(elastic) => elastic.yield_stress.map(Modulus::si),
+            Self::Viscoelastic(_) | Self::Rigid => None,
+        }
+    }
+
     /// Whether it relaxes.
     #[must_use]
     pub fn relaxes(&self) -> bool {

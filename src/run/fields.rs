@@ -5,7 +5,6 @@ use super::unit::Unit;
 use crate::contact::loaded::Loaded;
 use crate::contact::model::ContactModel;
 use crate::contact::stress::StressRow;
-use crate::material::Body;
 use crate::run::record::{Field, FieldRow, Record};
 use crate::scene::plan::Shared;
 use std::f64::consts::FRAC_PI_2;
@@ -98,15 +97,7 @@ const STRESS: [Column<StressRow>; 4] = [
 /// Stresses on the axis in the first body that can deform.
 #[must_use]
 pub fn stresses(shared: &Shared, loaded: &Loaded) -> Table {
-    let rows = loaded.down_the_axis(DEPTHS, poisson(&shared.scene.bodies));
+    let (one, other) = &shared.scene.bodies;
+    let rows = loaded.down_the_axis(DEPTHS, one.poisson().or(other.poisson()).unwrap_or(0.5));
     Table::new("stress").with(&STRESS, rows.iter())
-}
-
-fn poisson(bodies: &(Body, Body)) -> f64 {
-    let of = |body: &Body| match body {
-        Body::Rigid => None,
-        Body::Elastic(elastic) => Some(elastic.poisson.si()),
-        Body::Viscoelastic(viscoelastic) => Some(viscoelastic.poisson.si()),
-    };
-    of(&bodies.0).or_else(|| of(&bodies.1)).unwrap_or(0.5)
 }

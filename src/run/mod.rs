@@ -154,7 +154,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
 /// The plan in words, with the springs and bytes that are known from the run alone.
 fn parts(plan: &RoundPlan, run: &Run) -> Parts {
     let parts = plan.parts();
-    match plan.contact.relaxation() {
+    match plan.contact.bodies().relaxation() {
         None => parts,
         Some(_) => Parts { state_bytes: run.effort.bytes, springs: run.effort.springs, ..parts },
     }

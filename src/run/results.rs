@@ -27,7 +27,9 @@ fn largest(contact: Option<&ContactLaw>, records: &[Record], fields: &[Field]) -
     let most = |of: fn(&Record) -> Option<f64>| records.iter().filter_map(of).reduce(f64::max);
     let intensity = fields.iter().filter_map(|field| field.stress_intensity);
     let intensity = intensity.max_by(|x, y| x.abs().total_cmp(&y.abs()));
-    let pull_off = forces().reduce(f64::min).filter(|least| contact.is_some_and(ContactLaw::adheres) && *least < 0.0);
+    let pull_off = forces()
+        .reduce(f64::min)
+        .filter(|least| contact.is_some_and(|contact| contact.bodies().adheres()) && *least < 0.0);
     let found = [
         ("largest_force", Unit::NEWTON, forces().reduce(f64::max)),
         ("largest_indentation", Unit::METRE, most(|record| record.normal.indentation)),
@@ -43,7 +45,7 @@ fn largest(contact: Option<&ContactLaw>, records: &[Record], fields: &[Field]) -
 fn last_state(contact: Option<&ContactLaw>, first: &Record, last: &Record) -> Vec<Named> {
     let normal = &last.normal;
     let (stored, initial) = (normal.stored.stored(), first.normal.stored.stored());
-    let elastic = contact.is_some_and(|contact| contact.adheres() && contact.relaxation().is_none());
+    let elastic = contact.is_some_and(|contact| contact.bodies().adheres() && contact.bodies().relaxation().is_none());
     let found = [
         ("work", Unit::JOULE, Some(stored - initial + normal.dissipated)),
         ("dissipated", Unit::JOULE, Some(normal.dissipated)),

@@ -69,7 +69,7 @@ fn reach(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
 /// Named results of a viscoelastic contact alone: the moduli of the last loop, and what is expected of
 /// the same contact if its edge stood still.
 pub fn results(plan: &RoundPlan, run: &Run) -> Vec<Named> {
-    let (Some(found), Some(relaxation)) = (run.last_loop(), plan.contact.relaxation()) else {
+    let (Some(found), Some(relaxation)) = (run.last_loop(), plan.contact.bodies().relaxation()) else {
         return Vec::new();
     };
     let (spectrum, omega) = (Spectrum::new(relaxation), TAU * found.frequency);

@@ -40,7 +40,7 @@ fn round(plan: &Plan, profile: &dyn Profile, records: &[Record], loaded: Option<
 #[must_use]
 pub fn can_yield(shared: &Shared) -> bool {
     let (one, other) = &shared.scene.bodies;
-    [one, other].into_iter().any(|body| matches!(body, Body::Elastic(elastic) if elastic.yield_stress.is_some()))
+    one.yield_stress().or(other.yield_stress()).is_some()
 }
 
 /// The error of an ellipsoid's effective radius.
@@ -155,15 +155,14 @@ fn first_yield(shared: &Shared, loaded: &Loaded) -> Vec<String> {
 }
 
 fn yielding(loaded: &Loaded, body: &Body) -> Option<String> {
-    let Body::Elastic(elastic) = body else { return None };
-    let limit = elastic.yield_stress?.si();
+    let (poisson, limit) = (body.poisson()?, body.yield_stress()?);
     let (a, mean) = (loaded.contact_radius(), loaded.mean_pressure());
     if a > 0.0 && loaded.profile().pressure_integral(0.0, a).is_infinite() {
         return Some(format!(
             "the tip is a point: the elastic stress below it has no bound, so the body yields there at any load, above {limit:.3e} Pa; mean pressure {mean:.3e} Pa"
         ));
     }
-    let worst = loaded.hardest(elastic.poisson.si())?;
+    let worst = loaded.hardest(poisson)?;
     (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
         format!(
             "the stress passes first yield: |σ_zz − σ_xx| = {:.3e} Pa at the depth {:.2} a, yield stress {limit:.3e} Pa, mean pressure {mean:.3e} Pa",

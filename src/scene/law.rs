@@ -11,7 +11,7 @@
 //! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
 //! let round = plan.round().unwrap();
 //! assert_eq!(round.contact, ContactLaw::Direct(ElasticAdhesion::Vanishing { work: 1.0 }));
-//! assert!(round.friction.is_none() && round.contact.adheres());
+//! assert!(round.friction.is_none() && round.contact.bodies().adheres());
 //! # }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -128,6 +128,63 @@ impl SpringCount {
     }
 }
 
+/// The bodies of a contact and what holds them together, whoever computes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bodies<'l> {
+    /// Elastic bodies.
+    Elastic(ElasticAdhesion),
+    /// Bodies with E*(t), and their adhesive edge if they have one.
+    Viscoelastic(&'l Arc<Relaxation>, Option<&'l HeldEdge>),
+}
+
+impl<'l> Bodies<'l> {
+    /// E*(t) of bodies that relax.
+    #[must_use]
+    pub fn relaxation(self) -> Option<&'l Arc<Relaxation>> {
+        match self {
+            Self::Elastic(_) => None,
+            Self::Viscoelastic(relaxation, _) => Some(relaxation),
+        }
+    }
+
+    /// Work of adhesion [J/m²] of an attraction of vanishing range.
+    #[must_use]
+    pub fn edge_work(self) -> Option<f64> {
+        match self {
+            Self::Elastic(adhesion) => adhesion.edge_work(),
+            Self::Viscoelastic(_, edge) => edge.map(|edge| edge.work),
+        }
+    }
+
+    /// What holds the edge of bodies that relax.
+    #[must_use]
+    pub fn held_edge(self) -> Option<&'l HeldEdge> {
+        match self {
+            Self::Elastic(_) => None,
+            Self::Viscoelastic(_, edge) => edge,
+        }
+    }
+
+    /// Whether they adhere.
+    #[must_use]
+    pub fn adheres(self) -> bool {
+        match self {
+            Self::Elastic(adhesion) => adhesion != ElasticAdhesion::None,
+            Self::Viscoelastic(_, edge) => edge.is_some(),
+        }
+    }
+
+    /// What they use.
+    pub(super) fn pieces(self) -> Vec<Component> {
+        match self {
+            Self::Elastic(adhesion) => adhesion.pieces(),
+            Self::Viscoelastic(_, edge) => {
+                edge.map(|_| Component::VanishingRange).into_iter().chain([Component::Prony]).collect()
+            }
+        }
+    }
+}
+
 /// Who computes the normal contact.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ContactLaw {
@@ -174,18 +231,6 @@ impl ContactLaw {
         }
     }
 
-    /// What it uses.
-    pub(super) fn pieces(&self) -> Vec<Component> {
-        match self {
-            Self::Direct(adhesion) => adhesion.pieces(),
-            Self::Springs { work: Some(_), .. } => vec![Component::VanishingRange, Component::Springs],
-            Self::Springs { work: None, .. } => vec![Component::Springs],
-            Self::Continuous { edge: Some(_), .. } => vec![Component::VanishingRange, Component::Prony],
-            Self::Continuous { edge: None, .. } => vec![Component::Prony],
-            Self::ViscoelasticSprings { .. } => vec![Component::Prony, Component::Springs],
-        }
-    }
-
     /// Number of springs.
     #[must_use]
     pub fn springs(&self) -> usize {
@@ -209,44 +254,22 @@ impl ContactLaw {
         }
     }
 
-    /// E*(t) of bodies that relax.
+    /// The bodies and what holds them together.
     #[must_use]
-    pub fn relaxation(&self) -> Option<&Arc<Relaxation>> {
+    pub fn bodies(&self) -> Bodies<'_> {
         match self {
-            Self::Direct(_) | Self::Springs { .. } => None,
-            Self::Continuous { relaxation, .. } | Self::ViscoelasticSprings { relaxation, .. } => Some(relaxation),
+            Self::Direct(adhesion) => Bodies::Elastic(*adhesion),
+            Self::Springs { work: Some(work), .. } => Bodies::Elastic(ElasticAdhesion::Vanishing { work: *work }),
+            Self::Springs { work: None, .. } => Bodies::Elastic(ElasticAdhesion::None),
+            Self::Continuous { relaxation, edge } => Bodies::Viscoelastic(relaxation, edge.as_ref()),
+            Self::ViscoelasticSprings { relaxation, .. } => Bodies::Viscoelastic(relaxation, None),
         }
     }
 
-    /// Work of adhesion [J/m²] of an attraction of vanishing range.
-    #[must_use]
-    pub fn edge_work(&self) -> Option<f64> {
-        match self {
-            Self::Direct(adhesion) => adhesion.edge_work(),
-            Self::Springs { work, .. } => *work,
-            Self::Continuous { edge, .. } => edge.as_ref().map(|edge| edge.work),
-            Self::ViscoelasticSprings { .. } => None,
-        }
-    }
-
-    /// What holds the edge of bodies that relax.
-    #[must_use]
-    pub fn held_edge(&self) -> Option<&HeldEdge> {
-        match self {
-            Self::Continuous { edge, .. } => edge.as_ref(),
-            Self::Direct(_) | Self::Springs { .. } | Self::ViscoelasticSprings { .. } => None,
-        }
-    }
-
-    /// Whether the bodies adhere.
-    #[must_use]
-    pub fn adheres(&self) -> bool {
-        match self {
-            Self::Direct(adhesion) => *adhesion != ElasticAdhesion::None,
-            Self::Springs { work, .. } => work.is_some(),
-            Self::Continuous { edge, .. } => edge.is_some(),
-            Self::ViscoelasticSprings { .. } => false,
-        }
+    /// What it uses.
+    pub(super) fn pieces(&self) -> Vec<Component> {
+        let springs = (self.springs() > 0).then_some(Component::Springs);
+        self.bodies().pieces().into_iter().chain(springs).collect()
     }
 }
 
@@ -287,14 +310,6 @@ impl ImpactLaw {
         }
     }
 
-    pub(super) fn pieces(&self) -> Vec<Component> {
-        match self {
-            Self::Elastic(adhesion) => adhesion.pieces(),
-            Self::Viscoelastic { edge: Some(_), .. } => vec![Component::VanishingRange, Component::Prony],
-            Self::Viscoelastic { edge: None, .. } => vec![Component::Prony],
-        }
-    }
-
     /// The attraction of elastic bodies on the direct path.
     pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
         match self {
@@ -303,38 +318,12 @@ impl ImpactLaw {
         }
     }
 
-    /// E*(t) of bodies that relax.
-    pub(super) fn relaxation(&self) -> Option<&Arc<Relaxation>> {
-        match self {
-            Self::Elastic(_) => None,
-            Self::Viscoelastic { relaxation, .. } => Some(relaxation),
-        }
-    }
-
-    /// Work of adhesion [J/m²] of an attraction of vanishing range.
+    /// The bodies and what holds them together.
     #[must_use]
-    pub fn edge_work(&self) -> Option<f64> {
+    pub fn bodies(&self) -> Bodies<'_> {
         match self {
-            Self::Elastic(adhesion) => adhesion.edge_work(),
-            Self::Viscoelastic { edge, .. } => edge.as_ref().map(|edge| edge.work),
-        }
-    }
-
-    /// What holds the edge of bodies that relax.
-    #[must_use]
-    pub fn held_edge(&self) -> Option<&HeldEdge> {
-        match self {
-            Self::Elastic(_) => None,
-            Self::Viscoelastic { edge, .. } => edge.as_ref(),
-        }
-    }
-
-    /// Whether the bodies adhere.
-    #[must_use]
-    pub fn adheres(&self) -> bool {
-        match self {
-            Self::Elastic(adhesion) => *adhesion != ElasticAdhesion::None,
-            Self::Viscoelastic { edge, .. } => edge.is_some(),
+            Self::Elastic(adhesion) => Bodies::Elastic(*adhesion),
+            Self::Viscoelastic { relaxation, edge } => Bodies::Viscoelastic(relaxation, edge.as_ref()),
         }
     }
 }

@@ -8,7 +8,7 @@
 //! use springbed::scene::history::{Entry, Indent};
 //! use springbed::shape::{Paraboloid, Shape};
 //!
-//! // A scene from values, and what is wrong with it: a flat body on a rigid one would need no scene at all.
+//! // A scene from values; two rigid bodies are refused.
 //! let ball = Shape::Paraboloid(Paraboloid { radius: "10 mm".parse()? });
 //! let steel = Body::Elastic(Elastic { young: "210 GPa".parse()?, poisson: "0.3".parse()?, yield_stress: None });
 //! let history = vec![Entry::Indent(Indent { to: "1 um".parse()?, over: "1 s".parse()? })];

@@ -18,7 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
+use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
 use super::parts::Solver;
 use super::read::Read;
 use super::surface::Surface;
@@ -253,28 +253,34 @@ impl Plan {
         self.of_round(|plan| Some(plan.ground()), |plan| Some(plan.ground()))
     }
 
+    /// The bodies of a round contact and what holds them together.
+    #[must_use]
+    pub fn bodies(&self) -> Option<Bodies<'_>> {
+        self.of_round(|plan| Some(plan.contact.bodies()), |plan| Some(plan.law.bodies()))
+    }
+
     /// E*(t) of bodies that relax.
     #[must_use]
     pub fn relaxation(&self) -> Option<&Relaxation> {
-        self.of_round(|plan| plan.contact.relaxation(), |plan| plan.law.relaxation()).map(Arc::as_ref)
+        self.bodies()?.relaxation().map(Arc::as_ref)
     }
 
     /// Work of adhesion [J/m²] of an attraction of vanishing range.
     #[must_use]
     pub fn edge_work(&self) -> Option<f64> {
-        self.of_round(|plan| plan.contact.edge_work(), |plan| plan.law.edge_work())
+        self.bodies()?.edge_work()
     }
 
     /// Whether the bodies of a round contact adhere.
     #[must_use]
     pub fn adheres(&self) -> bool {
-        self.of_round(|plan| Some(plan.contact.adheres()), |plan| Some(plan.law.adheres())).unwrap_or(false)
+        self.bodies().is_some_and(Bodies::adheres)
     }
 
     /// What holds the edge of bodies that relax.
     #[must_use]
     pub fn held_edge(&self) -> Option<&HeldEdge> {
-        self.of_round(|plan| plan.contact.held_edge(), |plan| plan.law.held_edge())
+        self.bodies()?.held_edge()
     }
 
     /// The attraction of elastic bodies on the direct path; `None` where another solver is at work.

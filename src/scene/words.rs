@@ -39,7 +39,7 @@ impl ImpactPlan {
     /// The plan in words; bytes are known from the run.
     #[must_use]
     pub fn parts(&self) -> Parts {
-        let (mut solver, mut used) = (self.law.solver(), self.law.pieces());
+        let (mut solver, mut used) = (self.law.solver(), self.law.bodies().pieces());
         let mut state_bytes = size_of::<QuasiStatic>();
         if self.ball.is_some() {
             used.push(Component::TurningPoints);

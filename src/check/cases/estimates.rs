@@ -112,9 +112,7 @@ fn maugis() -> Sketch {
 }
 
 fn lens() -> CattaneoMindlin {
-    let hertz = closed_forms::hertz(1.0, DEPTH);
-    let (force, contact_radius) = (hertz.force, hertz.radius);
-    CattaneoMindlin { force, contact_radius, tangential_modulus: 2.0 / 3.0, coefficient: 0.3 }
+    CattaneoMindlin::on_ball(DEPTH, 2.0 / 3.0, 0.3)
 }
 
 fn mindlin() -> Sketch {

@@ -66,13 +66,8 @@ mod strips {
 
     /// The half-plane on all numbers of strips, and what it is called where it is right.
     pub(super) fn methods(plan: &PlanePlan, force: f64) -> Vec<(String, Method)> {
-        let method = |strips: usize| {
-            let plan = plan.clone();
-            Method::new("half-plane", Setting::grid(strips), move || {
-                let plan = plan.clone();
-                Ok(move || solved(&plan, force, strips))
-            })
-        };
+        let method =
+            |strips| Method::of("half-plane", Setting::grid(strips), plan, move |plan| solved(plan, force, strips));
         STRIPS.map(|strips| (format!("half-plane on {strips} strips, the finest"), method(strips))).into()
     }
 

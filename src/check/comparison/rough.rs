@@ -72,13 +72,9 @@ impl Rough {
         setting: Setting,
         member: impl Fn(&Self, u64) -> Attempt<Computed> + Copy + 'static,
     ) -> Method {
-        let rough = self.clone();
-        Method::new(name, setting, move || {
-            let rough = rough.clone();
-            Ok(move || {
-                let solved: Attempt<Vec<Computed>> = rough.seeds().iter().map(|&seed| member(&rough, seed)).collect();
-                Ok(mean(&solved?))
-            })
+        Method::of(name, setting, self, move |rough| {
+            let solved: Attempt<Vec<Computed>> = rough.seeds().iter().map(|&seed| member(rough, seed)).collect();
+            Ok(mean(&solved?))
         })
     }
 

@@ -42,12 +42,11 @@ pub(super) fn contest(plan: Plan, most: &Record) -> Contest {
         notes.push(format!("closed form: {why}"));
         None
     });
-    let mut methods = vec![scenario.method("direct", Setting::FREE, Scenario::direct)];
+    let mut methods = vec![Method::of("direct", Setting::FREE, &scenario, |own| own.direct())];
     // What cannot be computed on springs, such as an attraction at a distance, says so once.
     match scenario.springs(SPRINGS[0]) {
-        Ok(_) => {
-            methods.extend(SPRINGS.map(|n| scenario.method("springs", Setting::springs(n), move |own| own.springs(n))))
-        }
+        Ok(_) => methods
+            .extend(SPRINGS.map(|n| Method::of("springs", Setting::springs(n), &scenario, move |own| own.springs(n)))),
         Err(why) => notes.push(format!("springs: {why}")),
     }
     let mut candidates = vec![Candidate { at: 0, name: "direct path, exact for this model".to_owned() }];
@@ -104,20 +103,6 @@ impl Scenario {
         notes
     }
 
-    /// A method whose run starts from the shape.
-    fn method(
-        self: &Arc<Self>,
-        name: &'static str,
-        setting: Setting,
-        solved: impl Fn(&Self) -> Attempt<Computed> + Copy + 'static,
-    ) -> Method {
-        let scenario = self.clone();
-        Method::new(name, setting, move || {
-            let scenario = scenario.clone();
-            Ok(move || solved(&scenario))
-        })
-    }
-
     fn direct(&self) -> Attempt<Computed> {
         let found = match self.depth {
             None => most_pressed(&self.plan)?,
@@ -171,7 +156,7 @@ impl Scenario {
     #[cfg(feature = "half-space")]
     fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
         let Some(depth) = self.depth.filter(|_| !self.plan.adheres()) else { return Vec::new() };
-        let method = |grid| self.method("half-space", Setting::grid(grid), move |own| own.pixels(grid, depth));
+        let method = |grid| Method::of("half-space", Setting::grid(grid), self, move |own| own.pixels(grid, depth));
         super::GRIDS.map(|grid| (format!("half-space on {grid}² pixels, the finest grid"), method(grid))).into()
     }
 

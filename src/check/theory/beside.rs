@@ -27,7 +27,8 @@ pub fn in_words(plan: &Plan, force: f64, stiffness: f64) -> Vec<String> {
             format!("Greenwood and Williamson: no separation within 30 deviations carries {pressure:.3e} Pa ({why})")
         }));
     }
-    if let Some(stress) = yield_stress(&plan.scene.bodies) {
+    let (one, other) = &plan.scene.bodies;
+    if let Some(stress) = [one, other].into_iter().filter_map(Body::yield_stress).reduce(f64::min) {
         let index = plasticity_index(modulus, roughness.rms_slope, HARDNESS * stress);
         let fate = if index < 2.0 / 3.0 { "summits stay elastic at any load" } else { "summits yield" };
         lines.push(format!("plasticity index {index:.3}: {fate} (hardness {HARDNESS} times the yield stress)"));
@@ -46,13 +47,4 @@ fn of_summits(roughness: &Roughness, modulus: f64, pressure: f64) -> Result<Stri
     Ok(format!(
         "Greenwood and Williamson: {share:.3e} on {summits:.3e} summits per m² of radius {radius:.3e} m, each on its own"
     ))
-}
-
-/// The lesser yield stress [Pa] of the bodies that state one.
-fn yield_stress(bodies: &(Body, Body)) -> Option<f64> {
-    let stated = [&bodies.0, &bodies.1].into_iter().filter_map(|body| match body {
-        Body::Elastic(elastic) => elastic.yield_stress,
-        Body::Viscoelastic(_) | Body::Rigid => None,
-    });
-    stated.map(|stress| stress.si()).reduce(f64::min)
 }

@@ -49,11 +49,7 @@ fn solved(force: f64, radius: f64, pressure: Option<f64>) -> Computed {
 }
 
 fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Thoroughness) -> Vec<Method> {
-    let profile = shape.clone();
-    let mut methods = vec![Method::new("direct path", Setting::FREE, move || {
-        let profile = profile.clone();
-        Ok(move || direct(profile.clone()))
-    })];
+    let mut methods = vec![Method::of("direct path", Setting::FREE, shape, |shape| direct(shape.clone()))];
     // No whole number of springs fits the contact: their sum has its usual error.
     let reach = FRAC_PI_2.sqrt() * exact.radius;
     for (name, location) in EDGES {

@@ -1,7 +1,6 @@
 //! The loop of Cattaneo and Mindlin.
 
 use crate::check::case::Attempt;
-use crate::check::closed_forms;
 use crate::check::contacts::paraboloid;
 use crate::check::measured::DEPTH;
 use crate::check::row::{Computed, Setting};
@@ -18,13 +17,7 @@ const QUARTER: i32 = 40;
 
 /// A ball under d/R = 0.01 sheared to 90 % of gross slip and to and fro: tangential forces.
 pub fn mindlin_loop(effort: Thoroughness) -> Attempt<Study> {
-    let hertz = closed_forms::hertz(1.0, DEPTH);
-    let exact = CattaneoMindlin {
-        force: hertz.force,
-        contact_radius: hertz.radius,
-        tangential_modulus: GRIP.tangential_modulus,
-        coefficient: GRIP.coefficient,
-    };
+    let exact = CattaneoMindlin::on_ball(DEPTH, GRIP.tangential_modulus, GRIP.coefficient);
     let amplitude = exact.reach() * (1.0 - 0.1f64.powf(2.0 / 3.0));
     let right = |(k, slide)| match k {
         0..40 => exact.tangential_force(slide),
@@ -37,7 +30,7 @@ pub fn mindlin_loop(effort: Thoroughness) -> Attempt<Study> {
         quantity: "tangential force",
         reference: "closed form of Cattaneo and Mindlin, turned by Masing's rule".to_owned(),
         exact: Computed { values: slides(amplitude).enumerate().map(right).collect(), ..Computed::default() },
-        methods: methods(&slides(amplitude).map(at).collect::<Vec<_>>(), hertz.radius, effort),
+        methods: methods(&slides(amplitude).map(at).collect::<Vec<_>>(), exact.contact_radius, effort),
     })
 }
 

@@ -423,17 +423,17 @@ impl Branches {
 
     /// Searches a wavy curve until it has risen above `target` for good.
     fn scan_until(&mut self, curve: &impl Equilibrium, target: f64) -> Result<(), BranchError> {
-        let Search::Spaced(length) = curve.search() else { return Ok(()) };
-        while self.scanned < curve.end() && !self.has_passed(curve, target) {
-            self.scan_step(curve, length)?;
-        }
-        Ok(())
+        self.scan_while(curve, |own| own.scanned < curve.end() && !own.has_passed(curve, target))
     }
 
     /// Searches a wavy curve out to the parameter `s`.
     fn scan_to(&mut self, curve: &impl Equilibrium, s: f64) -> Result<(), BranchError> {
+        self.scan_while(curve, |own| own.scanned < s.min(curve.end()))
+    }
+
+    fn scan_while(&mut self, curve: &impl Equilibrium, open: impl Fn(&Self) -> bool) -> Result<(), BranchError> {
         let Search::Spaced(length) = curve.search() else { return Ok(()) };
-        while self.scanned < s.min(curve.end()) {
+        while open(self) {
             self.scan_step(curve, length)?;
         }
         Ok(())

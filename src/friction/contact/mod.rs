@@ -77,7 +77,9 @@ pub trait TangentialContact: Send {
     fn state(&self) -> Tangential;
 
     /// Shear stress τ [Pa] at the radii `radii` [m] under the load `loading`; `None` where it is singular or not known.
-    fn stress(&self, loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>>;
+    fn stress(&self, _loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {
+        vec![None; radii.len()]
+    }
 
     /// The contact as it is, on its own.
     fn copy(&self) -> Box<dyn TangentialContact>;

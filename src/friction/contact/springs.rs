@@ -1,7 +1,7 @@
 //! Coulomb friction by the plain bed of springs.
 
 use super::{Step, TangentialContact};
-use crate::contact::model::{Effort, Loading, Pose};
+use crate::contact::model::{Effort, Pose};
 use crate::contact::state::Tangential;
 use crate::friction::{CoulombBed, FrettingMap, FrictionError, Grip};
 use crate::shape::Profile;
@@ -73,10 +73,6 @@ impl TangentialContact for CoulombSprings {
             dissipated: Some(self.width * self.map.energy().iter().sum::<f64>()),
             area_ratio: None,
         }
-    }
-
-    fn stress(&self, _loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {
-        vec![None; radii.len()]
     }
 
     fn copy(&self) -> Box<dyn TangentialContact> {

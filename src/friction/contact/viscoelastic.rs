@@ -1,7 +1,7 @@
 //! Coulomb friction of viscoelastic bodies: a bed beside the normal contact.
 
 use super::{Step, TangentialContact};
-use crate::contact::model::{Effort, Loading};
+use crate::contact::model::Effort;
 use crate::contact::state::Tangential;
 use crate::friction::{FrictionError, ViscoelasticBed};
 
@@ -47,10 +47,6 @@ impl TangentialContact for ViscoelasticFriction {
             dissipated: None,
             area_ratio: None,
         }
-    }
-
-    fn stress(&self, _loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {
-        vec![None; radii.len()]
     }
 
     fn copy(&self) -> Box<dyn TangentialContact> {

@@ -78,7 +78,7 @@ fn follow(plan: &ImpactPlan, speed: f64, wanted: Option<Wanted>) -> Result<Follo
 
 /// Whether the contact has stayed within its profile and in one piece.
 fn within_bounds(plan: &ImpactPlan, depth: f64) -> Result<(), SimulationError> {
-    let mut bounds = reach::bounds(plan.profile.as_ref(), plan.law.adheres()).into_iter();
+    let mut bounds = reach::bounds(plan.profile.as_ref(), plan.law.bodies().adheres()).into_iter();
     match bounds.find(|bound| depth > bound.depth) {
         None => Ok(()),
         Some(bound) => Err(SimulationError::Refused(format!(

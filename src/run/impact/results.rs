@@ -20,7 +20,7 @@ pub fn named(plan: &ImpactPlan, rows: &[ImpactRow], records: &[Record], field: O
     if let Some(intensity) = field.and_then(|field| field.stress_intensity) {
         add("largest_stress_intensity", Unit::PASCAL_ROOT_METRE, intensity);
     }
-    if plan.law.adheres() {
+    if plan.law.bodies().adheres() {
         let least = records.iter().map(|record| record.normal.force).fold(0.0, f64::min);
         add("pull_off_force", Unit::NEWTON, least);
     }
@@ -32,7 +32,7 @@ pub fn named(plan: &ImpactPlan, rows: &[ImpactRow], records: &[Record], field: O
         add("final_indentation", Unit::METRE, last.normal.indentation.unwrap_or(0.0));
         add("final_force", Unit::NEWTON, last.normal.force);
         add("final_stored_elastic", Unit::JOULE, last.normal.stored.elastic);
-        if plan.law.adheres() {
+        if plan.law.bodies().adheres() {
             add("final_stored_surface", Unit::JOULE, last.normal.stored.surface);
         }
     }

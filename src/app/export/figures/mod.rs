@@ -99,7 +99,7 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plan::Rough(rough) => rough::force(rough, outcome),
         Plan::Plane(_) => vec![against_depth(&LINE_FORCE)],
         Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(&FORCE)]).collect(),
-        Plan::Round(round) if round.contact.relaxation().is_none() => vec![against_depth(&FORCE)],
+        Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(&FORCE)],
         Plan::Round(_) => {
             let over_time = [FORCE, INDENTATION].map(|column| against_time(records, &column));
             [against_depth(&FORCE)].into_iter().chain(over_time).chain(last_loop(plan, records)).collect()

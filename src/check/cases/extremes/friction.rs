@@ -2,7 +2,6 @@
 
 use super::case;
 use crate::check::case::{Attempt, Case};
-use crate::check::closed_forms;
 use crate::check::contacts::paraboloid;
 use crate::check::extreme::{Extreme, Tally, powers};
 use crate::check::tangential::CattaneoMindlin;
@@ -36,8 +35,7 @@ pub(super) const CASES: &[Case] = &[
 const DEPTH: f64 = 0.01;
 
 fn exact(coefficient: f64) -> CattaneoMindlin {
-    let hertz = closed_forms::hertz(1.0, DEPTH);
-    CattaneoMindlin { force: hertz.force, contact_radius: hertz.radius, tangential_modulus: 0.8, coefficient }
+    CattaneoMindlin::on_ball(DEPTH, 0.8, coefficient)
 }
 
 fn grip(coefficient: f64) -> Grip {
