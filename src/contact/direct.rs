@@ -359,24 +359,6 @@ impl QuasiStatic {
             _ => 0.0,
         }
     }
-
-    /// Pressure [Pa] at the radius `r` [m], see [`Loaded::pressure`].
-    #[must_use]
-    pub fn pressure(&self, r: f64) -> f64 {
-        self.loaded().pressure(r)
-    }
-
-    /// Displacement [m] of the surface at the radius `r` [m], see [`Loaded::surface`].
-    #[must_use]
-    pub fn surface(&self, r: f64) -> f64 {
-        self.loaded().surface(r)
-    }
-
-    /// Stress intensity of the edge [Pa √m], see [`Loaded::stress_intensity`].
-    #[must_use]
-    pub fn stress_intensity(&self) -> f64 {
-        self.loaded().stress_intensity()
-    }
 }
 
 impl<F: Foundation> ElasticAttraction<F> {
@@ -462,7 +444,7 @@ mod tests {
         let state = contact.present().balance;
         near(state.force, 30.76923076923077, 4e-15);
         near(state.contact_radius, 1e-4, 4e-15);
-        near(contact.pressure(0.0), 1.469122551617495e9, 4e-15);
+        near(contact.loaded().pressure(0.0), 1.469122551617495e9, 4e-15);
     }
 
     #[test]

@@ -96,16 +96,22 @@ pub trait Loading {
     fn contact_radius(&self) -> f64;
 
     /// Radius up to which the bodies act on each other [m].
-    fn reach(&self) -> f64;
+    fn reach(&self) -> f64 {
+        self.contact_radius()
+    }
 
     /// Pressure at the radius r [Pa]; `None` where it is singular.
     fn pressure(&self, r: f64) -> Option<f64>;
 
     /// Displacement of the surface at the radius r [m]; `None` where the method gives none.
-    fn surface(&self, r: f64) -> Option<f64>;
+    fn surface(&self, _r: f64) -> Option<f64> {
+        None
+    }
 
     /// Stress intensity K_I at the edge [Pa √m], if the edge is singular.
-    fn stress_intensity(&self) -> Option<f64>;
+    fn stress_intensity(&self) -> Option<f64> {
+        None
+    }
 
     /// Shear stress τ [Pa] at the radii `radii` [m], if there is friction; `None` where it is singular or not known.
     fn shear(&self, radii: &[f64]) -> Vec<Option<f64>> {

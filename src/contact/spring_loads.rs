@@ -99,10 +99,6 @@ impl Loading for SpringLoads {
         self.contact_radius
     }
 
-    fn reach(&self) -> f64 {
-        self.contact_radius
-    }
-
     fn pressure(&self, r: f64) -> Option<f64> {
         let a = self.contact_radius;
         if r >= a {
@@ -131,10 +127,6 @@ impl Loading for SpringLoads {
         };
         let inside = self.springs.iter().take_while(|spring| spring.place < r);
         Some(FRAC_1_PI * inside.map(part).sum::<f64>()).filter(|displacement| displacement.is_finite())
-    }
-
-    fn stress_intensity(&self) -> Option<f64> {
-        None
     }
 
     fn loaded(&self) -> Option<Loaded> {

@@ -9,7 +9,6 @@ use crate::run::record::{Field, Record};
 use crate::run::unit::Unit;
 use crate::scene::law::ContactLaw;
 use crate::scene::plan::RoundPlan;
-use crate::scene::stage::Path;
 
 /// The results the scene has, in a fixed order; `contact` is who computes a round contact.
 #[must_use]
@@ -118,7 +117,7 @@ fn peeled(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
 
 /// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.
 fn per_cycle(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
-    let entry = plan.stages.iter().rev().find(|stage| matches!(stage.tangential, Path::Wave(_)))?.entry;
+    let entry = plan.stages.iter().rev().find(|stage| stage.tangential.is_wave())?.entry;
     let shaken = records.iter().filter(|record| record.entry == entry).filter_map(|record| record.tangential);
     let shaken: Vec<Tangential> = shaken.collect();
     let turns = |three: &&[Tangential]| (three[1].slide - three[0].slide) * (three[2].slide - three[1].slide) < 0.0;

@@ -57,13 +57,13 @@ proptest! {
         let (force, a) = (4.0 / 3.0 * modulus * radius.sqrt() * d.powf(1.5), (radius * d).sqrt());
         close(state.present().balance.force, force)?;
         close(state.present().balance.contact_radius, a)?;
-        close(state.pressure(0.0), 1.5 * force / (PI * a * a))?;
-        close(state.pressure(0.6 * a), 0.8 * 1.5 * force / (PI * a * a))?;
+        close(state.loaded().pressure(0.0), 1.5 * force / (PI * a * a))?;
+        close(state.loaded().pressure(0.6 * a), 0.8 * 1.5 * force / (PI * a * a))?;
         close(state.stiffness(), 2.0 * modulus * a)?;
         close(state.energy().elastic, 0.4 * force * d)?;
         // u(r) = [(2a² − r²) arcsin(a/r) + a√(r² − a²)]/(πR) at r = 2a.
         let outside = a * a * (3.0f64.sqrt() - 2.0 * 0.5f64.asin()) / (PI * radius);
-        close(state.surface(2.0 * a), outside)?;
+        close(state.loaded().surface(2.0 * a), outside)?;
         let mut pressed = contact(&shape, modulus, 0.0);
         pressed.press(force).unwrap();
         close(pressed.present().balance.indentation, d)?;
@@ -95,10 +95,10 @@ proptest! {
         close(by_depth.present().balance.force, load)?;
         // K_I²/(2E*) = w, from d − g(a): the difference loses what g is larger than Δl.
         prop_assume!(ratio < 1e3);
-        close(by_depth.stress_intensity(), (2.0 * modulus * work).sqrt())?;
+        close(by_depth.loaded().stress_intensity(), (2.0 * modulus * work).sqrt())?;
         let centre = 2.0 * modulus * a / (PI * radius) - (2.0 * modulus * work / (PI * a)).sqrt();
         prop_assume!(centre.abs() > 1e-2 * modulus * a / radius);
-        close(by_depth.pressure(0.0), centre)?;
+        close(by_depth.loaded().pressure(0.0), centre)?;
     }
 
     /// JKR for power-law profiles: F of the edge radius a, found again from d.
@@ -183,7 +183,7 @@ proptest! {
         // r = a sin θ makes p r dr smooth in θ: the singular part is constant.
         let ring = |theta: f64| {
             let r = a * theta.sin();
-            state.pressure(r) * 2.0 * PI * r * a * theta.cos()
+            state.loaded().pressure(r) * 2.0 * PI * r * a * theta.cos()
         };
         let carried = quadrature::panel(ring, 0.0, 0.5 * PI);
         // Close to θ = π/2 the root √(a² − r²) keeps half of the digits, weighted by the last node.

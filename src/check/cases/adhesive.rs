@@ -149,7 +149,7 @@ fn edge_stress() -> Attempt<Pairs> {
     let mut contact = jkr(ball.clone(), 1.0, 1.0);
     let mut at = |depth| {
         contact.indent(depth)?;
-        Ok((contact.stress_intensity(), 2f64.sqrt()))
+        Ok((contact.loaded().stress_intensity(), 2f64.sqrt()))
     };
     [0.0, 1.0, -1.0].into_iter().map(&mut at).collect()
 }

@@ -68,7 +68,7 @@ fn steel_ball() -> Attempt<Pairs> {
     let ball = paraboloid(0.01)?;
     let contact = indented(ball.clone(), 210e9 / 0.91, 1e-6)?;
     let state = contact.present().balance;
-    let pressure = (contact.pressure(0.0), 1.469_122_551_617_495e9);
+    let pressure = (contact.loaded().pressure(0.0), 1.469_122_551_617_495e9);
     Ok(vec![(state.force, 30.769_230_769_230_77), (state.contact_radius, 1e-4), pressure])
 }
 
@@ -76,7 +76,7 @@ fn rail_and_wheel() -> Attempt<Pairs> {
     let wheel = paraboloid(0.5)?;
     let mut contact = plain(wheel.clone(), 210e9 / 0.91 / 2.0);
     contact.press(1e5)?;
-    Ok(vec![(contact.pressure(0.0), 1.0e9), (contact.present().balance.contact_radius, 6.8e-3)])
+    Ok(vec![(contact.loaded().pressure(0.0), 1.0e9), (contact.present().balance.contact_radius, 6.8e-3)])
 }
 
 fn power(coefficient: f64, exponent: f64) -> Attempt<Arc<Power>> {
@@ -102,7 +102,7 @@ fn power_law() -> Attempt<Pairs> {
         let contact = indented(shape.clone(), 2.0, 0.1)?;
         let state = contact.present().balance;
         pairs.push((state.force, 2.0 * n / (n + 1.0) * 2.0 * 0.1 * state.contact_radius));
-        let ring = |inner: f64, _outer: f64| contact.pressure(inner) * 2.0 * PI * inner;
+        let ring = |inner: f64, _outer: f64| contact.loaded().pressure(inner) * 2.0 * PI * inner;
         pairs.push((quadrature::panel_with_root_ends(ring, state.contact_radius), state.force));
     }
     Ok(pairs)
@@ -114,8 +114,8 @@ fn flat_punch() -> Attempt<Pairs> {
     let contact = indented(punch.clone(), modulus, d)?;
     Ok(vec![
         (contact.present().balance.force, 2.0 * modulus * b * d),
-        (contact.pressure(0.6 * b), modulus * d / (PI * 0.8 * b)),
-        (contact.surface(2.0 * b), d / 3.0),
+        (contact.loaded().pressure(0.6 * b), modulus * d / (PI * 0.8 * b)),
+        (contact.loaded().surface(2.0 * b), d / 3.0),
         (contact.energy().elastic, modulus * b * d * d),
     ])
 }

@@ -112,7 +112,9 @@ impl Scenario {
                 Found {
                     force_n: Some(normal.force),
                     contact_radius_m: normal.contact_radius,
-                    peak_pressure_pa: self.peak_at.and_then(|r| Some(contact.pressure(r)).filter(|p| p.is_finite())),
+                    peak_pressure_pa: self
+                        .peak_at
+                        .and_then(|r| Some(contact.loaded().pressure(r)).filter(|p| p.is_finite())),
                     ..self.most
                 }
             }
@@ -201,7 +203,7 @@ fn is_sharp(shape: &Shape) -> bool {
 fn peak_at(contact: &QuasiStatic) -> Option<f64> {
     let a = contact.state().contact_radius?;
     let place = |k: u32| a * f64::from(k) / f64::from(PLACES);
-    let pressure = |r: f64| contact.pressure(r);
+    let pressure = |r: f64| contact.loaded().pressure(r);
     let best = (0..PLACES).max_by(|&i, &j| pressure(place(i)).total_cmp(&pressure(place(j))))?;
     if best == 0 {
         return pressure(0.0).is_finite().then_some(0.0);

@@ -72,7 +72,7 @@ fn direct(profile: Arc<dyn Profile>) -> Attempt<Computed> {
     let contact = indented(profile, 1.0, DEPTH)?;
     let balance = contact.present().balance;
     let bytes = size_of::<QuasiStatic>();
-    Ok(Computed { bytes, ..solved(balance.force, balance.contact_radius, Some(contact.pressure(0.0))) })
+    Ok(Computed { bytes, ..solved(balance.force, balance.contact_radius, Some(contact.loaded().pressure(0.0))) })
 }
 
 fn springs(mut bed: SpringBed) -> Computed {

@@ -106,21 +106,9 @@ impl Loading for WaveContact {
         self.wave.half_width(self.pressure)
     }
 
-    fn reach(&self) -> f64 {
-        self.contact_radius()
-    }
-
     fn pressure(&self, x: f64) -> Option<f64> {
         // The field goes on into the neighbouring periods.
         let period = self.wave.wavelength;
         Some(self.wave.pressure(x - period * (x / period).round(), self.pressure))
-    }
-
-    fn surface(&self, _x: f64) -> Option<f64> {
-        None
-    }
-
-    fn stress_intensity(&self) -> Option<f64> {
-        None
     }
 }

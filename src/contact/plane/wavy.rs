@@ -119,19 +119,7 @@ impl Loading for PlaneContact {
         self.half_width
     }
 
-    fn reach(&self) -> f64 {
-        self.half_width
-    }
-
     fn pressure(&self, x: f64) -> Option<f64> {
         Some(Self::pressure(self, x))
-    }
-
-    fn surface(&self, _x: f64) -> Option<f64> {
-        None
-    }
-
-    fn stress_intensity(&self) -> Option<f64> {
-        None
     }
 }

@@ -55,7 +55,7 @@ impl Projectile {
 }
 
 /// What comes of an impact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rebound {
     /// Contact time [s]; `None` if the bodies stay together.
     pub contact_time: Option<f64>,
@@ -92,7 +92,7 @@ impl Rebound {
 }
 
 /// State of an impact at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ImpactState {
     /// Time since the bodies first act on each other [s].
     pub time: f64,

@@ -116,16 +116,7 @@ impl<F: Foundation> Passage<F> {
     /// Just before the bodies first act on each other.
     fn touch(&self) -> ImpactState {
         let depth = self.legs.first().map_or(0.0, |leg| leg.from);
-        let apart = (0.0, 0.0, Energy::default());
-        ImpactState {
-            time: 0.0,
-            depth,
-            speed: self.impact.speed,
-            force: apart.0,
-            radius: apart.1,
-            stored: apart.2,
-            dissipated: 0.0,
-        }
+        ImpactState { depth, speed: self.impact.speed, ..ImpactState::default() }
     }
 
     /// Just after they have come free.

@@ -42,14 +42,7 @@ impl SteppedMass {
     /// # Errors
     /// The contact cannot follow.
     pub fn rebound(&self, contact: &mut dyn ContactModel) -> Result<Rebound, ContactError> {
-        let most = Rebound {
-            contact_time: None,
-            greatest_depth: 0.0,
-            greatest_force: 0.0,
-            restitution: 0.0,
-            lost: self.impact.energy(),
-            error: 0.0,
-        };
+        let most = Rebound { lost: self.impact.energy(), ..Rebound::default() };
         let mut way = MovingMass { contact, impact: self.impact, speed: self.impact.speed, time: 0.0, most };
         let mut step = FIRST * self.longest;
         for _ in 0..MOST_STEPS {

@@ -65,7 +65,10 @@ fn hertz() -> Attempt<Tally> {
                 let (balance, right) = (contact.present().balance, closed_forms::hertz(radius, depth * radius));
                 tally.pair(balance.force, modulus * right.force);
                 tally.pair(balance.contact_radius, right.radius);
-                tally.pair(contact.pressure(0.0), modulus * closed_forms::hertz_pressure(radius, depth * radius, 0.0));
+                tally.pair(
+                    contact.loaded().pressure(0.0),
+                    modulus * closed_forms::hertz_pressure(radius, depth * radius, 0.0),
+                );
             }
         }
     }
