@@ -93,7 +93,7 @@ impl Sketch {
     /// Adhesion of vanishing range with a work [J/m²].
     #[must_use]
     pub fn jkr(self, work: f64, edge: Option<EdgeRule>) -> Self {
-        self.adhesion(si(work).map(|work| Adhesion::Jkr(Jkr { work, edge })))
+        self.adhesion(si(work).map(|work| Adhesion::Jkr(Jkr { work, closing: None, edge })))
     }
 
     /// A law of friction.

@@ -202,9 +202,7 @@ impl SpringGrip {
 
     fn recover(&mut self, spectrum: &Spectrum, duration: f64) {
         if let Self::Held { displacement, loads, .. } = self {
-            let mut free = Free::default();
-            spectrum.let_go((*displacement, loads), 0.0, &mut free);
-            *self = Self::Free(free);
+            *self = Self::Free(spectrum.let_go(*displacement, loads));
         }
         if let Self::Free(free) = self {
             spectrum.recover(free, duration);
@@ -253,17 +251,15 @@ impl UnderIndenter<'_> {
     /// The spring n − side·v, let go.
     fn difference(&self, spectrum: &Spectrum, side: f64, displacement: f64, loads: &[f64]) -> Free {
         let elements: Vec<f64> = self.loads.iter().zip(loads).map(|(normal, own)| normal - side * own).collect();
-        let mut free = Free::default();
-        spectrum.let_go((self.start - side * displacement, &elements), 0.0, &mut free);
-        free
+        spectrum.let_go(self.start - side * displacement, &elements)
     }
 
     /// When and whither a sticking spring begins to slip.
     fn first_slip(&self, spectrum: &Spectrum, displacement: f64, loads: &[f64]) -> Option<(f64, f64)> {
         let time = |side: f64| {
             let elements: Vec<f64> = self.loads.iter().zip(loads).map(|(normal, own)| normal - side * own).collect();
-            let state = (self.start - side * displacement, &elements[..]);
-            spectrum.release(state, self.speed - side * self.slide, self.duration).map(|time| (time, side))
+            let (u, speed) = (self.start - side * displacement, self.speed - side * self.slide);
+            spectrum.release(u, &elements, speed, self.duration).map(|time| (time, side))
         };
         match (time(1.0), time(-1.0)) {
             (Some(forward), Some(backward)) => Some(if forward.0 <= backward.0 { forward } else { backward }),

@@ -37,10 +37,10 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         ContactLaw::Direct(ElasticAdhesion::None) => direct_error(plan, 0.0, &run.records),
         ContactLaw::Direct(ElasticAdhesion::Vanishing { work }) => direct_error(plan, *work, &run.records),
         ContactLaw::Springs { count, work } => springs_error(plan, *count, work.unwrap_or(0.0), &run.records),
-        ContactLaw::Continuous { edge: None, .. } => {
-            of(sums(run), "continuous bed, exact in time: every sum made anew with panels of half the width")
-        }
-        ContactLaw::Continuous { relaxation, edge: Some(edge) } => adhesive_error(plan, run, relaxation, edge),
+        ContactLaw::Continuous { relaxation, edge } => match edge.as_ref().filter(|edge| edge.has_rate()) {
+            Some(edge) => rate_error(plan, run, relaxation, edge),
+            None => of(sums(run), "continuous bed, exact in time: what the polynomials of its panels miss"),
+        },
         ContactLaw::ViscoelasticSprings { count, .. } => viscoelastic_springs_error(plan, run, count.get()),
     }
 }
@@ -102,8 +102,8 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
 }
 
-/// Adhesion: the whole history again with the opening edge followed in half the steps.
-fn adhesive_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
+/// An edge that obeys a rate law: the whole history again with the edge followed better.
+fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
     let forces = |records: &[Record]| {
         let forces = records.iter().map(|record| record.normal.force);
         (forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max))
@@ -116,6 +116,6 @@ fn adhesive_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &H
     let pieces = if plan.is_curved() { plan.accuracy() } else { 0.0 };
     of(
         sums(run) + pieces + 2.0 * off,
-        "continuous bed: its sums with panels of half the width, and the least and greatest force with the opening edge followed in half the steps",
+        "continuous bed: what the polynomials of its panels miss, and the least and greatest force with the opening edge followed better",
     )
 }

@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// The continuous bed of a scene, bodies just touching: for a depth in few straight pieces.
 pub fn continuous(plan: &RoundPlan, relaxation: &Relaxation, edge: Option<&HeldEdge>) -> Box<dyn ContactModel> {
     let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = edge.map(|edge| edge.attraction(&spectrum));
+    let attraction = edge.map(|edge| edge.attraction(&spectrum).to_accuracy(plan.accuracy()));
     bed(plan, spectrum, attraction)
 }
 
@@ -35,10 +35,10 @@ pub fn springs(plan: &RoundPlan, relaxation: &Relaxation, count: usize) -> Box<d
     Box::new(GrowingBed::new(spectrum, profile, layout))
 }
 
-/// The contact of an adhesive scene with the edge followed in half the steps.
+/// The contact of an adhesive scene whose edge obeys a rate law, followed [`FINER`] times as well.
 pub fn refined(plan: &RoundPlan, relaxation: &Relaxation, edge: &HeldEdge) -> Box<dyn ContactModel> {
     let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = edge.attraction(&spectrum).refined();
+    let attraction = edge.attraction(&spectrum).to_accuracy(plan.accuracy() / FINER);
     bed(plan, spectrum, Some(attraction))
 }
 
@@ -46,6 +46,9 @@ fn bed(plan: &RoundPlan, spectrum: Arc<Spectrum>, attraction: Option<Attraction>
     let bed = Memory::new(spectrum, plan.profile.clone());
     Box::new(ContinuousContact::new(attraction.into_iter().fold(bed, Memory::with)))
 }
+
+/// How much better the edge is followed to tell the error.
+const FINER: f64 = 16.0;
 
 /// A radius [m] the contact of a scene does not outgrow: of its largest depth, or of the creep under its
 /// largest force over all its time.

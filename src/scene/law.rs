@@ -77,24 +77,33 @@ impl ElasticAdhesion {
     }
 }
 
-/// An adhesive edge of viscoelastic bodies.
+/// An adhesive edge that remembers: of viscoelastic bodies, or one that closes with less work than it opens with.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeldEdge {
     /// Work of adhesion w [J/m²].
     pub work: f64,
-    /// What holds it as it opens.
+    /// Work of adhesion [J/m²] of a closing edge.
+    pub closing: f64,
+    /// What holds it.
     pub edge: EdgeRule,
 }
 
 impl HeldEdge {
+    /// Whether the strength of the edge depends on its speed.
+    #[must_use]
+    pub fn has_rate(&self) -> bool {
+        matches!(self.edge, EdgeRule::Rate(_))
+    }
+
     /// The attraction at the edge of bodies with this spectrum.
     #[must_use]
     pub fn attraction(&self, spectrum: &Spectrum) -> Attraction {
-        match &self.edge {
+        let attraction = match &self.edge {
             EdgeRule::Relaxed => Attraction::relaxed(self.work, spectrum),
             EdgeRule::Instantaneous => Attraction::instantaneous(self.work, spectrum),
             EdgeRule::Rate(rate) => Attraction::with_rate(self.work, spectrum, (rate.speed.si(), rate.exponent.si())),
-        }
+        };
+        attraction.closing(self.closing)
     }
 }
 

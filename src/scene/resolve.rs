@@ -5,7 +5,7 @@ use super::plan::{CappedCoulomb, ImpactPlan, Plan, PlanePlan, RoughPlan, RoundPl
 use super::read::{Geometry, Read};
 use super::rules::{self, Draft};
 use super::{Scene, limits, reach};
-use crate::contact::adhesion::{Adhesion, Range};
+use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
@@ -96,7 +96,10 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let scene = &shared.scene;
     let adhesion = scene.adhesion.as_ref();
     let contact = match (shared.read.relaxation.clone(), scene.springs) {
-        (None, None) => ContactLaw::Direct(elastic(adhesion)),
+        (None, None) => match pinned(adhesion) {
+            Some(edge) => ContactLaw::Continuous { relaxation: Arc::new(unrelaxed(&shared)), edge: Some(edge) },
+            None => ContactLaw::Direct(elastic(adhesion)),
+        },
         (None, Some(count)) => ContactLaw::Springs { count, work: adhesion.map(|adhesion| adhesion.traits().work) },
         (Some(relaxation), asked) => viscoelastic(&shared, relaxation, asked),
     };
@@ -125,11 +128,24 @@ fn viscoelastic(shared: &Shared, relaxation: Arc<Relaxation>, asked: Option<NonZ
 }
 
 fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
-    let adhesion = adhesion?.traits();
-    match adhesion.range {
-        Range::Vanishing(edge) => edge.map(|edge| HeldEdge { work: adhesion.work, edge: edge.clone() }),
+    let AdhesionTraits { work, closing, range, .. } = adhesion?.traits();
+    match range {
+        Range::Vanishing(edge) => {
+            edge.map(|edge| HeldEdge { work, closing: closing.unwrap_or(work), edge: edge.clone() })
+        }
         Range::Finite => None,
     }
+}
+
+/// The edge of elastic bodies that closes with less work than it opens with: it depends on what has been.
+fn pinned(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
+    let AdhesionTraits { work, closing, .. } = adhesion?.traits();
+    closing.map(|closing| HeldEdge { work, closing, edge: EdgeRule::Relaxed })
+}
+
+/// Elastic bodies as bodies that remember nothing.
+fn unrelaxed(shared: &Shared) -> Relaxation {
+    Relaxation { equilibrium: shared.pair.normal, terms: Vec::new(), viscosity: 0.0 }
 }
 
 fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {

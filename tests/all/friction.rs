@@ -274,7 +274,7 @@ fn sliding_laws_have_their_limits() {
 
 fn sheared(stress: f64, history: Vec<Entry>) -> Outcome {
     let law = PressureLaw { shear: Strength::Constant(Stress::new(stress).unwrap()), slope: Ratio::new(0.0).unwrap() };
-    let adhesion = Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(0.1).unwrap(), edge: None });
+    let adhesion = Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(0.1).unwrap(), closing: None, edge: None });
     run(Scene { adhesion: Some(adhesion), ..scene(ball(), Friction::Pressure(law), history) })
 }
 

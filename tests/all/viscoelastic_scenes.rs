@@ -78,7 +78,7 @@ fn retract(speed: f64) -> Entry {
 const TERMS: [(f64, f64); 3] = [(0.75, 0.3), (0.5, 5.0), (0.2, 1e-4)];
 
 fn jkr(edge: EdgeRule) -> Option<Adhesion> {
-    Some(Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(1e-6).unwrap(), edge: Some(edge) }))
+    Some(Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(1e-6).unwrap(), closing: None, edge: Some(edge) }))
 }
 
 /// Every named result of both.
@@ -118,14 +118,16 @@ fn ten_records_or_a_thousand_under_a_force_and_in_an_oscillation() {
     same(&with_steps(&force, 10), &with_steps(&force, 1000), 1e-12);
 }
 
+/// Bound: rounding, as every spring joins and leaves at its own instant; the way of an edge that obeys the rate law is
+/// followed to the accuracy of 1e-6 per step, of which there are some tens.
 #[test]
 fn ten_records_or_a_hundred_at_an_adhesive_edge() {
     let rate = Rate { speed: Speed::new(1e-3).unwrap(), exponent: Positive::new(0.5).unwrap() };
-    for edge in [EdgeRule::Relaxed, EdgeRule::Instantaneous, EdgeRule::Rate(rate)] {
+    for (edge, bound) in [(EdgeRule::Relaxed, 1e-12), (EdgeRule::Instantaneous, 1e-12), (EdgeRule::Rate(rate), 1e-4)] {
         let history = vec![indent(0.01, 1.0), hold(3.0), retract(0.003)];
         let held = Scene { adhesion: jkr(edge), ..scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), history) };
         let (few, many) = (with_steps(&held, 10), with_steps(&held, 100));
-        same(&few, &many, 1e-12);
+        same(&few, &many, bound);
         assert!(few.number("pull_off_force_n").unwrap() < 0.0);
         let last = few.records.last().unwrap().normal;
         assert!(last.force.abs() <= 0.0 && last.contact_radius == Some(0.0), "{last:?}");

@@ -34,6 +34,8 @@ pub struct AdhesionTraits<'a> {
     pub name: &'static str,
     /// Work of adhesion w [J/m²].
     pub work: f64,
+    /// Work of adhesion [J/m²] of a closing edge, where it is less.
+    pub closing: Option<f64>,
     /// How far the attraction reaches.
     pub range: Range<'a>,
 }
@@ -52,10 +54,15 @@ impl Adhesion {
     #[must_use]
     pub fn traits(&self) -> AdhesionTraits<'_> {
         match self {
-            Self::Jkr(jkr) => {
-                AdhesionTraits { name: "Jkr", work: jkr.work.si(), range: Range::Vanishing(jkr.edge.as_ref()) }
+            Self::Jkr(jkr) => AdhesionTraits {
+                name: "Jkr",
+                work: jkr.work.si(),
+                closing: jkr.closing.map(|closing| closing.si()).filter(|&closing| closing < jkr.work.si()),
+                range: Range::Vanishing(jkr.edge.as_ref()),
+            },
+            Self::Maugis(maugis) => {
+                AdhesionTraits { name: "Maugis", work: maugis.work.si(), closing: None, range: Range::Finite }
             }
-            Self::Maugis(maugis) => AdhesionTraits { name: "Maugis", work: maugis.work.si(), range: Range::Finite },
         }
     }
 }
@@ -66,12 +73,16 @@ impl Adhesion {
 pub struct Jkr {
     /// Work of adhesion w [J/m²].
     pub work: WorkOfAdhesion,
-    /// What holds an opening edge of a viscoelastic body; needed there, refused elsewhere.
+    /// Work of adhesion [J/m²] of a closing edge, at most `work`, which it is unless given; with 0 the edge attaches
+    /// where the bodies touch. Between the two limits the edge stands still.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub closing: Option<WorkOfAdhesion>,
+    /// What holds the edge of a viscoelastic body; needed there, refused elsewhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edge: Option<EdgeRule>,
 }
 
-/// What holds the opening edge of an adhesive contact of a viscoelastic body.
+/// What holds the edge of an adhesive contact of a viscoelastic body.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(rename = "Edge")]
 pub enum EdgeRule {
@@ -97,7 +108,7 @@ impl EdgeRule {
             ),
         };
         format!(
-            "an opening edge holds while q(a)² < 2πa E_c w_eff, with {held}; a closing edge attaches where the bodies touch; the work of separation counts as dissipated"
+            "an edge spring leaves at q² = 2πa E_c w_eff and joins where the bodies are √(2πa w/E_c) apart, moved by E_c alone, with {held}"
         )
     }
 }

@@ -1,55 +1,89 @@
-//! The opening edge of an adhesive contact.
+//! What holds the edge of an adhesive contact.
 //!
-//! The edge springs hold while q(a)² < 2πa E_c w_eff. What E_c and w_eff are is a choice: the relaxed
-//! modulus E∞ with w (a process zone long against the relaxation), the instantaneous modulus E(0)
-//! with w (a process zone of no length), or E∞ with w[1 + (v/v₀)ⁿ] for an edge that opens at the speed
-//! v (Gent & Schultz 1972). A closing edge attaches where the indenter touches a spring.
+//! An edge spring holds as long as |q| ≤ √(2πa E_c w) when pulled, and a free one joins as soon as the
+//! tip is nearer to it than Δl = √(2πa w/E_c): one limit for both directions, √(2πaw/E_c) in lengths.
+//! Joining and leaving move the spring by E_c alone, so that each costs or gives exactly w. What E_c and w are is
+//! a choice: the relaxed modulus E∞ with w (a process zone long against the relaxation: the Maxwell elements keep
+//! their state), the instantaneous modulus E(0) with w (a process zone of no length: they take their share), or E∞
+//! with w[1 + (v/v₀)ⁿ] for an edge that opens at the speed v (Gent & Schultz 1972). A closing edge may have a
+//! smaller work than an opening one; between the two limits it stands still.
 
 use super::Spectrum;
+use super::spring::Free;
 use std::f64::consts::TAU;
 
-/// What holds an opening edge.
+/// What holds an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attraction {
-    /// Work of adhesion w [J/m²].
+    /// Work of adhesion w [J/m²] of an opening edge.
     work: f64,
+    /// Work of adhesion [J/m²] of a closing edge.
+    closing: f64,
     /// Modulus E_c [Pa].
     modulus: f64,
+    /// Whether the Maxwell elements take their share of a joining or leaving.
+    shared: bool,
     /// Reference speed v₀ [m/s] and exponent n of the rate law.
-    pub(super) rate: Option<(f64, f64)>,
-    /// Least number of steps in which an opening edge is followed; default 64.
-    pub(super) steps: f64,
+    rate: Option<(f64, f64)>,
+    /// Relative error of a step of an edge that obeys the rate law.
+    accuracy: f64,
 }
+
+/// Relative error of a step of an edge that obeys a rate law, unless another is asked for.
+const ACCURACY: f64 = 1e-7;
 
 impl Attraction {
     /// E_c = E∞, for a work of adhesion w [J/m²]. A liquid does not hold by this rule.
     #[must_use]
     pub fn relaxed(work: f64, spectrum: &Spectrum) -> Self {
-        Self { work, modulus: spectrum.equilibrium(), rate: None, steps: STEPS }
+        let modulus = spectrum.equilibrium();
+        Self { work, closing: work, modulus, shared: false, rate: None, accuracy: ACCURACY }
     }
 
     /// E_c = E(0), for a work of adhesion w [J/m²].
     #[must_use]
     pub fn instantaneous(work: f64, spectrum: &Spectrum) -> Self {
-        Self { work, modulus: spectrum.instantaneous(), rate: None, steps: STEPS }
+        Self { modulus: spectrum.instantaneous(), shared: true, ..Self::relaxed(work, spectrum) }
     }
 
     /// E_c = E∞ and w[1 + (v/v₀)ⁿ], with the reference speed v₀ [m/s] and the exponent n.
     #[must_use]
     pub fn with_rate(work: f64, spectrum: &Spectrum, (speed, exponent): (f64, f64)) -> Self {
-        Self { work, modulus: spectrum.equilibrium(), rate: Some((speed, exponent)), steps: STEPS }
+        Self { rate: Some((speed, exponent)), ..Self::relaxed(work, spectrum) }
     }
 
-    /// The same, an opening edge followed in half the steps: to tell the error of following it.
+    /// The same with the work of adhesion `closing` [J/m²] of a closing edge, not above that of an opening one.
     #[must_use]
-    pub fn refined(self) -> Self {
-        Self { steps: 2.0 * self.steps, ..self }
+    pub fn closing(self, closing: f64) -> Self {
+        Self { closing: closing.min(self.work), ..self }
+    }
+
+    /// The same, an edge that obeys the rate law followed to a relative error of `accuracy` per step.
+    #[must_use]
+    pub fn to_accuracy(self, accuracy: f64) -> Self {
+        Self { accuracy, ..self }
     }
 
     /// What is left when the edge is let go at once.
     #[must_use]
     pub fn without_work(self) -> Self {
-        Self { work: 0.0, ..self }
+        Self { work: 0.0, closing: 0.0, rate: None, ..self }
+    }
+
+    /// Work of adhesion w [J/m²].
+    #[must_use]
+    pub fn work(&self) -> f64 {
+        self.work
+    }
+
+    /// Whether the strength of an opening edge depends on its speed.
+    pub(super) fn has_rate(&self) -> bool {
+        self.rate.is_some() && self.work > 0.0
+    }
+
+    /// Relative error of a step of an edge that obeys the rate law.
+    pub(super) fn accuracy(&self) -> f64 {
+        self.accuracy
     }
 
     /// Line load √(2πa E_c w_eff) [N/m] that an edge at `a`, opening at the speed `v`, withstands.
@@ -58,21 +92,24 @@ impl Attraction {
         let enhanced = self.rate.map_or(1.0, |(speed, exponent)| 1.0 + (v / speed).powf(exponent));
         (TAU * a * self.modulus * self.work * enhanced).sqrt()
     }
-}
 
-/// Steps in which an opening edge is followed, unless a finer path is asked for.
-const STEPS: f64 = 64.0;
+    /// Distance √(2πa w/E_c) [m] over which an edge at `a` draws the next spring to it.
+    #[must_use]
+    pub fn reach(&self, a: f64) -> f64 {
+        if self.closing > 0.0 { (TAU * a * self.closing / self.modulus).sqrt() } else { 0.0 }
+    }
 
-/// When the springs under the heights c of the indenter were torn off: c falls, time grows.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tear(pub(super) Vec<(f64, f64)>);
+    /// A spring of the displacement `from`, its elements' loads `s`, moved by E_c alone to `to`.
+    pub(super) fn moved(&self, spectrum: &Spectrum, (from, to): (f64, f64), s: &mut [f64]) {
+        if self.shared {
+            s.iter_mut().zip(spectrum.terms()).for_each(|(s, term)| *s += term.modulus * (to - from));
+        }
+    }
 
-impl Tear {
-    /// Time [s] in the motion at which the spring under the height `c` was torn off.
-    pub(super) fn time(&self, c: f64) -> f64 {
-        let k = self.0.partition_point(|&(height, _)| height > c).clamp(1, self.0.len().max(2) - 1);
-        let (Some(&(high, early)), Some(&(low, late))) = (self.0.get(k - 1), self.0.get(k)) else { return 0.0 };
-        let part = if high > low { ((high - c) / (high - low)).clamp(0.0, 1.0) } else { 1.0 };
-        early + part * (late - early)
+    /// A spring at `u` that carries the load `q` [N/m] let go: it moves by E_c alone until it carries none.
+    pub(super) fn let_go(&self, spectrum: &Spectrum, u: f64, q: f64, s: &mut [f64]) -> Free {
+        let to = u - q / self.modulus;
+        self.moved(spectrum, (u, to), s);
+        spectrum.let_go(to, s)
     }
 }

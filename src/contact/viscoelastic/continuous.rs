@@ -5,49 +5,29 @@ use super::memory::Memory;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
-use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Straight};
+use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Straight};
 use crate::contact::state::Normal;
 use std::sync::Arc;
 
-/// A continuous bed on its way along a straight piece.
+/// A continuous bed, driven piece by piece.
 ///
-/// Pieces that go on in one line are one motion of the bed, which is made once and for all when the line
-/// bends: neither the number of records nor a history cut in two leaves a border behind.
+/// It moves to every record: a piece cut in two leaves no border behind that counts.
 #[derive(Debug, Clone)]
 pub struct ContinuousContact {
-    /// At the beginning of the present line.
-    settled: Memory,
-    /// The line so far; of no duration just after a bend.
-    line: Straight,
-    /// The bed now.
-    now: Memory,
+    bed: Memory,
 }
 
 impl ContinuousContact {
-    /// A bed never touched.
+    /// A contact of a bed.
     #[must_use]
     pub fn new(bed: Memory) -> Self {
-        let line = Straight::between(bed.indentation(), bed.indentation(), 0.0);
-        Self { now: bed.clone(), settled: bed, line }
+        Self { bed }
     }
 
     /// The bed now.
     #[must_use]
     pub fn bed(&self) -> &Memory {
-        &self.now
-    }
-
-    fn start(&self) -> Pose {
-        Pose { indentation: self.settled.indentation(), slide: 0.0 }
-    }
-
-    /// The bed from which a piece starts, and the line that leads to its end.
-    fn along(&self, piece: &Straight) -> (&Memory, Straight) {
-        let piece = Straight { slide: 0.0, ..*piece };
-        match self.line.joined_to(self.start(), &piece) {
-            Some(line) => (&self.settled, line),
-            None => (&self.now, piece),
-        }
+        &self.bed
     }
 }
 
@@ -71,46 +51,38 @@ pub(super) fn in_time(spectrum: &Spectrum, from: f64, piece: &Straight) -> Resul
 
 impl ContactModel for ContinuousContact {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
-        let (spectrum, from) = (self.settled.spectrum(), self.now.indentation());
-        let Some(piece) = in_time(&spectrum, from, piece)? else { return Ok(Vec::new()) };
-        let (start, line) = self.along(&piece);
-        let mut bed = start.clone();
-        bed.follow_line(&line)?;
-        if line.duration <= piece.duration {
-            self.settled = self.now.clone();
+        if let Some(piece) = in_time(&self.bed.spectrum(), self.bed.indentation(), piece)? {
+            self.bed.follow_line(&piece)?;
         }
-        (self.now, self.line) = (bed, line);
         Ok(Vec::new())
     }
 
     fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
-        let (spectrum, from) = (self.settled.spectrum(), self.now.indentation());
-        let Some(piece) = in_time(&spectrum, from, piece)? else {
-            return Ok(Glance { force: self.now.force(), contact_radius: self.now.radius() });
+        let Some(piece) = in_time(&self.bed.spectrum(), self.bed.indentation(), piece)? else {
+            return Ok(Glance { force: self.bed.force(), contact_radius: self.bed.radius() });
         };
-        let (bed, line) = self.along(&piece);
-        let (force, contact_radius) = bed.force_after(line.speed, line.duration)?;
+        let (force, contact_radius) = self.bed.force_after(piece.speed, piece.duration)?;
         Ok(Glance { force, contact_radius })
     }
 
     fn state(&self) -> Normal {
-        let ledger = self.now.ledger();
+        let ledger = self.bed.ledger();
         Normal {
-            indentation: Some(self.now.indentation()),
-            force: self.now.force(),
-            contact_radius: Some(self.now.radius()),
-            stiffness: self.now.stiffness(),
-            stored: Energy { elastic: ledger.stored, surface: 0.0 },
-            dissipated: ledger.dissipated,
+            indentation: Some(self.bed.indentation()),
+            force: self.bed.force(),
+            contact_radius: Some(self.bed.radius()),
+            stiffness: self.bed.stiffness(),
+            stored: Energy { elastic: ledger.stored, surface: self.bed.surface_energy() },
+            dissipated: ledger.dissipated - self.bed.surface_energy(),
         }
     }
 
     fn joined(&self) -> bool {
-        self.now.radius() > 0.0
+        self.bed.radius() > 0.0
     }
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
-        self.joined().then(|| Box::new(self.now.loaded()) as Box<dyn Loading>)
+        self.joined().then(|| Box::new(self.bed.loaded()) as Box<dyn Loading>)
     }
 
     fn copy(&self) -> Box<dyn ContactModel> {
@@ -118,27 +90,23 @@ impl ContactModel for ContinuousContact {
     }
 
     fn memory(&self) -> Option<Arc<Spectrum>> {
-        Some(self.settled.spectrum())
+        Some(self.bed.spectrum())
     }
 
     fn effort(&self) -> Effort {
-        Effort { springs: 0, bytes: self.now.bytes(), force_error: Some(self.now.force_error()) }
+        Effort { springs: 0, bytes: self.bed.bytes(), force_error: Some(self.bed.force_error()) }
     }
 
     fn parting(&self, piece: &Straight) -> Result<Option<f64>, ContactError> {
-        let (bed, line) = self.along(piece);
-        let before = line.duration - piece.duration;
-        let parting = bed.parting(line.speed, line.duration)?;
-        Ok(parting.map(|time| time - before))
+        Ok(self.bed.parting(piece.speed, piece.duration)?)
     }
 
     fn creep(&self) -> Option<Creep> {
-        let free = self.now.attraction().is_none() && self.now.strips() == 0 && self.now.time() <= 0.0;
-        free.then(|| Creep::new(self.now.spectrum(), self.now.profile()))
+        let free = self.bed.attraction().is_none() && self.bed.is_untouched() && self.bed.time() <= 0.0;
+        free.then(|| Creep::new(self.bed.spectrum(), self.bed.profile()))
     }
 
     fn leave(&mut self) {
-        self.now.leave();
-        *self = Self::new(self.now.clone());
+        self.bed.leave();
     }
 }

@@ -1,8 +1,10 @@
 //! Laws that every bed obeys, on random materials and histories.
 
+use super::attraction::Attraction;
 use super::direct::Direct;
 use super::layout::Layout;
 use super::lazy::Lazy;
+use super::memory::Memory;
 use super::{Motion, Spectrum};
 use crate::input::quantity::Length;
 use crate::material::Relaxation;
@@ -173,6 +175,102 @@ proptest! {
             }
             greatest = greatest.max(once.force());
             prop_assert!((once.force() - often.force()).abs() <= 1e-11 * greatest + rounding, "{} {}", once.force(), often.force());
+        }
+    }
+}
+
+/// A ball of 5 mm and the material with two times on which the rule of the edge was tried by brute force.
+fn held_ball(attraction: impl Fn(&Spectrum) -> Attraction, terms: &[(f64, f64)]) -> Memory {
+    let relaxation = Relaxation { equilibrium: 1.2e6, terms: terms.to_vec(), viscosity: 0.0 };
+    let spectrum = Arc::new(Spectrum::new(&relaxation));
+    let law = attraction(&spectrum);
+    Memory::new(spectrum, Arc::new(Paraboloid { radius: Length::new(5e-3).unwrap() })).with(law)
+}
+
+const TWO_TIMES: [(f64, f64); 2] = [(2e6, 0.1), (0.8e6, 3.0)];
+
+/// Force and radius at the ends of three motions; bound: springs by brute force, good to 1e-3.
+#[test]
+fn an_edge_joins_and_leaves_by_its_own_modulus() {
+    let history = [(1e-5, 1.0), (3e-6, 1.0), (9.5e-6, 2.0)];
+    type Law = fn(f64, &Spectrum) -> Attraction;
+    let relaxed = [(7.409e-3, 308.1e-6), (-0.5289e-3, 210.3e-6), (4.877e-3, 303.4e-6)];
+    let at_once = [(6.155e-3, 270.2e-6), (-1.990e-3, 241.9e-6), (4.653e-3, 269.3e-6)];
+    for (law, found) in [(Attraction::relaxed as Law, relaxed), (Attraction::instantaneous as Law, at_once)] {
+        let mut bed = held_ball(|spectrum| law(0.05, spectrum), &TWO_TIMES);
+        for ((to, over), (force, radius)) in history.into_iter().zip(found) {
+            bed.reach(to, over).unwrap();
+            assert!((bed.force() / force - 1.0).abs() < 1e-3, "{:e} {force:e}", bed.force());
+            assert!((bed.radius() / radius - 1.0).abs() < 1e-3, "{:e} {radius:e}", bed.radius());
+        }
+    }
+}
+
+/// No Prony term is the elastic contact: JKR on the way in and out, nothing lost but in the jumps; closing with a
+/// fifth of the work follows the JKR of that work on the way in, stands still, and opens with all of it.
+#[test]
+fn an_edge_without_memory_is_elastic() {
+    let mut bed = held_ball(|spectrum| Attraction::relaxed(0.05, spectrum).closing(0.01), &[]);
+    bed.reach(1e-5, 1.0).unwrap();
+    let (force, radius) = (bed.force(), bed.radius());
+    assert!((force / 3.4127e-3 - 1.0).abs() < 1e-4 && (radius / 261.75e-6 - 1.0).abs() < 1e-4, "{force:e} {radius:e}");
+    bed.reach(0.9e-5, 1.0).unwrap();
+    assert!((bed.radius() - radius).abs() <= 0.0);
+    assert!((force - bed.force() - 2.0 * 1.2e6 * radius * 1e-6).abs() < 1e-12 * force);
+    for work in [0.0, 0.01, 0.05] {
+        let mut bed = held_ball(|spectrum| Attraction::relaxed(work, spectrum), &[]);
+        for depth in [1e-7, 2e-6, 1e-5, 4e-6, 1e-6] {
+            bed.reach(depth, 1.0).unwrap();
+            let a = bed.radius();
+            let jkr = a * a / 5e-3 - (std::f64::consts::TAU * a * work / 1.2e6).sqrt();
+            assert!((jkr - depth).abs() < 1e-13 * 1e-5, "{work} {depth:e}: {jkr:e}");
+        }
+    }
+}
+
+/// Slow against the relaxation an edge of E∞ comes in as JKR with E∞; bound: the part E₁τ/(E∞t) of the load that
+/// has not relaxed.
+#[test]
+fn a_slow_approach_is_jkr() {
+    let mut bed = held_ball(|spectrum| Attraction::relaxed(0.05, spectrum), &TWO_TIMES);
+    bed.reach(1e-5, 3e9).unwrap();
+    let a = bed.radius();
+    let jkr = a * a / 5e-3 - (std::f64::consts::TAU * a * 0.05 / 1.2e6).sqrt();
+    assert!((jkr / 1e-5 - 1.0).abs() < 1e-13, "{jkr:e}");
+    let force = 2.0 * 1.2e6 * (2.0 / 3.0 * a.powi(3) / 5e-3 + a * (1e-5 - a * a / 5e-3));
+    assert!((bed.force() / force - 1.0).abs() < 1e-8, "{:e} {force:e}", bed.force());
+}
+
+proptest! {
+    #![proptest_config(crate::laws::cases(48))]
+
+    /// Cutting any motion of an adhesive bed anywhere changes nothing; what is lost at a joining or leaving by the
+    /// modulus at once is never negative. Bound: the panels' polynomials, relative to the load of the whole bed.
+    #[test]
+    fn cutting_a_motion_changes_nothing(
+        terms in prop::collection::vec((0i32..30, -30i32..30), 0..3),
+        turns in prop::collection::vec((-30i32..100, -20i32..20), 2..6),
+        (shared, closing, pieces) in (any::<bool>(), 0i32..5, 2u32..5),
+    ) {
+        let terms: Vec<_> = terms.iter().map(|&(e, t)| (1e5 * f64::from(1 + e), 10f64.powf(0.1 * f64::from(t)))).collect();
+        let law = |spectrum: &Spectrum| {
+            let law = if shared { Attraction::instantaneous(0.05, spectrum) } else { Attraction::relaxed(0.05, spectrum) };
+            law.closing(0.0125 * f64::from(closing))
+        };
+        let (mut once, mut often) = (held_ball(law, &terms), held_ball(law, &terms));
+        let (stiff, mut lost) = (2.0 * 3e-4 * once.spectrum().instantaneous() * 1e-5, 0.0);
+        for (depth, time) in turns {
+            let (from, to, over) = (once.indentation(), 1e-7 * f64::from(depth), 10f64.powf(0.1 * f64::from(time)));
+            once.reach(to, over).unwrap();
+            for k in 1..=pieces {
+                let part = f64::from(k) / f64::from(pieces);
+                often.reach(from + part * (to - from), over / f64::from(pieces)).unwrap();
+            }
+            prop_assert!((once.radius() - often.radius()).abs() < 1e-9 * 3e-4, "{:e} {:e}", once.radius(), often.radius());
+            prop_assert!((once.force() - often.force()).abs() < 1e-9 * stiff, "{:e} {:e}", once.force(), often.force());
+            let now = once.ledger().dissipated - once.surface_energy();
+            prop_assert!(!shared || now >= lost - 1e-9 * stiff * 1e-5, "{lost:e} {now:e}");
+            lost = now;
         }
     }
 }

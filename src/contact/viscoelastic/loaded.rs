@@ -2,13 +2,15 @@
 
 use super::memory::Memory;
 use super::spring::Spring;
-use super::strip::Strip;
 use crate::contact::loaded::{Curve, Loaded};
 use std::sync::Arc;
 
 /// Panels finer than this part of the contact are put together: a contact of thousands of strips has
 /// loads with thousands of kinks too faint to see.
 const FINEST: f64 = 1.0 / 512.0;
+
+/// Borders beyond which that is done.
+const MOST: usize = 512;
 
 /// Borders at least [`FINEST`] of the last one apart, the last one always among them.
 fn thinned(ends: Vec<f64>) -> Vec<f64> {
@@ -25,16 +27,12 @@ fn thinned(ends: Vec<f64>) -> Vec<f64> {
 }
 
 impl Memory {
-    fn ends(&self, strips: &[Strip]) -> Vec<f64> {
-        let ends: Vec<f64> = strips.iter().flat_map(|strip| strip.panel_ends(&self.ground)).collect();
-        if strips.len() > 8 { thinned(ends) } else { ends }
-    }
-
     /// The contact as it is now, under the present load of its springs.
     #[must_use]
     pub fn loaded(&self) -> Loaded {
         let bed = Arc::new(self.clone());
-        let (ends, all) = (self.ends(&self.strips[..self.pressed]), self.ends(&self.strips));
+        let (ends, all) = (self.ends(true), self.ends(false));
+        let (ends, all) = if all.len() > MOST { (thinned(ends), thinned(all)) } else { (ends, all) };
         let load = Curve::new(
             {
                 let bed = bed.clone();
@@ -42,11 +40,11 @@ impl Memory {
             },
             ends,
         );
-        let profile = self.ground.profile.clone();
+        let profile = self.profile();
         let displacement = Curve::new(
             move |x| match bed.spring(x) {
-                Spring::Pressed(_) => bed.indentation() - bed.ground.profile.reduced(x),
-                Spring::Free(free) => bed.ground.spectrum.recovered(&free, 0.0),
+                Spring::Pressed(_) => bed.indentation() - bed.profile().reduced(x),
+                Spring::Free(free) => bed.spectrum().recovered(&free, 0.0),
             },
             all,
         );

@@ -1,31 +1,32 @@
 //! The continuous bed: no springs to count, no error of discretization.
 //!
 //! At any time the contact is a disc 0 ≤ x < a and the state of a spring depends on the height
-//! c = g(x) of the indenter above it only. The bed falls into a few strips that share their past;
-//! within one motion the edge moves outwards first, then inwards, each at most once (see
-//! [`spring`](super::spring)), so that two roots per motion place it. The force is
-//! F = 2E∞ ∫₀^a (d − g) dx + Σ ∫ 2 sᵢ dx, the second part an integral over each strip, made once when
-//! the strip comes to be and evolved like a spring from then on.
+//! c = g(x) of the indenter above it only. A motion falls into phases in which the [edge](super::front) stands
+//! still, moves one way or jumps; the springs it passes join or leave at instants of their own, all others move
+//! alike. The bed falls into [panels](super::panel) in which the springs are smooth; the force is
+//! F = 2E∞ ∫₀^a (d − g) dx + Σ ∫ 2 sᵢ dx, the second part made with the panel and evolved like a spring from then on.
 
 use super::Spectrum;
-use super::attraction::{Attraction, Tear};
+use super::attraction::Attraction;
+use super::front::{Front, Phase, Seen, Way, instants};
 use super::ledger::Ledger;
-use super::opening::{Edge, Opening};
-use super::spring::{Motion, Spring};
-use super::strip::{Detail, Ground, Past, Strip};
+use super::panel::{Grain, Lived, Panel, panels};
+use super::spring::{Motion, Piece, Spring};
 use crate::contact::error::BedError;
 use crate::contact::model::Straight;
-use crate::numerics::root;
-use crate::shape::Profile;
+use crate::shape::{Profile, Rim};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// Bed without discretization in space or time.
 #[derive(Debug, Clone)]
 pub struct Memory {
-    pub(super) ground: Ground,
-    pub(super) strips: Vec<Strip>,
-    /// Number of strips pressed; they come first.
-    pub(super) pressed: usize,
+    spectrum: Arc<Spectrum>,
+    profile: Arc<dyn Profile>,
+    attraction: Option<Attraction>,
+    panels: Vec<Panel>,
+    /// Number of panels held; they come first.
+    held: usize,
     depth: f64,
     speed: f64,
     time: f64,
@@ -36,14 +37,14 @@ impl Memory {
     /// A bed never touched, the indenter just above it.
     #[must_use]
     pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>) -> Self {
-        let ground = Ground { spectrum, profile, attraction: None };
-        Self { ground, strips: Vec::new(), pressed: 0, depth: 0.0, speed: 0.0, time: 0.0, work: 0.0 }
+        let panels = Vec::new();
+        Self { spectrum, profile, attraction: None, panels, held: 0, depth: 0.0, speed: 0.0, time: 0.0, work: 0.0 }
     }
 
     /// The bed with an attraction that holds the edge; to be given before the first touch.
     #[must_use]
     pub fn with(mut self, attraction: Attraction) -> Self {
-        self.ground.attraction = Some(attraction);
+        self.attraction = Some(attraction);
         self
     }
 
@@ -52,10 +53,19 @@ impl Memory {
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn parting(&self, speed: f64, duration: f64) -> Result<Option<f64>, BedError> {
-        let motion = Motion { start: self.depth, speed, duration };
-        let reached = self.reached(&motion)?;
-        let law = self.ground.attraction.filter(|_| speed <= 0.0 && reached > 0.0);
-        Ok(law.and_then(|law| self.opened(&law, &motion, reached).parting()))
+        if self.attraction.is_none() {
+            return Ok(None);
+        }
+        let mut bed = self.clone();
+        let mut walk = Walk::new(Motion { start: self.depth, speed, duration });
+        while walk.rest.duration > 0.0 {
+            let joined = bed.held > 0;
+            bed.phase(&mut walk)?;
+            if joined && bed.held == 0 {
+                return Ok(Some(duration - walk.rest.duration));
+            }
+        }
+        Ok(None)
     }
 
     /// Moves at constant `speed` [m/s] for `duration` [s].
@@ -63,7 +73,13 @@ impl Memory {
     /// # Errors
     /// The contact would outgrow the profile.
     pub fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
-        self.follow(&Motion { start: self.depth, speed, duration }, Detail::Energy)
+        let motion = Motion { start: self.depth, speed, duration };
+        let mut walk = Walk::new(motion);
+        while walk.rest.duration > 0.0 {
+            self.phase(&mut walk)?;
+        }
+        (self.depth, self.speed, self.time) = (motion.end(), speed, self.time + duration);
+        Ok(())
     }
 
     /// Moves to the depth `to` [m] in `duration` [s], and lands on it to the last bit.
@@ -88,18 +104,14 @@ impl Memory {
 
     /// Takes the indenter far away at once, whatever holds the edge.
     pub fn leave(&mut self) {
-        let attraction = self.ground.attraction;
-        let held = if self.pressed > 0 { self.ground.profile.reduced(self.radius()) } else { 0.0 };
-        let away = self.depth - 4.0 * (self.depth.abs() + held + self.ground.profile.reduced(self.reached_so_far()));
-        self.ground.attraction = attraction.map(Attraction::without_work);
+        let attraction = self.attraction;
+        let reached = self.panels.last().map_or(0.0, |panel| panel.outer);
+        let height = if reached > 0.0 { self.profile.reduced(reached) } else { 0.0 };
+        let away = self.depth - 4.0 * (self.depth.abs() + height);
+        self.attraction = attraction.map(Attraction::without_work);
         // Upwards no profile ends.
-        let _ = self.reach(away, self.ground.spectrum.instant());
-        self.ground.attraction = attraction;
-    }
-
-    /// The largest radius ever touched [m].
-    fn reached_so_far(&self) -> f64 {
-        self.strips.last().map_or(0.0, |strip| strip.outer)
+        let _ = self.reach(away, self.spectrum.instant());
+        self.attraction = attraction;
     }
 
     /// The bed after a motion, this one left as it is.
@@ -112,184 +124,207 @@ impl Memory {
         Ok(bed)
     }
 
-    /// The force [N] and contact radius [m] after a motion, without the energies.
+    /// The force [N] and contact radius [m] after a motion, this bed left as it is.
     ///
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn force_after(&self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
-        let mut bed = self.clone();
-        bed.follow(&Motion { start: self.depth, speed, duration }, Detail::Force)?;
+        let bed = self.after(speed, duration)?;
         Ok((bed.force(), bed.radius()))
     }
 
-    fn follow(&mut self, motion: &Motion, detail: Detail) -> Result<(), BedError> {
-        let before = self.radius();
-        let reached = self.reached(motion)?;
-        let (left, tear) = self.kept(motion, reached);
-        self.work += self.steady_work(motion, before.min(left));
-        for x in [self.dropped(motion, before), before, reached, left] {
-            self.cut(x);
-        }
-        for k in 0..self.strips.len() {
-            self.step(k, (before, reached, left), (motion, detail));
-            // Springs touched or let go in this motion are without sums still.
-            let strip = &mut self.strips[k];
-            if strip.totals.is_none() && strip.past.age <= 0.0 && strip.past.motion == *motion {
-                strip.past.torn = tear.clone().filter(|_| !strip.past.pressed);
-                self.work += settled(&self.ground, strip, detail);
-            }
-        }
-        self.reach_out(reached, (motion, detail));
-        self.pressed = self.strips.iter().take_while(|strip| strip.past.pressed).count();
-        (self.depth, self.speed, self.time) = (motion.end(), motion.speed, self.time + motion.duration);
+    /// The first phase of what is left of a motion.
+    fn phase(&mut self, walk: &mut Walk) -> Result<(), BedError> {
+        let motion = walk.rest;
+        let step = self.next(&motion, walk.least)?;
+        walk.least = if step.change.is_none() { 4.0 * walk.least } else { walk.shortest };
+        self.take(&motion.lasting(step.duration), step.change);
+        self.depth = motion.depth(step.duration);
+        walk.rest = motion.after(step.duration);
         Ok(())
     }
 
-    /// The largest radius touched in the motion, at least the present one.
-    fn reached(&self, motion: &Motion) -> Result<f64, BedError> {
-        for strip in &self.strips[self.pressed..] {
-            if self.gap(strip, strip.outer, motion) > 0.0 {
-                let gap = |x: f64| self.gap(strip, x, motion);
-                return Ok(root::brent(gap, strip.inner, strip.outer).unwrap_or(strip.inner));
+    /// What happens first in a motion.
+    fn next(&self, motion: &Motion, least: f64) -> Result<Step, BedError> {
+        let see = |way: Way, x: f64| self.seen(way, x);
+        let borders: Vec<f64> = self.panels.iter().map(|panel| panel.outer).collect();
+        let front = Front { least: least.min(motion.duration), borders: &borders, ..self.front(motion, &see) };
+        let (phase, way) = front.phase();
+        let (duration, change) = match phase {
+            Phase::Still(duration) => (duration, None),
+            Phase::Moves { to, duration } => {
+                let to = if way == Way::Opening && to <= SPECK * front.reached() { 0.0 } else { to };
+                if way == Way::Closing && to >= front.limit && matches!(self.profile.rim(), Rim::End(_)) {
+                    return Err(BedError::BeyondProfile { indentation: motion.depth(duration) });
+                }
+                (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| front.instant(way, x, duration))))
             }
-        }
-        let touched = self.strips.last().map_or(0.0, |strip| strip.outer);
-        if motion.end() <= 0.0 || motion.speed <= 0.0 {
-            return Ok(touched);
-        }
-        let edge = self.ground.profile.edge(motion.end());
-        edge.map(|x| x.max(touched)).ok_or(BedError::BeyondProfile { indentation: motion.end() })
-    }
-
-    /// Least distance of the indenter from the free spring at `x` during the motion; negative if touched.
-    fn gap(&self, strip: &Strip, x: f64, motion: &Motion) -> f64 {
-        let c = self.ground.profile.reduced(x);
-        let Spring::Free(free) = strip.past.spring(&self.ground, c) else { return 0.0 };
-        let t = self.ground.spectrum.narrowest(&free, &Motion { start: motion.start - c, ..*motion });
-        self.ground.spectrum.recovered(&free, t) - (motion.depth(t) - c)
-    }
-
-    /// The radius still pressed at the end of a motion that `reached` so far, and how the rest was torn off.
-    fn kept(&self, motion: &Motion, reached: f64) -> (f64, Option<Arc<Tear>>) {
-        if motion.speed > 0.0 || reached <= 0.0 {
-            return (reached, None);
-        }
-        let Some(attraction) = &self.ground.attraction else {
-            return (if motion.speed < 0.0 { self.left(motion, reached) } else { reached }, None);
+            Phase::Creeps(path) => {
+                let &(to, duration) = path.last().unwrap_or(&(front.edge, 0.0));
+                (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| instant_of(&path, x))))
+            }
+            Phase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
         };
-        let opened = self.opened(attraction, motion, reached);
-        let tear = opened.tear(|x| self.ground.profile.reduced(x));
-        (opened.left, Some(Arc::new(tear)))
+        Ok(Step { duration, change })
     }
 
-    /// How the edge that an attraction holds opens in a motion that `reached` so far.
-    fn opened(&self, attraction: &Attraction, motion: &Motion, reached: f64) -> Opening {
-        let load = |x: f64, motion: &Motion| self.continued_load(x, motion);
-        Edge { load: &load, attraction, motion: *motion }.open_from(reached)
-    }
-
-    /// The radius beyond which a dashpot lets go at once as the motion begins: a border of its own.
-    fn dropped(&self, motion: &Motion, before: f64) -> f64 {
-        let drops = self.ground.spectrum.viscosity() > 0.0 && motion.speed < 0.0 && self.ground.attraction.is_none();
-        if drops { self.left(&Motion { duration: 0.0, ..*motion }, before) } else { before }
-    }
-
-    /// Line load at the end of a motion of the spring at `x`, if nothing lets it go; zero before its touch.
-    fn continued_load(&self, x: f64, motion: &Motion) -> f64 {
-        let Some(strip) = self.strips.iter().find(|strip| x <= strip.outer) else { return 0.0 };
-        let c = self.ground.profile.reduced(x);
-        let seen = Motion { start: motion.start - c, ..*motion };
-        match strip.past.spring(&self.ground, c) {
-            Spring::Free(free) if self.ground.spectrum.touch(&free, &seen).is_none() => 0.0,
-            _ => self.load_at_end(strip, x, motion),
+    fn front<'b>(&'b self, motion: &Motion, see: &'b dyn Fn(Way, f64) -> Seen) -> Front<'b> {
+        Front {
+            spectrum: &self.spectrum,
+            attraction: self.attraction.as_ref(),
+            see,
+            edge: self.radius(),
+            limit: match self.profile.rim() {
+                Rim::None => f64::MAX,
+                Rim::Wall(end) | Rim::End(end) => end,
+            },
+            borders: &[],
+            scale: self.profile.scale(),
+            feature: self.profile.feature().unwrap_or(f64::INFINITY),
+            motion: *motion,
+            least: 0.0,
+            instants: instants(&self.spectrum, motion.duration),
         }
     }
 
-    /// The radius still pressed at the end of a motion outwards that `reached` so far.
-    fn left(&self, motion: &Motion, reached: f64) -> f64 {
-        let mut outer = reached;
-        for strip in self.strips.iter().rev().filter(|strip| strip.inner < reached) {
-            let load = |x: f64| self.load_at_end(strip, x, motion);
-            outer = outer.min(strip.outer);
-            if load(outer) >= 0.0 {
-                return outer;
-            }
-            if load(strip.inner) > 0.0 {
-                return root::brent(load, strip.inner, outer).unwrap_or(outer);
-            }
-        }
-        0.0
+    /// The springs between the edge and the radius `to` at the end of a motion in which they join or leave, each at
+    /// its `instant`.
+    fn change(&self, way: Way, to: f64, motion: &Motion, instant: &dyn Fn(f64) -> f64) -> Change {
+        let edge = self.radius();
+        let (inner, outer) = (edge.min(to), edge.max(to));
+        let own = self.panels.iter().map(|panel| panel.outer).chain(self.profile.breaks(outer));
+        let mut borders: Vec<f64> = own.filter(|&x| inner < x && x < outer).chain([inner, outer]).collect();
+        borders.sort_by(f64::total_cmp);
+        borders.dedup();
+        let lived = |x: f64| self.lived(way, x, motion, instant(x));
+        let lengths = motion.start.abs().max(motion.end().abs()) + self.profile.reduced(outer);
+        let scale = if way == Way::Closing { self.spectrum.equilibrium() * lengths } else { lengths };
+        let grain = Grain { scale, tolerance: self.tolerance() };
+        let (panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, &lived);
+        Change { inner, outer, panels, work }
     }
 
-    /// Line load at the end of the motion of the spring at `x`, if it is not let go.
-    fn load_at_end(&self, strip: &Strip, x: f64, motion: &Motion) -> f64 {
-        let (spectrum, c) = (&self.ground.spectrum, self.ground.profile.reduced(x));
-        let seen = Motion { start: motion.start - c, ..*motion };
-        match strip.past.spring(&self.ground, c) {
-            Spring::Pressed(s) => spectrum.load_after((seen.start, &s), seen.speed, seen.duration),
-            Spring::Free(mut free) => {
-                let touch = spectrum.touch(&free, &seen).unwrap_or_else(|| spectrum.narrowest(&free, &seen));
-                spectrum.recover(&mut free, touch);
+    /// What the polynomials of the panels may miss: no more than the way of an edge that obeys a rate law.
+    fn tolerance(&self) -> f64 {
+        let followed = self.attraction.as_ref().filter(|attraction| attraction.has_rate());
+        followed.map_or(SMOOTH, |attraction| SMOOTH.max(0.1 * attraction.accuracy()))
+    }
+
+    /// The spring at `x` after a motion in which it joins or leaves at the time `at`.
+    fn lived(&self, way: Way, x: f64, motion: &Motion, at: f64) -> Lived {
+        let (spectrum, height) = (&self.spectrum, self.profile.reduced(x));
+        let seen = Motion { start: motion.start - height, ..*motion };
+        let (u, rest) = (seen.depth(at), motion.duration - at);
+        let mut impulse = 0.0;
+        let mut pressed = |u: f64, s: &mut [f64], duration: f64| {
+            impulse = spectrum.impulse(&Piece::Pressed { u, s, speed: seen.speed, duration });
+            spectrum.press(s, seen.speed, duration);
+        };
+        let spring = match (way, self.spring_on(way, x)) {
+            (Way::Closing, Spring::Free(mut free)) => {
+                spectrum.recover(&mut free, at);
                 let mut s = vec![0.0; spectrum.terms().len()];
                 spectrum.loads_of_free(&free, &mut s);
-                spectrum.load_after((seen.depth(touch), &s), seen.speed, seen.duration - touch)
+                if let Some(attraction) = &self.attraction {
+                    attraction.moved(spectrum, (spectrum.recovered(&free, 0.0), u), &mut s);
+                }
+                pressed(u, &mut s, rest);
+                Spring::Pressed(s)
+            }
+            (Way::Opening, Spring::Pressed(mut s)) => {
+                pressed(seen.start, &mut s, at);
+                let mut free = match &self.attraction {
+                    Some(attraction) => {
+                        let load = spectrum.load(u, &s, seen.speed);
+                        attraction.let_go(spectrum, u, load, &mut s)
+                    }
+                    None => spectrum.let_go(u, &s),
+                };
+                spectrum.recover(&mut free, rest);
+                Spring::Free(free)
+            }
+            (_, spring) => spring,
+        };
+        Lived { spring, impulse }
+    }
+
+    /// A motion, with what happens to the springs at the edge.
+    fn take(&mut self, motion: &Motion, change: Option<Change>) {
+        let edge = self.radius();
+        let change = change.unwrap_or(Change { inner: edge, outer: edge, panels: Vec::new(), work: 0.0 });
+        self.work += change.work + self.steady_work(motion, change.inner);
+        self.cut(change.inner);
+        self.cut(change.outer);
+        let first = self.panels.partition_point(|panel| panel.outer <= change.inner);
+        let last = self.panels.partition_point(|panel| panel.inner < change.outer).max(first);
+        for (k, panel) in self.panels.iter_mut().enumerate() {
+            if k < first || k >= last {
+                self.work += panel.pass(&self.spectrum, motion);
+            }
+        }
+        let count = change.panels.len();
+        self.panels.splice(first..last, change.panels);
+        self.merge(first, first + count);
+        self.held = self.panels.iter().take_while(|panel| panel.held).count();
+    }
+
+    /// Makes one panel of two where that loses nothing, at the borders from `first` to `last`.
+    fn merge(&mut self, first: usize, last: usize) {
+        for k in (first.max(1)..=last).rev() {
+            let (Some(one), Some(two)) = (self.panels.get(k - 1), self.panels.get(k)) else { continue };
+            if let Some(joined) = one.joined_with(two, &self.spectrum, self.tolerance()) {
+                self.panels.splice(k - 1..=k, [joined]);
             }
         }
     }
 
-    /// Adds a strip for the springs touched for the first time.
-    fn reach_out(&mut self, reached: f64, (motion, detail): (&Motion, Detail)) {
-        let inner = self.strips.last().map_or(0.0, |strip| strip.outer);
-        if reached > inner {
-            let past = Past::new(&self.ground.spectrum, None, *motion, true);
-            let mut strip = Strip::new((inner, reached), past);
-            self.work += settled(&self.ground, &mut strip, detail);
-            self.strips.push(strip);
-        }
-    }
-
-    /// Cuts the strip that holds `x` in two.
+    /// Cuts the panel that holds `x` in two.
     fn cut(&mut self, x: f64) {
-        let Some(k) = self.strips.iter().position(|strip| strip.inner < x && x < strip.outer) else { return };
-        let outer = Strip::new((x, self.strips[k].outer), self.strips[k].past.clone());
-        let inner = Strip::new((self.strips[k].inner, x), outer.past.clone());
-        self.strips[k] = inner;
-        self.strips.insert(k + 1, outer);
+        let Some(k) = self.panels.iter().position(|panel| panel.inner < x && x < panel.outer) else { return };
+        let halves = self.panels[k].cut(&self.spectrum, x);
+        self.panels.splice(k..=k, halves);
     }
 
-    /// Takes a strip, all of one kind, through the motion.
-    fn step(&mut self, k: usize, (before, reached, left): (f64, f64, f64), (motion, detail): (&Motion, Detail)) {
-        let (ground, strip) = (&self.ground, &mut self.strips[k]);
-        let middle = 0.5 * (strip.inner + strip.outer);
-        let (was, is, met) = (middle < before, middle < left, middle < reached);
-        if was == is && (was || !met) {
-            strip.fill(ground, detail);
-            self.work += strip.pass(&ground.spectrum, motion);
-            return;
+    /// The panel at the distance `x` from the axis, at the edge the one whose springs may go `way`.
+    fn panel(&self, way: Way, x: f64) -> Option<&Panel> {
+        let k = self.panels.partition_point(|panel| panel.outer < x);
+        self.panels.get(match way {
+            Way::Opening => k.min(self.held.saturating_sub(1)),
+            Way::Closing => k.max(self.held),
+        })
+    }
+
+    fn spring_on(&self, way: Way, x: f64) -> Spring {
+        self.panel(way, x).map_or_else(|| Spring::untouched(&self.spectrum), |panel| panel.spring(x))
+    }
+
+    fn seen(&self, way: Way, x: f64) -> Seen {
+        Seen {
+            spring: self.spring_on(way, x),
+            height: self.profile.reduced(x),
+            doubt: self.panel(way, x).map_or(0.0, Panel::doubt),
         }
-        let past = Past::new(&ground.spectrum, Some(Arc::new(strip.past.clone())), *motion, is);
-        *strip = Strip::new((strip.inner, strip.outer), past);
     }
 
-    /// Work against E∞ and η of the springs pressed throughout a motion, up to the radius `a`.
+    /// Work against E∞ and η of the springs held throughout a motion, up to the radius `a`.
     fn steady_work(&self, motion: &Motion, a: f64) -> f64 {
-        let spectrum = &self.ground.spectrum;
-        let mean = Motion { start: motion.depth(0.5 * motion.duration), ..*motion };
-        let steady = self.displaced(mean.start, a) * spectrum.equilibrium();
+        let spectrum = &self.spectrum;
+        let mean = motion.depth(0.5 * motion.duration);
+        let steady = self.displaced(mean, a) * spectrum.equilibrium();
         motion.speed * motion.duration * (steady + 2.0 * a * spectrum.viscosity() * motion.speed)
     }
 
     /// 2 ∫₀^a (d − g) dx [m²].
     fn displaced(&self, d: f64, a: f64) -> f64 {
-        let profile = &self.ground.profile;
+        let profile = &self.profile;
         if a > 0.0 { 2.0 * (profile.load_integral(a) + a * (d - profile.reduced(a))) } else { 0.0 }
     }
 
     /// Normal force [N].
     #[must_use]
     pub fn force(&self) -> f64 {
-        let (spectrum, a) = (&self.ground.spectrum, self.radius());
-        let elements: f64 = self.strips[..self.pressed].iter().map(Strip::load).sum();
+        let (spectrum, a) = (&self.spectrum, self.radius());
+        let elements: f64 = self.panels[..self.held].iter().map(Panel::load).sum();
         let dashpot = 2.0 * a * spectrum.viscosity() * self.speed;
         spectrum.equilibrium() * self.displaced(self.depth, a) + elements + dashpot
     }
@@ -297,24 +332,24 @@ impl Memory {
     /// Relative error of the force, estimated: [`force_error`](Self::force_error) over the force.
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
-        if self.pressed > 0 { self.force_error() / self.force().abs() } else { 0.0 }
+        if self.held > 0 { self.force_error() / self.force().abs() } else { 0.0 }
     }
 
-    /// Error of the force [N], estimated: every sum against one made anew with panels of half the
-    /// width, and the rounding of as many operations as made it.
+    /// Error of the force [N], estimated: what the polynomials miss of the sums, and the rounding of as many
+    /// operations as made them.
     #[must_use]
     pub fn force_error(&self) -> f64 {
-        let held = &self.strips[..self.pressed];
-        let off: f64 = held.iter().map(|strip| (strip.checked_load(&self.ground) - strip.load()).abs()).sum();
-        let elements: f64 = held.iter().map(|strip| strip.load().abs()).sum();
-        let steady = self.ground.spectrum.equilibrium() * self.displaced(self.depth, self.radius());
-        off + 512.0 * f64::EPSILON * (steady.abs() + elements)
+        let held = &self.panels[..self.held];
+        let missed: f64 = held.iter().map(Panel::missed).sum();
+        let elements: f64 = held.iter().map(|panel| panel.load().abs()).sum();
+        let steady = self.spectrum.equilibrium() * self.displaced(self.depth, self.radius());
+        missed + 512.0 * f64::EPSILON * (steady.abs() + elements)
     }
 
     /// Contact radius [m].
     #[must_use]
     pub fn radius(&self) -> f64 {
-        self.pressed.checked_sub(1).map_or(0.0, |last| self.strips[last].outer)
+        self.held.checked_sub(1).map_or(0.0, |last| self.panels[last].outer)
     }
 
     /// Indentation [m].
@@ -332,14 +367,14 @@ impl Memory {
     /// Stiffness 2E(0)a [N/m] against a sudden step of the depth.
     #[must_use]
     pub fn stiffness(&self) -> f64 {
-        2.0 * self.ground.spectrum.instantaneous() * self.radius()
+        2.0 * self.spectrum.instantaneous() * self.radius()
     }
 
     /// Work done so far, energy in the springs, and their difference, the heat [J].
     #[must_use]
     pub fn ledger(&self) -> Ledger {
-        let (spectrum, profile, a) = (&self.ground.spectrum, &self.ground.profile, self.radius());
-        let elements: f64 = self.strips.iter().map(|strip| strip.stored(spectrum)).sum();
+        let (spectrum, profile, a) = (&self.spectrum, &self.profile, self.radius());
+        let elements: f64 = self.panels.iter().map(|panel| panel.stored(spectrum)).sum();
         let over = self.depth - if a > 0.0 { profile.reduced(a) } else { self.depth };
         let squares = if a > 0.0 { profile.energy_integral(a) } else { 0.0 };
         let squares = squares + over * (self.displaced(self.depth, a) - over * a);
@@ -347,60 +382,111 @@ impl Memory {
         Ledger { work: self.work, stored, dissipated: self.work - stored }
     }
 
+    /// Energy −πa²w of the closed surfaces [J].
+    #[must_use]
+    pub fn surface_energy(&self) -> f64 {
+        let work = self.attraction.as_ref().map_or(0.0, Attraction::work);
+        -work * PI * self.radius().powi(2)
+    }
+
     /// Line load q(x) [N/m] at the distance `x` from the axis.
     #[must_use]
     pub fn line_load(&self, x: f64) -> f64 {
-        let strip = self.strips[..self.pressed].iter().find(|strip| x <= strip.outer);
-        strip.map_or(0.0, |strip| strip.line_load(&self.ground, x, (self.depth, self.speed)))
+        if x > self.radius() || self.held == 0 {
+            return 0.0;
+        }
+        match self.spring_on(Way::Opening, x) {
+            Spring::Pressed(s) => self.spectrum.load(self.depth - self.profile.reduced(x), &s, self.speed),
+            Spring::Free(_) => 0.0,
+        }
     }
 
     /// The springs' material.
     #[must_use]
     pub fn spectrum(&self) -> Arc<Spectrum> {
-        self.ground.spectrum.clone()
+        self.spectrum.clone()
     }
 
     /// The shape of the indenter.
     #[must_use]
     pub fn profile(&self) -> Arc<dyn Profile> {
-        self.ground.profile.clone()
+        self.profile.clone()
     }
 
     /// What holds the edge, if anything.
     #[must_use]
     pub fn attraction(&self) -> Option<&Attraction> {
-        self.ground.attraction.as_ref()
+        self.attraction.as_ref()
     }
 
-    /// Number of strips.
+    /// Whether no spring has ever been touched.
     #[must_use]
-    pub fn strips(&self) -> usize {
-        self.strips.len()
+    pub fn is_untouched(&self) -> bool {
+        self.panels.is_empty()
     }
 
     /// The spring at the distance `x` from the axis.
     #[must_use]
     pub fn spring(&self, x: f64) -> Spring {
-        let strip = self.strips.iter().find(|strip| x <= strip.outer);
-        let untouched = || Spring::untouched(&self.ground.spectrum);
-        strip.map_or_else(untouched, |strip| strip.past.spring(&self.ground, self.ground.profile.reduced(x)))
+        self.spring_on(if x < self.radius() { Way::Opening } else { Way::Closing }, x)
+    }
+
+    /// Borders of the panels [m] from the axis outwards, those of springs held or of all ever touched.
+    pub(super) fn ends(&self, held: bool) -> Vec<f64> {
+        let panels = if held { &self.panels[..self.held] } else { &self.panels[..] };
+        let start = panels.first().map(|panel| panel.inner);
+        start.into_iter().chain(panels.iter().map(|panel| panel.outer)).collect()
     }
 
     /// Bytes of state.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let numbers = 12 + 3 * self.ground.spectrum.terms().len() + self.ground.spectrum.modes().len();
-        size_of::<f64>() * numbers * self.strips.len()
+        self.panels.iter().map(Panel::bytes).sum()
     }
 }
 
-/// Makes the sums of a strip just touched or let go; its work [J] where energies are followed.
-fn settled(ground: &Ground, strip: &mut Strip, detail: Detail) -> f64 {
-    if detail == Detail::Energy {
-        return strip.settle(ground);
+/// What polynomials may miss of the springs where nothing else errs, relative to their loads.
+const SMOOTH: f64 = 1e-14;
+
+/// A contact smaller than this part of the largest one is none.
+const SPECK: f64 = 1e-14;
+
+/// What is left of a motion on the way through it.
+struct Walk {
+    rest: Motion,
+    /// The shortest time the edge may stand still [s]: below it there is only rounding.
+    shortest: f64,
+    /// The same now: longer each time that nothing has happened.
+    least: f64,
+}
+
+impl Walk {
+    fn new(motion: Motion) -> Self {
+        let shortest = 1e-15 * motion.duration;
+        Self { rest: motion, shortest, least: shortest }
     }
-    strip.fill(ground, detail);
-    0.0
+}
+
+/// What happens first in a motion.
+struct Step {
+    duration: f64,
+    change: Option<Change>,
+}
+
+/// Springs between two radii [m] that join or leave, as they are afterwards, and the work [J] done on them meanwhile.
+struct Change {
+    inner: f64,
+    outer: f64,
+    panels: Vec<Panel>,
+    work: f64,
+}
+
+/// When an edge that moves inwards along a path of radii and times is at the radius `x` [s].
+fn instant_of(path: &[(f64, f64)], x: f64) -> f64 {
+    let k = path.partition_point(|&(a, _)| a > x).clamp(1, path.len().max(2) - 1);
+    let (Some(&(far, early)), Some(&(near, late))) = (path.get(k - 1), path.get(k)) else { return 0.0 };
+    let part = if far > near { ((far - x) / (far - near)).clamp(0.0, 1.0) } else { 1.0 };
+    early + part * (late - early)
 }
 
 #[cfg(test)]
@@ -662,13 +748,11 @@ mod tests {
         fn pressure_adds_up_to_the_force(recipe in recipe(3), history in history(4)) {
             let recipe = Recipe { viscosity: None, ..recipe };
             let mut bed = bed(Arc::new(Spectrum::new(&recipe.relaxation())));
-            let glassy = 4.0 / 3.0 * bed.ground.spectrum.instantaneous();
+            let glassy = 4.0 / 3.0 * bed.spectrum.instantaneous();
             for motion in history {
                 bed.advance(motion.speed, motion.duration).unwrap();
             }
-            let held = &bed.strips[..bed.pressed];
-            let mut ends: Vec<f64> = held.iter().flat_map(|strip| strip.panel_ends(&bed.ground)).collect();
-            ends.dedup();
+            let ends = bed.ends(true);
             let panel = |pair: &[f64]| {
                 let ring = |r: f64, _: f64| 2.0 * PI * (pair[0] + r) * bed.pressure(pair[0] + r);
                 crate::numerics::quadrature::panel_with_root_ends(ring, pair[1] - pair[0])

@@ -13,13 +13,13 @@ pub mod growing;
 #[cfg(test)]
 pub(crate) mod laws;
 pub mod layout;
+pub(crate) mod front;
 pub mod lazy;
 pub mod ledger;
 pub mod memory;
 mod loaded;
-pub(crate) mod opening;
+mod panel;
 pub mod spring;
-mod strip;
 mod totals;
 
 pub use crate::material::{Element, Mode, Spectrum};

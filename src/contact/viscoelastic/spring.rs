@@ -36,6 +36,12 @@ impl Motion {
         self.depth(self.duration)
     }
 
+    /// The first `duration` [s] of the motion.
+    #[must_use]
+    pub fn lasting(&self, duration: f64) -> Self {
+        Self { duration, ..*self }
+    }
+
     /// What is left of the motion after the time `t` [s].
     #[must_use]
     pub fn after(&self, t: f64) -> Self {
@@ -98,29 +104,6 @@ impl Spring {
         Self::Free(Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] })
     }
 
-    /// The spring after a motion in which nothing lets it go, whatever its load.
-    #[must_use]
-    pub fn hold(self, spectrum: &Spectrum, motion: &Motion, watch: &mut impl FnMut(&Piece<'_>)) -> Self {
-        let (mut s, rest) = match self {
-            Self::Pressed(s) => (s, *motion),
-            Self::Free(mut free) => {
-                let touch = spectrum.touch(&free, motion);
-                let duration = touch.unwrap_or(motion.duration);
-                watch(&Piece::Free { free: &free, duration });
-                spectrum.recover(&mut free, duration);
-                if touch.is_none() {
-                    return Self::Free(free);
-                }
-                let mut s = vec![0.0; spectrum.terms().len()];
-                spectrum.loads_of_free(&free, &mut s);
-                (s, motion.after(duration))
-            }
-        };
-        watch(&Piece::Pressed { u: rest.start, s: &s, speed: rest.speed, duration: rest.duration });
-        spectrum.press(&mut s, rest.speed, rest.duration);
-        Self::Pressed(s)
-    }
-
     /// The spring after a motion (displacements as this spring sees them), every event at its instant.
     ///
     /// At constant speed there are at most two: touched, then released. `watch` sees every piece.
@@ -146,15 +129,14 @@ impl Spring {
 
 fn pressed(spectrum: &Spectrum, mut s: Vec<f64>, motion: &Motion, watch: &mut impl FnMut(&Piece<'_>)) -> Spring {
     let (u, speed) = (motion.start, motion.speed);
-    let release = spectrum.release((u, &s), speed, motion.duration);
+    let release = spectrum.release(u, &s, speed, motion.duration);
     let duration = release.unwrap_or(motion.duration);
     watch(&Piece::Pressed { u, s: &s, speed, duration });
     spectrum.press(&mut s, speed, duration);
     if release.is_none() {
         return Spring::Pressed(s);
     }
-    let mut free = Free::default();
-    spectrum.let_go((motion.depth(duration), &s), 0.0, &mut free);
+    let mut free = spectrum.let_go(motion.depth(duration), &s);
     let rest = motion.duration - duration;
     watch(&Piece::Free { free: &free, duration: rest });
     spectrum.recover(&mut free, rest);
@@ -168,7 +150,7 @@ impl Spectrum {
     }
 
     /// Line load q [N/m] of a pressed spring after the time `t` of a motion at the speed `v`.
-    pub fn load_after(&self, (u, s): (f64, &[f64]), v: f64, t: f64) -> f64 {
+    pub fn load_after(&self, u: f64, s: &[f64], v: f64, t: f64) -> f64 {
         let moved = |(term, s): (&super::Element, &f64)| {
             let (kept, lost) = decay(t / term.time);
             kept * s + term.modulus * v * term.time * lost
@@ -186,19 +168,19 @@ impl Spectrum {
     }
 
     /// q̇ [N/(m s)] of a pressed spring after the time `t` of a motion at the speed `v`.
-    fn load_rate(&self, s: &[f64], v: f64, t: f64) -> f64 {
+    pub(super) fn load_rate(&self, s: &[f64], v: f64, t: f64) -> f64 {
         let fading = |(term, s): (&super::Element, &f64)| (term.modulus * v - s / term.time) * decay(t / term.time).0;
         self.equilibrium() * v + self.terms().iter().zip(s).map(fading).sum::<f64>()
     }
 
     /// When a pressed spring at the displacement `u` lets go within `duration`; `None` if it does not.
-    pub fn release(&self, (u, s): (f64, &[f64]), v: f64, duration: f64) -> Option<f64> {
-        let load = |t: f64| self.load_after((u, s), v, t);
+    pub fn release(&self, u: f64, s: &[f64], v: f64, duration: f64) -> Option<f64> {
+        let load = |t: f64| self.load_after(u, s, v, t);
         let end = if v < 0.0 { load(duration) } else { 0.0 };
         if end >= 0.0 {
             return None;
         }
-        let crossing = |low: f64| Some(self.crossing((u, s), v, (low, duration)));
+        let crossing = |low: f64| Some(self.crossing(u, s, v, (low, duration)));
         if self.load(u, s, v) > 0.0 {
             return crossing(0.0);
         }
@@ -211,11 +193,11 @@ impl Spectrum {
 
     /// The only root of q between a time when it is positive and one when it is negative: Newton's
     /// method, halving the bracket whenever it would leave it or is slow.
-    fn crossing(&self, (u, s): (f64, &[f64]), v: f64, (mut low, mut high): (f64, f64)) -> f64 {
+    fn crossing(&self, u: f64, s: &[f64], v: f64, (mut low, mut high): (f64, f64)) -> f64 {
         let mut t = low;
         let mut narrow = high - low;
         for trial in 0..200 {
-            let q = self.load_after((u, s), v, t);
+            let q = self.load_after(u, s, v, t);
             *(if q > 0.0 { &mut low } else { &mut high }) = t;
             let mut next = t - q / self.load_rate(s, v, t);
             let slow = trial % 4 == 3 && high - low > 0.5 * narrow;
@@ -233,16 +215,14 @@ impl Spectrum {
         t
     }
 
-    /// The modes of a spring let go at the displacement `u` with the line load `q` (zero unless torn off).
-    pub fn let_go(&self, (u, s): (f64, &[f64]), q: f64, free: &mut Free) {
+    /// A spring let go at the displacement `u`, where its elements carry `s` and it carries no load.
+    #[must_use]
+    pub fn let_go(&self, u: f64, s: &[f64]) -> Free {
         let constant = self.equilibrium() * u;
-        free.modes.clear();
-        for mode in self.modes() {
-            let stretched = |((term, s), gap): ((&super::Element, &f64), &f64)| term.time * s * gap;
-            let sum: f64 = self.terms().iter().zip(s).zip(&mode.inverse_gaps).map(stretched).sum();
-            free.modes.push(mode.compliance * (constant - sum));
-        }
-        free.rest = u - q * self.glass_compliance() - free.modes.iter().sum::<f64>();
+        let stretched = |((term, s), gap): ((&super::Element, &f64), &f64)| term.time * s * gap;
+        let sum = |mode: &super::Mode| self.terms().iter().zip(s).zip(&mode.inverse_gaps).map(stretched).sum::<f64>();
+        let modes: Vec<f64> = self.modes().iter().map(|mode| mode.compliance * (constant - sum(mode))).collect();
+        Free { rest: u - modes.iter().sum::<f64>(), modes }
     }
 
     /// Displacement u [m] of a free spring after the time `t`.

@@ -123,6 +123,12 @@ pub(super) fn impact_with_rate(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Op
     }
 }
 
+pub(super) fn impact_with_closing(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.impact?;
+    draft.scene.adhesion.as_ref()?.traits().closing?;
+    refused(entry, "Impact with closing cannot be computed: expected adhesion without closing")
+}
+
 /// Sliding as it stands in a message.
 fn sliding(entry: &EntryTraits<'_>) -> Option<String> {
     let how = match (entry.impact, entry.table) {

@@ -88,15 +88,18 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 29] = [
+pub const RULES: [Rule; 33] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Bodies, Bodies, parts::two_viscoelastic),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
+    Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
     Rule::once(Friction, Bodies, parts::gross_sliding_of_viscoelastic),
     Rule::once(Friction, Adhesion, parts::friction_under_adhesion),
+    Rule::once(Friction, Adhesion, parts::friction_with_closing),
     Rule::once(Springs, Adhesion, parts::springs_under_adhesion),
+    Rule::once(Springs, Adhesion, parts::springs_with_closing),
     Rule::once(Shape, Adhesion, parts::adhesion_on_shape),
     Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),
@@ -110,6 +113,7 @@ pub const RULES: [Rule; 29] = [
     Rule::entry(Adhesion, history::pull_without_adhesion),
     Rule::entry(Adhesion, history::oblique_under_adhesion),
     Rule::entry(Adhesion, history::impact_with_rate),
+    Rule::entry(Adhesion, history::impact_with_closing),
     Rule::entry(Friction, history::slide_without_friction),
     Rule::entry(Friction, history::shake_in_gross_sliding),
     Rule::entry(Springs, history::impact_on_springs),

@@ -55,6 +55,35 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
     }
 }
 
+/// Opening an edge takes at least what closing it has given.
+pub(super) fn closing_beyond_opening(draft: &Draft<'_>) -> Option<Problem> {
+    let Adhesion::Jkr(jkr) = draft.scene.adhesion.as_ref()? else { return None };
+    let (work, closing) = (jkr.work.si(), jkr.closing?.si());
+    (closing > work).then(|| {
+        Problem::new(
+            "adhesion.closing",
+            format!("a closing edge gives {closing:?} J/m², more than the work {work:?} J/m² that opens it again: expected at most {work:?}"),
+        )
+    })
+}
+
+/// An edge that closes with less work than it opens with depends on what has been.
+pub(super) fn friction_with_closing(draft: &Draft<'_>) -> Option<Problem> {
+    draft.friction_of_history()?;
+    draft.scene.adhesion.as_ref()?.traits().closing?;
+    refused(
+        "adhesion.closing",
+        "with friction cannot be computed, for peeling is known of an edge in equilibrium only: expected no closing, or no friction",
+    )
+}
+
+/// Springs of one width tell the force of a pinned edge to first order only.
+pub(super) fn springs_with_closing(draft: &Draft<'_>) -> Option<Problem> {
+    draft.scene.springs?;
+    draft.scene.adhesion.as_ref()?.traits().closing?;
+    refused("springs", "with closing cannot be computed: expected no springs, for the continuous bed holds the edge")
+}
+
 fn edge_that_holds_nothing(edge: &EdgeRule, relaxation: &Relaxation) -> Option<Problem> {
     match edge {
         EdgeRule::Relaxed | EdgeRule::Rate(_) if relaxation.equilibrium <= 0.0 => refused(

@@ -199,13 +199,11 @@ impl StruckHalfSpace {
     /// A spring touched at `touched` under the height g, let go at `place`.
     fn let_go(&self, place: &Kinematics<'_>, (touched, height): (f64, f64), loading: &[MotionPiece]) -> Free {
         let spectrum = &self.spectrum;
-        let mut free = Free::default();
-        let Some(piece) = at(loading, touched) else { return free };
+        let Some(piece) = at(loading, touched) else { return Free::default() };
         let before = piece.memory(spectrum, piece.part(touched));
         let terms = spectrum.terms().iter().enumerate();
         let kept = |term: &crate::contact::viscoelastic::Element| (-(place.time - touched) / term.time).exp();
         let loads: Vec<f64> = terms.map(|(k, term)| place.memory[k] - kept(term) * before[k]).collect();
-        spectrum.let_go((place.depth - height, &loads), 0.0, &mut free);
-        free
+        spectrum.let_go(place.depth - height, &loads)
     }
 }

@@ -9,7 +9,7 @@
 use super::StruckHalfSpace;
 use super::collocation::Fading;
 use super::piece::{MotionPiece, at};
-use crate::contact::viscoelastic::opening::last_hold;
+use crate::contact::viscoelastic::front::last_hold;
 use crate::numerics::root;
 use crate::shape::Rim;
 

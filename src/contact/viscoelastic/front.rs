@@ -1,0 +1,443 @@
+//! The edge of the contact on its way through a motion.
+//!
+//! Springs do not see each other: each joins or leaves when its own limit is reached, at an instant that is the root
+//! of one function of time. The edge moves on as long as these instants follow each other; where the next spring's
+//! lies in the past the edge jumps, and where the next spring never reaches its limit the edge stands still.
+
+use super::Spectrum;
+use super::attraction::Attraction;
+use super::spring::{Motion, Spring};
+use crate::numerics::{extremum, root};
+
+/// What the edge does next.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Phase {
+    /// It stands still for a time [s].
+    Still(f64),
+    /// It moves to a radius [m] in a time [s], each spring at the instant of its own limit.
+    Moves {
+        /// Where it comes to [m].
+        to: f64,
+        /// How long it takes [s].
+        duration: f64,
+    },
+    /// It moves as the rate law has it: radii [m], falling, and the times [s] at which it is there.
+    Creeps(Vec<(f64, f64)>),
+    /// It is somewhere else at once [m].
+    Jumps(f64),
+}
+
+/// Whether springs join or leave.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    /// They join: the edge moves outwards.
+    Closing,
+    /// They leave: the edge moves inwards.
+    Opening,
+}
+
+/// A spring as it is when the motion begins.
+pub(super) struct Seen {
+    pub spring: Spring,
+    /// Height g(x) of the indenter above it [m].
+    pub height: f64,
+    /// How far its load [N/m] or, if it is free, its displacement [m] may be off.
+    pub doubt: f64,
+}
+
+/// A spring that may join or leave, as it is when the motion begins.
+struct Candidate {
+    spring: Spring,
+    doubt: f64,
+    /// The motion as it sees it.
+    seen: Motion,
+    /// The lengths [m] of which its displacement is the difference.
+    lengths: f64,
+    /// Line load [N/m] it withstands, or the distance [m] over which it is drawn.
+    limit: f64,
+}
+
+/// A bed at the beginning of a motion.
+pub(super) struct Front<'b> {
+    pub spectrum: &'b Spectrum,
+    pub attraction: Option<&'b Attraction>,
+    /// The spring at the distance x from the axis, at the edge the one that may go that way.
+    pub see: &'b dyn Fn(Way, f64) -> Seen,
+    /// Contact radius [m].
+    pub edge: f64,
+    /// Largest radius there may be [m].
+    pub limit: f64,
+    /// Radii [m] at which springs of one past end, in ascending order.
+    pub borders: &'b [f64],
+    /// A radius [m] typical of the indenter.
+    pub scale: f64,
+    /// Length [m] over which it may rise and fall.
+    pub feature: f64,
+    /// What is left of the motion.
+    pub motion: Motion,
+    /// The shortest time the edge stands still [s].
+    pub least: f64,
+    /// Times [s] between which nothing changes much.
+    pub instants: Vec<f64>,
+}
+
+/// First step of the search for the edge, and the longest, relative to where it is.
+const FIRST_STEP: f64 = 1e-5;
+const LONGEST_STEP: f64 = 1.0 / 24.0;
+/// Part of a radius that does not count: nearer to the edge no spring is looked at.
+const BESIDE: f64 = 8.0 * f64::EPSILON;
+/// Part of a radius within which another past is passed over.
+const NEAREST: f64 = 1e-3;
+/// Rounding of a limit, relative to what it is made of.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+/// Times between which no spring's load changes much: halved from the end of a motion to well below the shortest
+/// time in which a spring changes by itself.
+pub(super) fn instants(spectrum: &Spectrum, duration: f64) -> Vec<f64> {
+    let shortest = spectrum.modes().first().map_or(f64::INFINITY, |mode| mode.time).min(spectrum.shortest_time());
+    let least = (0.125 * shortest).clamp(1e-18 * duration, 0.25 * duration);
+    let mut times = vec![duration, 0.75 * duration];
+    while times.last().is_some_and(|&t| t > least) {
+        let half = 0.5 * times[times.len() - 2];
+        times.push(half);
+        times.push(0.75 * half);
+    }
+    times.pop();
+    times.push(0.0);
+    times.reverse();
+    times
+}
+
+impl Candidate {
+    /// How far beyond its limit the spring is after the time `t`: positive once it has joined or left.
+    fn urge(&self, spectrum: &Spectrum, t: f64) -> f64 {
+        match &self.spring {
+            Spring::Pressed(s) => -spectrum.load_after(self.seen.start, s, self.seen.speed, t) - self.limit,
+            Spring::Free(free) => self.seen.depth(t) - spectrum.recovered(free, t) + self.limit,
+        }
+    }
+
+    /// How fast that grows.
+    fn urge_rate(&self, spectrum: &Spectrum, t: f64) -> f64 {
+        match &self.spring {
+            Spring::Pressed(s) => -spectrum.load_rate(s, self.seen.speed, t),
+            Spring::Free(free) => self.seen.speed - spectrum.recovery_speed(free, t),
+        }
+    }
+
+    /// What rounding leaves of it.
+    fn rounding(&self, spectrum: &Spectrum) -> f64 {
+        let parts = match &self.spring {
+            Spring::Pressed(s) => {
+                let steady = spectrum.equilibrium() * self.lengths + (spectrum.viscosity() * self.seen.speed).abs();
+                steady + s.iter().map(|s| s.abs()).sum::<f64>()
+            }
+            Spring::Free(free) => self.lengths + free.rest.abs() + free.modes.iter().map(|z| z.abs()).sum::<f64>(),
+        };
+        ROUNDING * (parts + self.limit) + self.doubt
+    }
+}
+
+impl Front<'_> {
+    /// What the edge does first in the motion, and which way.
+    ///
+    /// Where rounding hides whether an edge at its limit moves, it waits for a little more.
+    pub(super) fn phase(&self) -> (Phase, Way) {
+        for way in [Way::Opening, Way::Closing] {
+            if self.wants(way) {
+                let phase = self.moves(way);
+                if self.gets_on(&phase) {
+                    return (phase, way);
+                }
+            }
+        }
+        (Phase::Still(self.patience().max(self.least)), Way::Opening)
+    }
+
+    /// The largest radius ever touched [m].
+    pub(super) fn reached(&self) -> f64 {
+        self.borders.last().copied().unwrap_or(0.0)
+    }
+
+    /// Whether a phase leads anywhere.
+    fn gets_on(&self, phase: &Phase) -> bool {
+        let away = |x: f64| (x - self.edge).abs() > 2.0 * BESIDE * self.edge;
+        match phase {
+            Phase::Still(duration) => *duration > 0.0,
+            Phase::Moves { to, .. } | Phase::Jumps(to) => away(*to),
+            Phase::Creeps(path) => path.len() > 1,
+        }
+    }
+
+    /// When the spring at `x`, of those that move, joins or leaves [s]; at the end `last` at the latest.
+    pub(super) fn instant(&self, way: Way, x: f64, last: f64) -> f64 {
+        self.first(&self.candidate(way, x)).unwrap_or(last).min(last)
+    }
+
+    fn candidate(&self, way: Way, x: f64) -> Candidate {
+        let Seen { spring, height, doubt } = (self.see)(way, x);
+        let seen = Motion { start: self.motion.start - height, ..self.motion };
+        let limit = self.attraction.map_or(0.0, |attraction| match spring {
+            Spring::Pressed(_) => attraction.strength(x, 0.0),
+            Spring::Free(_) => attraction.reach(x),
+        });
+        Candidate { spring, doubt, seen, lengths: self.motion.start.abs() + height, limit }
+    }
+
+    /// A place just beyond the edge, on the side of the springs that would move: what is nearer does not count.
+    fn beside(&self, way: Way) -> f64 {
+        match way {
+            Way::Opening => self.edge * (1.0 - BESIDE),
+            Way::Closing => self.edge * (1.0 + BESIDE),
+        }
+    }
+
+    /// Whether the edge moves that way as the motion begins.
+    fn wants(&self, way: Way) -> bool {
+        let there = match way {
+            Way::Opening => self.edge > 0.0,
+            Way::Closing => self.edge < self.limit,
+        };
+        if !there {
+            return false;
+        }
+        let next = self.candidate(way, self.beside(way));
+        let (urge, rounding) = (next.urge(self.spectrum, 0.0), next.rounding(self.spectrum));
+        if urge.abs() > rounding {
+            return urge > 0.0;
+        }
+        let rate = next.urge_rate(self.spectrum, 0.0);
+        // At a limit only just reached: whether it is passed is seen a little later.
+        rate > 0.0 && next.urge(self.spectrum, self.instants[1]) > -rounding
+            || next.urge(self.spectrum, self.instants[1]) > rounding
+    }
+
+    /// How long the edge stands still [s].
+    fn patience(&self) -> f64 {
+        let mut wait = self.motion.duration;
+        let ways = [(Way::Opening, self.edge > 0.0), (Way::Closing, self.edge < self.limit)];
+        for (way, _) in ways.into_iter().filter(|(_, there)| *there) {
+            let next = self.candidate(way, self.beside(way));
+            let rounding = next.rounding(self.spectrum);
+            let level = rounding.max(next.urge(self.spectrum, 0.0) + rounding) + f64::MIN_POSITIVE;
+            if let Some(at) = self.crossing(&next, level) {
+                wait = wait.min(at);
+            }
+        }
+        wait
+    }
+
+    /// The first time at which a spring is beyond its limit [s].
+    fn first(&self, candidate: &Candidate) -> Option<f64> {
+        if candidate.urge(self.spectrum, 0.0) >= 0.0 {
+            return Some(0.0);
+        }
+        self.crossing(candidate, 0.0)
+    }
+
+    /// The first time at which the urge of a spring rises through `level` [s].
+    fn crossing(&self, candidate: &Candidate, level: f64) -> Option<f64> {
+        let urge = |t: f64| candidate.urge(self.spectrum, t) - level;
+        let rate = |t: f64| candidate.urge_rate(self.spectrum, t);
+        let (mut before, mut rising) = (0.0, rate(0.0) > 0.0);
+        for &t in &self.instants[1..] {
+            if urge(t) >= 0.0 {
+                return Some(root::within(urge, before, t));
+            }
+            let rises = rate(t) > 0.0;
+            if rising && !rises {
+                // A top between the two: the limit may be reached there and only there.
+                let top = root::brent(rate, before, t).unwrap_or(t);
+                if urge(top) >= 0.0 {
+                    return Some(root::within(urge, before, top));
+                }
+            }
+            (before, rising) = (t, rises);
+        }
+        None
+    }
+
+    /// The greatest urge of a spring, and when [s].
+    fn top(&self, candidate: &Candidate) -> extremum::Peak {
+        let urge = |t: f64| candidate.urge(self.spectrum, t);
+        let rate = |t: f64| candidate.urge_rate(self.spectrum, t);
+        let at = |t: f64| extremum::Peak { place: t, value: urge(t) };
+        let (mut best, mut before) = (at(0.0), (0.0, rate(0.0)));
+        for &t in &self.instants[1..] {
+            let now = (t, rate(t));
+            if before.1 > 0.0 && now.1 <= 0.0 {
+                best = best.max(at(root::brent(rate, before.0, t).unwrap_or(t)));
+            }
+            best = best.max(at(t));
+            before = now;
+        }
+        best
+    }
+
+    /// The next place of a search that way, `step` further [m]; `None` where there is none.
+    ///
+    /// Never beyond springs of another past, unless they are too near to count.
+    fn further(&self, way: Way, x: f64, step: f64) -> Option<f64> {
+        let near = NEAREST * x;
+        match way {
+            Way::Opening => {
+                let border = self.borders.iter().rev().find(|&&border| border < x - near);
+                (x > 0.0).then(|| (x - step).max(border.copied().unwrap_or(0.0)))
+            }
+            Way::Closing => {
+                let border = self.borders.iter().find(|&&border| border > x + near);
+                (x < self.limit).then(|| (x + step).min(border.copied().unwrap_or(self.limit)))
+            }
+        }
+    }
+
+    /// Steps of a search: from fine to coarse.
+    fn longer(&self, step: f64, x: f64) -> f64 {
+        let longest = if self.edge > 0.0 { LONGEST_STEP * self.edge.max(x) } else { 0.5 * x };
+        (1.7 * step).min(longest.max(FIRST_STEP * self.start_length())).min(0.25 * self.feature)
+    }
+
+    /// A length [m] with which a search from the axis begins.
+    fn start_length(&self) -> f64 {
+        if self.edge > 0.0 { self.edge } else { 1e-3 * self.scale }
+    }
+
+    /// How an edge that wants to move does.
+    fn moves(&self, way: Way) -> Phase {
+        let from = self.beside(way);
+        if way == Way::Opening && self.attraction.is_some_and(Attraction::has_rate) {
+            return Phase::Creeps(self.path());
+        }
+        if self.is_beyond(way, from) {
+            return Phase::Jumps(self.landing(way, from));
+        }
+        let mut step = FIRST_STEP * self.start_length();
+        let (mut x, mut before, mut now) = (from, from, 0.0);
+        while let Some(next) = self.further(way, x, step) {
+            let Some(at) = self.first(&self.candidate(way, next)) else { return self.ends(way, x, next) };
+            if now <= 0.0 && self.is_beyond(way, next) {
+                return Phase::Jumps(self.landing(way, next));
+            }
+            if at < now {
+                return self.folds(way, before, next);
+            }
+            (before, x, now) = (x, next, at);
+            step = self.longer(step, x);
+        }
+        Phase::Moves { to: x, duration: now }
+    }
+
+    /// Whether the spring at `x` is beyond its limit as the motion begins, by more than rounding.
+    fn is_beyond(&self, way: Way, x: f64) -> bool {
+        let candidate = self.candidate(way, x);
+        candidate.urge(self.spectrum, 0.0) > 4.0 * candidate.rounding(self.spectrum)
+    }
+
+    /// Where an edge that jumps comes to rest, from `x` on.
+    fn landing(&self, way: Way, mut x: f64) -> f64 {
+        let urge = |x: f64| self.candidate(way, x).urge(self.spectrum, 0.0);
+        if way == Way::Opening {
+            return last_hold(&|x| -urge(x), x).unwrap_or(0.0);
+        }
+        let mut step = FIRST_STEP * self.start_length();
+        while let Some(next) = self.further(way, x, step) {
+            if urge(next) <= 0.0 {
+                return root::within(|x| -urge(x), x, next);
+            }
+            x = next;
+            step = self.longer(step, x);
+        }
+        x
+    }
+
+    /// The edge comes to an end between two places: the first has its instant, the other has not.
+    fn ends(&self, way: Way, inside: f64, outside: f64) -> Phase {
+        let top = |x: f64| self.top(&self.candidate(way, x));
+        let missing = |x: f64| -top(x).value;
+        let to = match root::brent(missing, inside.min(outside), inside.max(outside)) {
+            Ok(to) if missing(inside) < 0.0 => to,
+            _ => inside,
+        };
+        Phase::Moves { to, duration: top(to).place }
+    }
+
+    /// The edge gets ahead of itself between two places: it moves to where the instants are latest.
+    fn folds(&self, way: Way, before: f64, next: f64) -> Phase {
+        let at = |x: f64| self.first(&self.candidate(way, x)).unwrap_or(self.motion.duration);
+        let latest = extremum::greatest(at, before.min(next), before.max(next));
+        Phase::Moves { to: latest.place, duration: latest.value }
+    }
+
+    /// The way of an edge that opens by the rate law, until it stands still: radii and times.
+    ///
+    /// Implicit steps, halves and whole extrapolated, as short as their difference asks for.
+    fn path(&self) -> Vec<(f64, f64)> {
+        let duration = self.motion.duration;
+        let (shortest, accuracy) = (1e-12 * duration, self.attraction.map_or(0.0, Attraction::accuracy));
+        let (mut now, mut a, mut step) = (0.0, self.edge, duration / 16.0);
+        let mut path = vec![(a, 0.0)];
+        while now < duration && a > 0.0 {
+            let until = if duration - now <= 1.01 * step { duration } else { now + step };
+            let half = 0.5 * (now + until);
+            let (whole, middle) = (self.opened(a, now, until), self.opened(a, now, half));
+            let halves = self.opened(middle, half, until);
+            let error = (whole - halves).abs() / self.edge;
+            if error > accuracy && until - now > shortest {
+                step = (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
+                continue;
+            }
+            let next = if halves > 0.0 { (2.0 * halves - whole).clamp(0.0, middle) } else { 0.0 };
+            if next >= a {
+                break;
+            }
+            if middle < a && next < middle {
+                path.push((middle, half));
+            }
+            path.push((next, until));
+            step = (until - now) * (0.9 * (accuracy / error.max(1e-3 * accuracy)).sqrt()).clamp(0.5, 2.0);
+            (now, a) = (until, next);
+        }
+        path
+    }
+
+    /// The largest radius not above `a` that holds at the time `until` (implicit in the speed of the edge).
+    fn opened(&self, a: f64, now: f64, until: f64) -> f64 {
+        let margin = |x: f64| {
+            let candidate = self.candidate(Way::Opening, x);
+            let strength = self.attraction.map_or(0.0, |law| law.strength(x, (a - x) / (until - now)));
+            strength - candidate.limit - candidate.urge(self.spectrum, until)
+        };
+        if a > 0.0 { last_hold(&margin, a).unwrap_or(0.0) } else { 0.0 }
+    }
+}
+
+/// First step inwards of the search for an edge that holds, and the longest, relative to where it begins.
+const FIRST_REACH: f64 = 1e-5;
+const LONGEST_REACH: f64 = 1.0 / 64.0;
+
+/// The largest place not above `from` at which the margin of an edge is not negative; `None` if there is none.
+///
+/// A place is a radius, or the time at which the spring there was touched.
+pub(crate) fn last_hold(margin: &dyn Fn(f64) -> f64, from: f64) -> Option<f64> {
+    let here = margin(from);
+    if here >= 0.0 {
+        return Some(from);
+    }
+    let (mut outer, mut reach) = (from, FIRST_REACH * from);
+    let (mut best, mut around) = (here, (from, from));
+    while outer > 0.0 {
+        let inner = (outer - reach).max(0.0);
+        let found = margin(inner);
+        if found >= 0.0 && inner > 0.0 {
+            return Some(root::brent(margin, inner, outer).unwrap_or(inner));
+        }
+        if found > best {
+            (best, around) = (found, (inner, outer));
+        }
+        (outer, reach) = (inner, (1.5 * reach).min(LONGEST_REACH * from));
+    }
+    // Just before the edge gives way, the stretch that holds is narrower than any step.
+    let low = around.0 - (around.1 - around.0).max(FIRST_REACH * from);
+    let holds = extremum::reaches_zero(margin, low, around.1)?;
+    Some(root::brent(margin, holds, around.1).unwrap_or(holds))
+}

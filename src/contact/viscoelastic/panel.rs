@@ -1,0 +1,324 @@
+//! A stretch of the continuous bed whose springs are known at a few places and smooth between them.
+//!
+//! The springs of a panel joined and left the indenter in the same motions. What each carried when the last of
+//! these had ended is kept at the nodes of Gauss and Legendre; since then all of them have moved alike, which is
+//! two numbers per Maxwell element, whatever the number of motions. Between the nodes the polynomial through them
+//! tells, and a sum over the panel is the sum over its nodes.
+
+use super::Spectrum;
+use super::ledger::impulse;
+use super::spring::{Free, Motion, Spring};
+use super::totals::Totals;
+use crate::numerics::exponential::decay;
+use crate::numerics::quadrature;
+use std::sync::{Arc, LazyLock};
+
+/// Nodes of a panel: polynomials of degree fifteen.
+const NODES: usize = 16;
+/// What rounding leaves of the last coefficients of a polynomial, relative to the greatest value.
+const ROUNDING: f64 = 2e-14;
+/// Halvings of a stretch: beyond them nothing is left that counts.
+const MOST_HALVINGS: u32 = 46;
+
+/// Nodes on [−1, 1], their weights, those of the barycentric formula, and the last two Legendre coefficients.
+struct Rule {
+    nodes: [f64; NODES],
+    weights: [f64; NODES],
+    barycentric: [f64; NODES],
+    last: [[f64; NODES]; 2],
+}
+
+static RULE: LazyLock<Rule> = LazyLock::new(|| {
+    let pairs: [(f64, f64); NODES] = std::array::from_fn(|k| quadrature::node_and_weight(NODES, k));
+    let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+    Rule {
+        nodes: pairs.map(|(x, _)| x),
+        weights: pairs.map(|(_, w)| w),
+        // Wang & Xiang 2012: (−1)ᵏ √((1 − xₖ²) wₖ).
+        barycentric: std::array::from_fn(|k| {
+            let (x, w) = pairs[k];
+            sign(k) * ((1.0 - x * x) * w).sqrt()
+        }),
+        last: [NODES - 2, NODES - 1].map(|degree| pairs.map(|(x, w)| (to_f64(degree) + 0.5) * w * legendre(degree, x))),
+    }
+});
+
+#[expect(clippy::cast_precision_loss, reason = "a degree below the number of nodes")]
+fn to_f64(degree: usize) -> f64 {
+    degree as f64
+}
+
+fn legendre(degree: usize, x: f64) -> f64 {
+    let next = |(before, p): (f64, f64), k: usize| {
+        let n = to_f64(k);
+        (p, ((2.0 * n + 1.0) * x * p - n * before) / (n + 1.0))
+    };
+    (1..degree).fold((1.0, x), next).1
+}
+
+/// A spring at the end of a motion, and ∫ q dt [N s/m] over it.
+pub(super) struct Lived {
+    pub spring: Spring,
+    pub impulse: f64,
+}
+
+/// Springs between two distances from the axis [m].
+#[derive(Debug, Clone)]
+pub(super) struct Panel {
+    pub inner: f64,
+    pub outer: f64,
+    pub held: bool,
+    /// Node by node: element loads [N/m] of springs held; modes and rest [m] of free ones.
+    states: Arc<[f64]>,
+    /// Time since then [s].
+    age: f64,
+    /// Element loads [N/m] from the motion since then, alike for all springs held.
+    memory: Vec<f64>,
+    /// What is left of the states since then.
+    kept: Vec<f64>,
+    /// Sums over the panel, of both halves of the bed.
+    totals: Totals,
+    /// What the polynomial misses of a state [N/m] or [m].
+    missed: f64,
+    /// The greatest of the states [N/m] or [m].
+    greatest: f64,
+}
+
+/// The states of springs as numbers in a row.
+fn numbers(spring: Spring) -> Vec<f64> {
+    match spring {
+        Spring::Pressed(loads) => loads,
+        Spring::Free(mut free) => {
+            free.modes.push(free.rest);
+            free.modes
+        }
+    }
+}
+
+/// Places of the nodes and what is integrated at each: 2 dx.
+fn nodes(inner: f64, outer: f64) -> impl Iterator<Item = (f64, f64)> {
+    let half = 0.5 * (outer - inner);
+    RULE.nodes.iter().zip(&RULE.weights).map(move |(node, w)| (inner + half * (1.0 + node), 2.0 * half * w))
+}
+
+/// Springs that may become a panel, at its nodes.
+struct Draft {
+    inner: f64,
+    outer: f64,
+    springs: Vec<Lived>,
+    /// Greatest number of a state.
+    greatest: f64,
+    /// The last coefficients of the polynomials, and what they miss at the ends.
+    tail: f64,
+}
+
+impl Draft {
+    fn new(inner: f64, outer: f64, lived: &dyn Fn(f64) -> Lived) -> Self {
+        let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| lived(x)).collect();
+        let states: Vec<Vec<f64>> = springs.iter().map(|lived| numbers(lived.spring.clone())).collect();
+        let greatest = states.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let dim = states.first().map_or(0, Vec::len);
+        let mut tail = 0f64;
+        for j in 0..dim {
+            for row in &RULE.last {
+                let coefficient: f64 = row.iter().zip(&states).map(|(r, state)| r * state[j]).sum();
+                tail = tail.max(coefficient.abs());
+            }
+        }
+        let flat: Vec<f64> = states.into_iter().flatten().collect();
+        for (end, at) in [(inner, -1.0), (outer, 1.0)] {
+            let there = numbers(lived(end).spring);
+            for (seen, value) in interpolated(&flat, at).iter().zip(&there) {
+                // The polynomial grows towards its ends: it is no better there than a hundredth of this.
+                tail = tail.max(0.01 * (seen - value).abs());
+            }
+        }
+        Self { inner, outer, springs, greatest, tail }
+    }
+
+    fn is_smooth(&self, greatest: f64, tolerance: f64) -> bool {
+        let part = (self.outer - self.inner) / self.outer;
+        self.tail <= ROUNDING * greatest || self.tail * part <= tolerance * greatest
+    }
+
+    fn finished(self, spectrum: &Spectrum, speed: f64) -> (Panel, f64) {
+        let (mut totals, mut work) = (Totals::new(spectrum), 0.0);
+        for (lived, (_, w)) in self.springs.iter().zip(nodes(self.inner, self.outer)) {
+            totals.add(&lived.spring, w);
+            work += w * speed * lived.impulse;
+        }
+        let held = self.springs.iter().all(|lived| matches!(lived.spring, Spring::Pressed(_)));
+        let states: Arc<[f64]> = self.springs.into_iter().flat_map(|lived| numbers(lived.spring)).collect();
+        let dim = states.len() / NODES;
+        let panel = Panel {
+            inner: self.inner,
+            outer: self.outer,
+            held,
+            age: 0.0,
+            memory: vec![0.0; dim],
+            kept: vec![1.0; dim],
+            totals,
+            missed: self.tail,
+            greatest: self.greatest,
+            states,
+        };
+        (panel, work)
+    }
+}
+
+/// The states between the nodes, at −1 ≤ y ≤ 1.
+fn interpolated(states: &[f64], y: f64) -> Vec<f64> {
+    let dim = states.len() / NODES;
+    let (mut sum, mut below) = (vec![0.0; dim], 0.0);
+    for (k, node) in RULE.nodes.iter().enumerate() {
+        let row = &states[k * dim..(k + 1) * dim];
+        let away = y - node;
+        if away.abs() <= 0.0 {
+            return row.to_vec();
+        }
+        let weight = RULE.barycentric[k] / away;
+        below += weight;
+        sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
+    }
+    sum.iter_mut().for_each(|sum| *sum /= below);
+    sum
+}
+
+/// How well polynomials tell the springs of panels.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Grain {
+    /// Loads [N/m] or displacements [m] far below do not count.
+    pub scale: f64,
+    /// What a polynomial may miss, relative to the greatest state and to the part of the radius it covers.
+    pub tolerance: f64,
+}
+
+/// Panels of springs between `borders`, which `lived` tells at the end of a motion at the speed v, and the work
+/// v ∫ F dt [J] done on them. They are halved until smooth.
+pub(super) fn panels(
+    spectrum: &Spectrum,
+    borders: &[f64],
+    speed: f64,
+    grain: Grain,
+    lived: &dyn Fn(f64) -> Lived,
+) -> (Vec<Panel>, f64) {
+    let drafts: Vec<Draft> = borders.windows(2).map(|pair| Draft::new(pair[0], pair[1], lived)).collect();
+    let greatest = drafts.iter().fold(grain.scale, |most: f64, draft| most.max(draft.greatest));
+    let mut open: Vec<(Draft, u32)> = drafts.into_iter().rev().map(|draft| (draft, 0)).collect();
+    let (mut done, mut work) = (Vec::new(), 0.0);
+    while let Some((draft, halvings)) = open.pop() {
+        let middle = 0.5 * (draft.inner + draft.outer);
+        if draft.is_smooth(greatest, grain.tolerance)
+            || halvings >= MOST_HALVINGS
+            || middle <= draft.inner
+            || middle >= draft.outer
+        {
+            let (panel, done_on_it) = Draft { greatest, ..draft }.finished(spectrum, speed);
+            work += done_on_it;
+            done.push(panel);
+        } else {
+            open.push((Draft::new(middle, draft.outer, lived), halvings + 1));
+            open.push((Draft::new(draft.inner, middle, lived), halvings + 1));
+        }
+    }
+    (done, work)
+}
+
+impl Panel {
+    /// The spring at the distance `x` from the axis, now.
+    pub(super) fn spring(&self, x: f64) -> Spring {
+        let y = (2.0 * x - self.inner - self.outer) / (self.outer - self.inner);
+        let mut values = interpolated(&self.states, y.clamp(-1.0, 1.0));
+        let since = self.kept.iter().zip(&self.memory);
+        values.iter_mut().zip(since).for_each(|(value, (kept, memory))| *value = *value * kept + memory);
+        if self.held {
+            return Spring::Pressed(values);
+        }
+        let rest = values.pop().unwrap_or(0.0);
+        Spring::Free(Free { rest, modes: values })
+    }
+
+    /// The part of the panel from `inner` to `outer`.
+    fn part(&self, spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
+        let here = |x: f64| Lived { spring: self.spring(x), impulse: 0.0 };
+        let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| here(x)).collect();
+        Draft { inner, outer, springs, greatest: self.greatest, tail: self.missed }.finished(spectrum, 0.0).0
+    }
+
+    /// The panel in two, cut at `x`.
+    pub(super) fn cut(&self, spectrum: &Spectrum, x: f64) -> [Self; 2] {
+        [self.part(spectrum, self.inner, x), self.part(spectrum, x, self.outer)]
+    }
+
+    /// One panel for two, if one polynomial tells both.
+    pub(super) fn joined_with(&self, next: &Self, spectrum: &Spectrum, tolerance: f64) -> Option<Self> {
+        if self.held != next.held {
+            return None;
+        }
+        let lived = |x: f64| Lived { spring: if x < next.inner { self } else { next }.spring(x), impulse: 0.0 };
+        let draft = Draft::new(self.inner, next.outer, &lived);
+        let greatest = draft.greatest.max(self.greatest * self.left()).max(next.greatest * next.left());
+        let seam = |x: f64| {
+            let y = (2.0 * x - self.inner - next.outer) / (next.outer - self.inner);
+            let flat: Vec<f64> = draft.springs.iter().flat_map(|lived| numbers(lived.spring.clone())).collect();
+            let one = interpolated(&flat, y);
+            let both = numbers(lived(x).spring);
+            one.iter().zip(&both).all(|(one, both)| (one - both).abs() <= (4.0 * ROUNDING).max(tolerance) * greatest)
+        };
+        let ends =
+            [self.inner, 0.5 * (self.inner + self.outer), next.inner, 0.5 * (next.inner + next.outer), next.outer];
+        let draft_missed = self.missed.max(next.missed).max(draft.tail);
+        let smooth = draft.tail <= (2.0 * ROUNDING).max(tolerance) * greatest && ends.into_iter().all(seam);
+        smooth.then(|| Self { missed: draft_missed, greatest, ..draft.finished(spectrum, 0.0).0 })
+    }
+
+    /// A motion in which nothing happens to the springs; the work of their Maxwell elements [J].
+    pub(super) fn pass(&mut self, spectrum: &Spectrum, motion: &Motion) -> f64 {
+        let weight = if self.held { 2.0 * (self.outer - self.inner) } else { 0.0 };
+        let done = |(term, s): (&super::Element, &f64)| {
+            motion.speed * impulse(term, *s, motion.speed * weight, motion.duration)
+        };
+        let work = spectrum.terms().iter().zip(&self.totals.loads).map(done).sum();
+        self.totals.evolve(spectrum, (weight, motion.speed), motion.duration);
+        self.age += motion.duration;
+        if self.held {
+            spectrum.press(&mut self.memory, motion.speed, motion.duration);
+            let kept = spectrum.terms().iter().map(|term| decay(self.age / term.time).0);
+            self.kept.iter_mut().zip(kept).for_each(|(k, kept)| *k = kept);
+        } else {
+            let kept = spectrum.modes().iter().map(|mode| decay(self.age / mode.time).0);
+            self.kept.iter_mut().zip(kept).for_each(|(k, kept)| *k = kept);
+        }
+        work
+    }
+
+    /// ∫ Σ sᵢ 2 dx [N] over springs held.
+    pub(super) fn load(&self) -> f64 {
+        self.totals.loads.iter().sum()
+    }
+
+    /// What is left of what there was when the panel was made.
+    fn left(&self) -> f64 {
+        self.kept.iter().fold(0.0, |most: f64, kept| most.max(*kept))
+    }
+
+    /// What the polynomials miss of that [N].
+    pub(super) fn missed(&self) -> f64 {
+        2.0 * (self.outer - self.inner) * self.missed * self.left()
+    }
+
+    /// How far the load [N/m] or displacement [m] of a spring may be off.
+    pub(super) fn doubt(&self) -> f64 {
+        4.0 * (self.missed + ROUNDING * self.greatest) * self.left()
+    }
+
+    /// Energy in the Maxwell elements, or in the free springs [J].
+    pub(super) fn stored(&self, spectrum: &Spectrum) -> f64 {
+        self.totals.stored(spectrum)
+    }
+
+    /// Bytes of state.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<f64>() * (self.states.len() + 5 * self.kept.len() + 8)
+    }
+}
