@@ -1,17 +1,46 @@
 //! From JSON to a scene and back.
 
 use super::TextError;
+use super::mend::{self, Mending, Wrong};
 use super::walk;
 use crate::scene::Scene;
-use serde_json::Error;
+use serde::de::DeserializeSeed;
 use serde_json::error::Category;
+use serde_json::{Deserializer, Error};
+use std::marker::PhantomData;
 
 /// The scene in `text`; single values are checked, whether they fit together is not.
 ///
 /// # Errors
-/// The first fault of the text.
-pub fn scene(text: &str) -> Result<Scene, TextError> {
-    serde_json::from_str(text).map_err(|error| placed(text, &error))
+/// All faults of the text, up to and with the first of its notation.
+pub fn scene(text: &str) -> Result<Scene, Vec<TextError>> {
+    serde_json::from_str(text).or_else(|_| {
+        mend::read_all(text.len(), |mending| watched(text, mending), wrong)
+            .map_err(|errors| errors.iter().map(|error| placed(text, error)).collect())
+    })
+}
+
+fn watched(text: &str, mending: &Mending) -> Result<Scene, Error> {
+    let mut parser = Deserializer::from_str(text);
+    let scene = mending.watch(PhantomData).deserialize(&mut parser)?;
+    parser.end()?;
+    Ok(scene)
+}
+
+/// What an error is about; the parser says it in words.
+fn wrong(error: &Error) -> Wrong {
+    if error.classify() != Category::Data {
+        return Wrong::Notation;
+    }
+    let message = error.to_string();
+    let mut quoted = message.split('`');
+    let (what, name) = (quoted.next().unwrap_or(""), quoted.next().unwrap_or("").to_owned());
+    match what {
+        "missing field " => Wrong::MissingField(name),
+        "unknown field " => Wrong::UnknownField(name),
+        "duplicate field " => Wrong::RepeatedField(name),
+        _ => Wrong::Value,
+    }
 }
 
 /// The error at the value it speaks of; a lacking field at the bracket that should hold it.

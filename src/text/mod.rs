@@ -16,9 +16,11 @@
 //! ```
 
 mod json;
+mod mend;
 mod names;
 mod position;
 mod ron;
+mod standin;
 mod walk;
 
 pub use names::{advice, nearest};
@@ -60,16 +62,25 @@ pub enum Notation {
 }
 
 impl Notation {
+    /// The scene in `text`; single values are checked, whether they fit together [`resolve`](Scene::resolve) says.
+    ///
+    /// # Errors
+    /// Every wrong value, unknown name and missing field up to the first fault of the notation itself, in the order
+    /// of the text.
+    pub fn scene(self, text: &str) -> Result<Scene, Vec<TextError>> {
+        let scene = match self {
+            Self::Ron => ron::scene(text),
+            Self::Json => json::scene(text),
+        };
+        scene.map_err(sorted)
+    }
+
     /// The scene in `text`, made ready with the `tables` it names.
     ///
     /// # Errors
-    /// The first fault of the notation, or else all that is wrong with the scene, in the order of the text.
+    /// All that is wrong with the text, or else with the scene, in the order of the text.
     pub fn plan(self, text: &str, tables: &dyn Tables) -> Result<Plan, Vec<TextError>> {
-        let scene = match self {
-            Self::Ron => Scene::from_ron(text),
-            Self::Json => Scene::from_json(text),
-        };
-        scene.map_err(|error| vec![error])?.resolve(tables).map_err(|problems| placed(text, &problems))
+        self.scene(text)?.resolve(tables).map_err(|problems| placed(text, &problems))
     }
 }
 
@@ -88,17 +99,17 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// The first fault of the text.
+    /// The first fault of the text; [`Notation::scene`] has all of them.
     pub fn from_ron(text: &str) -> Result<Self, TextError> {
-        ron::scene(text)
+        Notation::Ron.scene(text).map_err(first)
     }
 
     /// The scene in a JSON text, such as the `resolved` scene of a summary.
     ///
     /// # Errors
-    /// The first fault of the text.
+    /// The first fault of the text; [`Notation::scene`] has all of them.
     pub fn from_json(text: &str) -> Result<Self, TextError> {
-        json::scene(text)
+        Notation::Json.scene(text).map_err(first)
     }
 
     /// The scene as JSON, all quantities in SI units.
@@ -114,8 +125,16 @@ impl Scene {
 fn placed(text: &str, problems: &[Problem]) -> Vec<TextError> {
     let paths: Vec<&str> = problems.iter().map(|problem| problem.path.as_str()).collect();
     let places = walk::locate(text, &paths).into_iter().zip(problems);
-    let mut errors: Vec<TextError> =
-        places.map(|(offset, problem)| TextError::at(text, offset, problem.to_string())).collect();
+    sorted(places.map(|(offset, problem)| TextError::at(text, offset, problem.to_string())).collect())
+}
+
+/// Errors in the order of the text.
+fn sorted(mut errors: Vec<TextError>) -> Vec<TextError> {
     errors.sort_by(|a, b| (a.position, &a.message).cmp(&(b.position, &b.message)));
     errors
+}
+
+/// The first of errors in the order of the text; there is one.
+fn first(errors: Vec<TextError>) -> TextError {
+    errors.into_iter().next().unwrap_or_else(|| TextError::at("", 0, "cannot be read: expected a scene"))
 }

@@ -1,12 +1,14 @@
 //! From RON to a scene, and from a parser's error to a message a person can act on.
 
 use super::TextError;
+use super::mend::{self, Mending, Wrong};
 use super::names::advice;
 use super::position::Position;
 use super::walk::{self, Surroundings};
 use crate::scene::Scene;
 use ron::error::{Error, SpannedError};
 use ron::extensions::Extensions;
+use std::marker::PhantomData;
 
 /// Deepest nesting of brackets; a scene needs eight.
 const DEEPEST: usize = 64;
@@ -14,15 +16,34 @@ const DEEPEST: usize = 64;
 /// The scene in `text`; single values are checked, whether they fit together is not.
 ///
 /// # Errors
-/// The first fault of the text.
-pub fn scene(text: &str) -> Result<Scene, TextError> {
+/// All faults of the text, up to and with the first of its notation.
+pub fn scene(text: &str) -> Result<Scene, Vec<TextError>> {
     let options = ron::Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_VARIANT_NEWTYPES)
         .with_recursion_limit(DEEPEST);
-    options.from_str(text).map_err(|error| {
-        let (offset, message) = Stop::new(text, &error).explained(&error.code);
-        TextError::at(text, offset, message)
+    options.from_str(text).or_else(|_| {
+        let read = |mending: &Mending| options.from_str_seed(text, mending.watch(PhantomData));
+        mend::read_all(text.len(), read, |error| wrong(&error.code))
+            .map_err(|errors| errors.iter().map(|error| explained(text, error)).collect())
     })
+}
+
+fn explained(text: &str, error: &SpannedError) -> TextError {
+    let (offset, message) = Stop::new(text, error).explained(&error.code);
+    TextError::at(text, offset, message)
+}
+
+/// What an error is about.
+fn wrong(code: &Error) -> Wrong {
+    match code {
+        Error::Message(_) | Error::InvalidValueForType { .. } | Error::NoSuchEnumVariant { .. } => Wrong::Value,
+        // A field of the scene in a part of it: a bracket is missing.
+        Error::NoSuchStructField { found, outer, .. } if names_another(found, outer.as_deref()) => Wrong::Notation,
+        Error::NoSuchStructField { found, .. } => Wrong::UnknownField(found.clone()),
+        Error::DuplicateStructField { field, .. } => Wrong::RepeatedField((*field).to_owned()),
+        Error::MissingStructField { field, .. } => Wrong::MissingField((*field).to_owned()),
+        _ => Wrong::Notation,
+    }
 }
 
 /// The text around the place at which the parser stopped.
@@ -124,12 +145,9 @@ impl<'t> Stop<'t> {
                 format!("unknown {} `{found}`: {}", kind_in_words(kind.as_deref()), advice(found, expected))
             }
             Error::NoSuchStructField { expected, found, outer: holder } => {
+                let missing = names_another(found, holder.as_deref());
+                let bracket = if missing { ", or is a closing bracket missing before it?" } else { "" };
                 let holder = outer(holder);
-                let bracket = if holder != "Scene" && FIELDS.contains(&found.as_str()) {
-                    ", or is a closing bracket missing before it?"
-                } else {
-                    ""
-                };
                 format!("{holder} has no field `{found}`: {}{bracket}", advice(found, expected))
             }
             Error::DuplicateStructField { field, outer: holder } => {
@@ -258,6 +276,11 @@ impl<'t> Stop<'t> {
 /// The fields of a scene.
 const FIELDS: [&str; 10] =
     ["title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots"];
+
+/// Whether `found` is a field of the scene that stands in another part, `holder`.
+fn names_another(found: &str, holder: Option<&str>) -> bool {
+    holder != Some("Scene") && FIELDS.contains(&found)
+}
 
 fn kind_in_words(kind: Option<&str>) -> String {
     match kind {

@@ -1,0 +1,216 @@
+//! A value of any type, in the place of one that cannot be read, so that the rest of a scene can.
+
+use serde::de::value::StrDeserializer;
+use serde::de::{self, DeserializeSeed, IntoDeserializer, Visitor};
+use std::marker::PhantomData;
+
+/// What stands for a value that says itself what it may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Guise {
+    /// 0.1, which every quantity may be.
+    Number,
+    /// An empty text.
+    Text,
+    /// A list without elements.
+    List,
+}
+
+impl Guise {
+    /// The one to try if this one will not do.
+    pub fn next(self) -> Option<Self> {
+        match self {
+            Self::Number => Some(Self::Text),
+            Self::Text => Some(Self::List),
+            Self::List => None,
+        }
+    }
+}
+
+/// The stand-in; of an enum it is the first kind, of a structure all fields are stand-ins.
+pub struct StandIn<E> {
+    guise: Guise,
+    error: PhantomData<E>,
+}
+
+impl<E> StandIn<E> {
+    pub fn new(guise: Guise) -> Self {
+        Self { guise, error: PhantomData }
+    }
+
+    fn another(&self) -> Self {
+        Self::new(self.guise)
+    }
+}
+
+/// Forwards what is asked for by type to one answer of the visitor.
+macro_rules! answers {
+    ($($asked:ident: $visit:ident($($value:expr)?)),* $(,)?) => {$(
+        fn $asked<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+            visitor.$visit($($value)?)
+        }
+    )*};
+}
+
+impl<'de, E: de::Error> de::Deserializer<'de> for StandIn<E> {
+    type Error = E;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+        match self.guise {
+            Guise::Number => visitor.visit_f64(0.1),
+            Guise::Text => visitor.visit_str(""),
+            Guise::List => self.deserialize_seq(visitor),
+        }
+    }
+
+    answers! {
+        deserialize_bool: visit_bool(false),
+        deserialize_i8: visit_i8(1),
+        deserialize_i16: visit_i16(1),
+        deserialize_i32: visit_i32(1),
+        deserialize_i64: visit_i64(1),
+        deserialize_u8: visit_u8(1),
+        deserialize_u16: visit_u16(1),
+        deserialize_u32: visit_u32(1),
+        deserialize_u64: visit_u64(1),
+        deserialize_f32: visit_f32(0.1),
+        deserialize_f64: visit_f64(0.1),
+        deserialize_char: visit_char(' '),
+        deserialize_str: visit_str(""),
+        deserialize_string: visit_str(""),
+        deserialize_bytes: visit_bytes(&[]),
+        deserialize_byte_buf: visit_bytes(&[]),
+        deserialize_option: visit_none(),
+        deserialize_unit: visit_unit(),
+        deserialize_identifier: visit_str(""),
+        deserialize_ignored_any: visit_unit(),
+    }
+
+    fn deserialize_unit_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, E> {
+        visitor.visit_unit()
+    }
+
+    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, E> {
+        visitor.visit_newtype_struct(self)
+    }
+
+    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+        self.deserialize_tuple(0, visitor)
+    }
+
+    fn deserialize_tuple<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, E> {
+        visitor.visit_seq(StandIns { each: self, left: length, fields: &[] })
+    }
+
+    fn deserialize_tuple_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        length: usize,
+        visitor: V,
+    ) -> Result<V::Value, E> {
+        self.deserialize_tuple(length, visitor)
+    }
+
+    fn deserialize_map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+        self.deserialize_struct("", &[], visitor)
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, E> {
+        visitor.visit_map(StandIns { each: self, left: 0, fields })
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        kinds: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, E> {
+        visitor.visit_enum(FirstKind { name: kinds.first().copied().unwrap_or(""), content: self })
+    }
+}
+
+/// Elements of a list, or fields of a structure.
+struct StandIns<E> {
+    each: StandIn<E>,
+    left: usize,
+    fields: &'static [&'static str],
+}
+
+impl<'de, E: de::Error> de::SeqAccess<'de> for StandIns<E> {
+    type Error = E;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, E> {
+        let Some(left) = self.left.checked_sub(1) else { return Ok(None) };
+        self.left = left;
+        seed.deserialize(self.each.another()).map(Some)
+    }
+}
+
+impl<'de, E: de::Error> de::MapAccess<'de> for StandIns<E> {
+    type Error = E;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, E> {
+        let Some((first, rest)) = self.fields.split_first() else { return Ok(None) };
+        self.fields = rest;
+        seed.deserialize((*first).into_deserializer()).map(Some)
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, E> {
+        seed.deserialize(self.each.another())
+    }
+}
+
+/// The first kind of an enum.
+struct FirstKind<E> {
+    name: &'static str,
+    content: StandIn<E>,
+}
+
+impl<'de, E: de::Error> de::EnumAccess<'de> for FirstKind<E> {
+    type Error = E;
+    type Variant = StandIn<E>;
+
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, StandIn<E>), E> {
+        let name: StrDeserializer<'_, E> = self.name.into_deserializer();
+        Ok((seed.deserialize(name)?, self.content))
+    }
+}
+
+impl<'de, E: de::Error> de::VariantAccess<'de> for StandIn<E> {
+    type Error = E;
+
+    fn unit_variant(self) -> Result<(), E> {
+        Ok(())
+    }
+
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, E> {
+        seed.deserialize(self)
+    }
+
+    fn tuple_variant<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, E> {
+        de::Deserializer::deserialize_tuple(self, length, visitor)
+    }
+
+    fn struct_variant<V: Visitor<'de>>(self, fields: &'static [&'static str], visitor: V) -> Result<V::Value, E> {
+        de::Deserializer::deserialize_struct(self, "", fields, visitor)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+    use serde::Deserialize;
+    use serde::de::value::Error;
+
+    /// A whole scene of stand-ins: whatever cannot be read has one.
+    #[test]
+    fn there_is_a_stand_in_for_every_part_of_a_scene() {
+        let scene = Scene::deserialize(StandIn::<Error>::new(Guise::Number)).unwrap();
+        assert!(scene.history.is_empty() && scene.springs.is_none());
+    }
+}
