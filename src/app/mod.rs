@@ -19,6 +19,7 @@ pub mod scene_file;
 mod matrix_file;
 pub mod table_file;
 mod write;
+mod overwrite;
 mod console;
 mod progress;
 mod machine;

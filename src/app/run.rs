@@ -30,6 +30,18 @@ pub enum Format {
     Svg,
 }
 
+impl Format {
+    /// What the names of its files end with, without the dot.
+    #[must_use]
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Json => "json",
+            Self::Svg => "svg",
+        }
+    }
+}
+
 /// A file to be written: what follows the stem of the scene's name, and the bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Product {
@@ -76,6 +88,19 @@ pub fn compute_watched(plan: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sy
         fretting: formats.contains(&Format::Csv) || figure,
     };
     Ok(run::run_watched(plan, wanted, done)?)
+}
+
+/// Endings of all files a scene can give, known before it is computed.
+#[must_use]
+pub fn endings(plan: &Plan, formats: &[Format]) -> Vec<String> {
+    let mut endings = Vec::new();
+    if formats.contains(&Format::Csv) {
+        endings.push(".csv".to_owned());
+        endings.extend(run::tables(plan).iter().map(|name| format!(".{name}.csv")));
+    }
+    endings.extend(formats.contains(&Format::Json).then(|| ".json".to_owned()));
+    endings.extend((cfg!(feature = "plot") && formats.contains(&Format::Svg)).then(|| ".svg".to_owned()));
+    endings
 }
 
 /// The files of an outcome; `file` is the name of the scene's file.

@@ -24,6 +24,8 @@ pub struct SceneFile {
     pub path: PathBuf,
     /// The scene with its tables read.
     pub plan: Plan,
+    /// The tables it names.
+    pub tables: Vec<PathBuf>,
 }
 
 /// Largest scene file: a history of a million entries has a third of it.
@@ -36,8 +38,9 @@ impl SceneFile {
     /// Everything that is wrong with it, in the order of the text.
     pub fn load(path: &Path) -> Result<Self, Vec<Fault>> {
         let text = read_text(path, LARGEST).map_err(|fault| vec![fault])?;
-        let plan = plan(path, &text)?;
-        Ok(Self { path: path.to_owned(), plan })
+        let tables = TableFiles::beside(path);
+        let plan = read(path, &text, &tables)?;
+        Ok(Self { path: path.to_owned(), plan, tables: tables.read() })
     }
 
     /// Name of the file without directory and extension, the stem of its outputs.
@@ -52,8 +55,12 @@ impl SceneFile {
 /// # Errors
 /// Everything that is wrong with it, in the order of the text.
 pub fn plan(path: &Path, text: &str) -> Result<Plan, Vec<Fault>> {
+    read(path, text, &TableFiles::beside(path))
+}
+
+fn read(path: &Path, text: &str, tables: &TableFiles) -> Result<Plan, Vec<Fault>> {
     let json = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
     let notation = if json { Notation::Json } else { Notation::Ron };
-    let plan = notation.plan(text, &TableFiles::beside(path));
+    let plan = notation.plan(text, tables);
     plan.map_err(|errors| errors.into_iter().map(|error| Fault::at(path, error)).collect())
 }

@@ -16,27 +16,43 @@ use super::read::{number, read_text};
 use crate::input::table::{Columns, TableError, Tables};
 use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
 use ndarray::Array2;
+use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Largest table: a few million rows.
 const LARGEST: u64 = 256 << 20;
 
-/// The tables beside a scene file.
+/// The tables beside a scene file, and which of them have been asked for.
 #[derive(Debug, Clone)]
 pub struct TableFiles {
     folder: PathBuf,
+    read: RefCell<BTreeSet<PathBuf>>,
 }
 
 impl TableFiles {
     /// Tables whose paths are relative to the folder of the file `scene`.
     #[must_use]
     pub fn beside(scene: &Path) -> Self {
-        Self { folder: scene.parent().unwrap_or_else(|| Path::new("")).to_owned() }
+        Self { folder: scene.parent().unwrap_or_else(|| Path::new("")).to_owned(), read: RefCell::default() }
+    }
+
+    /// The files that have been asked for so far.
+    #[must_use]
+    pub fn read(&self) -> Vec<PathBuf> {
+        self.read.borrow().iter().cloned().collect()
+    }
+
+    /// The file of the table a scene calls `path`.
+    fn file(&self, path: &Path) -> PathBuf {
+        let file = self.folder.join(path);
+        self.read.borrow_mut().insert(file.clone());
+        file
     }
 
     /// Opens a table; errors name it as the scene does.
     fn open(&self, path: &Path) -> Result<NamedColumns, TableError> {
-        let file = self.folder.join(path);
+        let file = self.file(path);
         let text = read_text(&file, LARGEST).map_err(|fault| TableError {
             path: path.to_owned(),
             row: fault.position.map(|position| position.line),
@@ -60,7 +76,7 @@ impl Tables for TableFiles {
     }
 
     fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError> {
-        matrix_file::read(&self.folder.join(path), path)
+        matrix_file::read(&self.file(path), path)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Files, written whole or not at all.
 
 use std::collections::BTreeSet;
+use std::fs::{DirEntry, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -26,7 +27,8 @@ pub struct WriteError {
 /// Writes files of the given names and contents into `folder`, which is made if it is not there.
 ///
 /// Each is written beside its place and renamed, the renaming only after all have been written: a
-/// full disk or a stopped program leaves the old files or the new ones, never a part of one.
+/// full disk or a stopped program leaves the old files or the new ones, never a part of one. What runs that
+/// were killed have left of theirs is removed.
 ///
 /// # Errors
 /// The folder cannot be made or a file cannot be written.
@@ -39,6 +41,7 @@ pub fn write_all(folder: &Path, files: &[(String, &[u8])]) -> Result<Vec<PathBuf
         return Err(error(folder)(io::Error::other("it is a file, expected a folder")));
     }
     std::fs::create_dir_all(folder).map_err(error(folder))?;
+    remove_abandoned(folder);
     let mut written = Vec::new();
     for (name, content) in files {
         let path = folder.join(name);
@@ -51,13 +54,49 @@ pub fn write_all(folder: &Path, files: &[(String, &[u8])]) -> Result<Vec<PathBuf
         .collect()
 }
 
-fn written_beside(folder: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
+/// What the names of files being written begin and end with.
+const PART: (&str, &str) = (".springbed-", ".part");
+
+/// Removes files being written whose writer is gone: a writer holds the lock of its file as long as it lives.
+///
+/// A file that cannot be looked at or locked is left where it is.
+fn remove_abandoned(folder: &Path) {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let part = |entry: &DirEntry| {
+        let (name, kind) = (entry.file_name(), entry.file_type());
+        let name = name.to_string_lossy();
+        name.starts_with(PART.0) && name.ends_with(PART.1) && kind.is_ok_and(|kind| kind.is_file())
+    };
+    for path in entries.filter(part).map(|entry| entry.path()) {
+        if let Ok(file) = File::options().write(true).open(&path)
+            && file.try_lock().is_ok()
+        {
+            // The lock is kept until the file is gone; a writer that waits for it then takes another file.
+            let _ = std::fs::remove_file(&path);
+        }
+    }
+}
+
+/// A file of its own in `folder`, locked for as long as it is open.
+fn begun(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = Builder::new();
-    builder.prefix(".springbed-").suffix(".part");
+    builder.prefix(PART.0).suffix(PART.1);
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    loop {
+        let file = builder.tempfile_in(folder)?;
+        // A file system without locks has nobody who removes the files of others.
+        let _ = file.as_file().lock();
+        // Another program may have taken it for abandoned before it was locked.
+        if file.path().exists() {
+            return Ok(file);
+        }
+    }
+}
+
+fn written_beside(folder: &Path, content: &[u8]) -> io::Result<NamedTempFile> {
     let mut list = unfinished();
-    let mut file = builder.tempfile_in(folder)?;
+    let mut file = begun(folder)?;
     list.insert(file.path().to_owned());
     drop(list);
     file.write_all(content)?;
@@ -101,6 +140,21 @@ mod tests {
         }
         assert_eq!(std::fs::read_dir(&inner).unwrap().count(), 1);
         assert!(unfinished().iter().all(|path| !path.starts_with(folder.path())));
+    }
+
+    /// A file without a writer goes, one that is being written stays.
+    #[test]
+    fn what_a_killed_run_left_is_removed_and_what_a_living_one_writes_is_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let left = folder.path().join(".springbed-left.part");
+        std::fs::write(&left, "half a fi").unwrap();
+        let going = begun(folder.path()).unwrap();
+        write_all(folder.path(), &[("x.csv".to_owned(), b"1")]).unwrap();
+        assert!(!left.exists() && going.path().exists());
+        let abandoned = going.keep().unwrap().1;
+        write_all(folder.path(), &[("x.csv".to_owned(), b"2")]).unwrap();
+        assert!(!abandoned.exists());
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
     #[test]

@@ -100,6 +100,17 @@ impl Solved {
     }
 }
 
+/// Names of the tables that an outcome of the plan can have beside its records.
+#[must_use]
+pub fn tables(plan: &Plan) -> &'static [&'static str] {
+    match plan {
+        Plan::Round(_) => &["pressure", "stress", "fretting"],
+        Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
+        Plan::Plane(_) => &["pressure"],
+        Plan::Rough(_) => &["ensemble"],
+    }
+}
+
 /// Runs a scene.
 ///
 /// # Errors

@@ -174,3 +174,77 @@ fn a_run_that_is_stopped_leaves_no_part_of_a_file() {
         }
     }
 }
+
+/// The program on `scenes` in `folder`, with outputs into `out`: exit code and what it said.
+fn run_in(folder: &Path, scenes: &[&str], out: &str) -> (Option<i32>, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_springbed"));
+    command.stdin(Stdio::null()).current_dir(folder);
+    let output = command.arg("run").args(scenes).args(["--out", out]).output().unwrap();
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+const MEASURED: &str = "time_s,indentation_m\n0,0\n1,1e-6\n";
+
+fn history_scene(folder: &Path, name: &str, shape: &str, table: &str) {
+    let scene = format!(
+        "(shape: {shape}, bodies: (Elastic(young: \"1 MPa\", poisson: 0.5), Rigid), history: [Table(\"{table}\")])"
+    );
+    std::fs::write(folder.join(name), scene).unwrap();
+}
+
+/// However the file is called: by `.`, through a folder that is not there yet, or by the folder itself.
+#[test]
+fn a_run_never_writes_over_what_it_reads() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    std::fs::create_dir(at.join("data")).unwrap();
+    std::fs::write(at.join("history.csv"), MEASURED).unwrap();
+    std::fs::write(at.join("data/profile.pressure.csv"), "radius_m,height_m\n0,0\n1,1\n2,4\n").unwrap();
+    history_scene(at, "history.ron", "Cone(slope: 0.1)", "./history.csv");
+    history_scene(at, "profile.ron", "Table(\"data/../data/profile.pressure.csv\")", "history.csv");
+    let before = files(&at.join("data"));
+    for out in [".", "./data/..", "new/.."] {
+        let (code, said) = run_in(at, &["history.ron"], out);
+        assert_eq!(code, Some(2), "{said}");
+        assert!(said.contains("history.ron would write over") && said.contains("history.csv, which history.ron reads"));
+    }
+    let (code, said) = run_in(at, &["profile.ron", "history.ron"], "data");
+    assert_eq!(code, Some(2), "{said}");
+    assert!(said.contains("profile.ron would write over data/profile.pressure.csv, which profile.ron reads"), "{said}");
+    assert_eq!(std::fs::read_to_string(at.join("history.csv")).unwrap(), MEASURED);
+    assert!(files(&at.join("data")) == before && !at.join("new").exists(), "nothing is written");
+    assert_eq!(run_in(at, &["history.ron", "profile.ron"], "out").0, Some(0));
+}
+
+/// The target of a link, and the link itself.
+#[cfg(unix)]
+#[test]
+fn a_run_never_writes_over_what_a_link_leads_to() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    std::fs::create_dir(at.join("data")).unwrap();
+    std::fs::write(at.join("data/scene.csv"), MEASURED).unwrap();
+    std::os::unix::fs::symlink("data", at.join("link")).unwrap();
+    std::os::unix::fs::symlink("data/scene.csv", at.join("linked.csv")).unwrap();
+    history_scene(at, "scene.ron", "Cone(slope: 0.1)", "linked.csv");
+    history_scene(at, "linked.ron", "Cone(slope: 0.1)", "linked.csv");
+    for (scene, out) in [("scene.ron", "data"), ("scene.ron", "link"), ("linked.ron", ".")] {
+        let (code, said) = run_in(at, &[scene], out);
+        assert!(code == Some(2) && said.contains("which"), "{scene} into {out}: {said}");
+    }
+    assert_eq!(std::fs::read_to_string(at.join("linked.csv")).unwrap(), MEASURED);
+}
+
+#[test]
+fn two_scenes_never_write_the_same_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    std::fs::write(at.join("history.csv"), MEASURED).unwrap();
+    for name in ["y.ron", "y.pressure.ron"] {
+        history_scene(at, name, "Cone(slope: 0.1)", "history.csv");
+    }
+    let (code, said) = run_in(at, &["y.ron", "y.pressure.ron"], "out");
+    assert_eq!(code, Some(2), "{said}");
+    let right = "y.ron and y.pressure.ron would both write y.pressure.csv: expected scenes of different names";
+    assert!(said.contains(right) && !at.join("out").exists(), "{said}");
+}

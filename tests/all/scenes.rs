@@ -3,7 +3,7 @@
 //! A comment `// answer: pull_off_force_n = -494.8008429e-6` holds the result of that name to half a
 //! unit of its last digit. The answers are from the formulas named beside them, computed with 20 digits.
 
-use springbed::app::run::{Format, compute, products};
+use springbed::app::run::{Format, compute, endings, products};
 use springbed::app::scene_file::SceneFile;
 use springbed::run::named::Finding;
 use springbed::run::record::Outcome;
@@ -50,6 +50,8 @@ fn every_scene_runs_and_gives_the_answers_in_its_comments() {
         let outcome = compute(&scene.plan, &formats).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let files = products(&scene.plan, "scene.ron", &outcome, &formats).unwrap();
         assert!(files.len() >= 2 && files.iter().all(|file| !file.content.is_empty()), "{}", path.display());
+        let known = endings(&scene.setup, &formats);
+        assert!(files.iter().all(|file| known.contains(&file.ending)), "{}: beyond {known:?}", path.display());
         for (name, right, bound) in answers(&text) {
             let found = result(&outcome, &name).unwrap_or_else(|| panic!("{}: no {name}", path.display()));
             // Half a unit, and a rounding of the number read.

@@ -4,6 +4,7 @@ use super::Common;
 use super::delivery::Findings;
 use crate::app::console::{Console, Failure};
 use crate::app::export;
+use crate::app::overwrite::{self, Outputs};
 use crate::app::progress::Progress;
 use crate::app::scene_file::SceneFile;
 use crate::check::comparison::compare;
@@ -15,6 +16,8 @@ use std::path::Path;
 /// The scene is wrong or cannot be compared; a file cannot be written.
 pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failure> {
     let scene = SceneFile::load(path).map_err(Failure::Scene)?;
+    let names = common.format.iter().map(|format| format!("{}.compare.{}", scene.stem(), format.ending())).collect();
+    overwrite::refuse(&common.out, &[Outputs { scene: &scene, names }])?;
     let progress = Progress::of("comparing", console);
     let comparison = compare(&scene.plan, &|share| progress.done(share)).map_err(Failure::failed)?;
     drop(progress);

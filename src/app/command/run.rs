@@ -4,12 +4,12 @@ use super::Common;
 use super::check::load;
 use crate::app::console::{Console, Failure};
 use crate::app::export;
+use crate::app::overwrite::{self, Outputs};
 use crate::app::progress::Progress;
-use crate::app::run::{Product, compute_watched, products};
+use crate::app::run::{Product, compute_watched, endings, products};
 use crate::app::scene_file::SceneFile;
 use crate::app::write::write_all;
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 /// What is said about a scene that has been run.
@@ -55,26 +55,15 @@ fn all_done(scenes: &[SceneFile], common: &Common, console: &Console) -> Vec<Res
     done
 }
 
-/// Two scenes of one name would write the same files, and a summary could replace its scene.
+/// No file a scene can write may be read by a scene or written by another.
 fn no_clash(scenes: &[SceneFile], common: &Common) -> Result<(), Failure> {
-    let mut seen = BTreeMap::new();
-    for scene in scenes {
-        let summary = common.out.join(format!("{}.json", scene.stem()));
-        if let (Ok(summary), Ok(path)) = (summary.canonicalize(), scene.path.canonicalize())
-            && summary == path
-        {
-            let path = scene.path.display();
-            return Err(Failure::Usage(format!("{path} would be written over: expected another folder in --out")));
-        }
-        if let Some(other) = seen.insert(scene.stem(), &scene.path) {
-            let (other, path) = (other.display(), scene.path.display());
-            return Err(Failure::Usage(format!(
-                "{other} and {path} would both write {}.*: expected scenes of different names",
-                scene.stem()
-            )));
-        }
-    }
-    Ok(())
+    let outputs: Vec<Outputs<'_>> = scenes.iter().map(|scene| outputs(scene, common)).collect();
+    overwrite::refuse(&common.out, &outputs)
+}
+
+fn outputs<'s>(scene: &'s SceneFile, common: &Common) -> Outputs<'s> {
+    let endings = endings(&scene.setup, &common.format).into_iter();
+    Outputs { scene, names: endings.map(|ending| format!("{}{ending}", scene.stem())).collect() }
 }
 
 fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Result<Done, String> {

@@ -9,6 +9,7 @@ use crate::app::console::{Console, Failure};
 use crate::app::export::report_figures;
 use crate::app::export::reports::{self, ACCURACY, SPEED, STABILITY, STATED};
 use crate::app::machine::Machine;
+use crate::app::overwrite::{self, Outputs};
 use crate::app::progress::Progress;
 use crate::app::scene_file::SceneFile;
 use crate::check::case::{Case, Question};
@@ -37,7 +38,7 @@ pub fn run(
         (Topic::Accuracy, None) => accuracy(effort, console)?,
         (Topic::Stability, None) => stability(console)?,
         (Topic::Speed, None) => throughput(effort, console)?,
-        (Topic::Accuracy, Some(scene)) => accuracy_of(scene, effort, console)?,
+        (Topic::Accuracy, Some(scene)) => accuracy_of(scene, effort, common, console)?,
         (Topic::Stability | Topic::Speed, Some(scene)) => {
             return Err(Failure::Usage(format!(
                 "{}: stability and speed are those of the program: expected no scene",
@@ -77,8 +78,15 @@ fn stated(case: &Case) -> Vec<Row> {
 }
 
 /// One scene by its own solver at several accuracies and by springs.
-fn accuracy_of(path: &Path, effort: Thoroughness, console: &Console) -> Result<(Findings, Failed), Failure> {
+fn accuracy_of(
+    path: &Path,
+    effort: Thoroughness,
+    common: &Common,
+    console: &Console,
+) -> Result<(Findings, Failed), Failure> {
     let scene = SceneFile::load(path).map_err(Failure::Scene)?;
+    let names = common.format.iter().map(|format| format!("{}.accuracy.{}", scene.stem(), format.ending())).collect();
+    overwrite::refuse(&common.out, &[Outputs { scene: &scene, names }])?;
     let studies = [ways::scene(&scene.plan, effort).map_err(Failure::failed)?];
     let rows = measured(&studies, effort, console);
     let machine = Machine::here();
