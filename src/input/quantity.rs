@@ -32,6 +32,8 @@ pub trait Dimension: Copy + fmt::Debug + 'static {
     ///
     /// The size is a quotient so that `10 mm` is exactly `10.0 / 1e3`, the nearest `f64` to 0.01.
     const UNITS: &'static [(&'static str, f64, f64)];
+    /// Names and signs of the parts it may be given as the sum of; the last may be left out. None of most.
+    const PARTS: &'static [(&'static str, f64)] = &[];
 }
 
 /// Which values make sense.
@@ -43,13 +45,17 @@ pub trait Domain: Copy + fmt::Debug + 'static {
 }
 
 macro_rules! dimension {
-    ($(#[$doc:meta])* $name:ident, $words:literal, [$(($unit:literal, $up:expr, $down:expr)),+ $(,)?]) => {
+    (
+        $(#[$doc:meta])* $name:ident, $words:literal, [$(($unit:literal, $up:expr, $down:expr)),+ $(,)?]
+        $(, sum of [$(($part:literal, $sign:expr)),+ $(,)?])?
+    ) => {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub struct $name;
         impl Dimension for $name {
             const NAME: &'static str = $words;
             const UNITS: &'static [(&'static str, f64, f64)] = &[$(($unit, $up, $down)),+];
+            $(const PARTS: &'static [(&'static str, f64)] = &[$(($part, $sign)),+];)?
         }
     };
 }
@@ -83,10 +89,12 @@ dimension!(
     ]
 );
 dimension!(
-    /// Energy per area, in joules per square metre.
+    /// Energy per area, in joules per square metre; of adhesion w = γ₁ + γ₂ − γ₁₂, with the energies γ₁ and γ₂ of both
+    /// surfaces and γ₁₂ of the interface between them (Dupré).
     JoulePerSquareMetre, "a work of adhesion", [
         ("J/m^2", 1.0, 1.0), ("mJ/m^2", 1.0, 1e3), ("uJ/m^2", 1.0, 1e6), ("N/m", 1.0, 1.0), ("mN/m", 1.0, 1e3),
-    ]
+    ],
+    sum of [("surface_1", 1.0), ("surface_2", 1.0), ("interface", -1.0)]
 );
 dimension!(
     /// Velocity, in metres per second.
@@ -280,7 +288,27 @@ impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
 
 struct QuantityVisitor<D, R>(PhantomData<(D, R)>);
 
-impl<D: Dimension, R: Domain> de::Visitor<'_> for QuantityVisitor<D, R> {
+/// The sum of named parts, each given like a quantity of its own, zero or above.
+fn sum_of_parts<'de, D: Dimension, A: de::MapAccess<'de>>(mut map: A) -> Result<f64, A::Error> {
+    let mut given = vec![None; D::PARTS.len()];
+    while let Some(name) = map.next_key::<String>()? {
+        let Some(at) = D::PARTS.iter().position(|part| part.0 == name) else {
+            let known: Vec<&str> = D::PARTS.iter().map(|part| part.0).collect();
+            return Err(de::Error::custom(format!("there is no part `{name}`: expected {}", known.join(", "))));
+        };
+        given[at] = Some(map.next_value::<Quantity<D, NotNegative>>()?.si());
+    }
+    let last = D::PARTS.len() - 1;
+    let parts = D::PARTS.iter().zip(given).enumerate();
+    let signed = parts.map(|(at, ((name, sign), value))| match value {
+        Some(value) => Ok(sign * value),
+        None if at == last => Ok(0.0),
+        None => Err(de::Error::missing_field(name)),
+    });
+    signed.sum()
+}
+
+impl<'de, D: Dimension, R: Domain> de::Visitor<'de> for QuantityVisitor<D, R> {
     type Value = Quantity<D, R>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -307,6 +335,13 @@ impl<D: Dimension, R: Domain> de::Visitor<'_> for QuantityVisitor<D, R> {
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
         text.parse().map_err(E::custom)
+    }
+
+    fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+        if D::PARTS.is_empty() {
+            return Err(de::Error::invalid_type(de::Unexpected::Map, &self));
+        }
+        Quantity::new(sum_of_parts::<D, A>(map)?).map_err(de::Error::custom)
     }
 }
 

@@ -18,7 +18,7 @@ pub use spectrum::Element;
 pub use spectrum::{Mode, Spectrum};
 
 use crate::input::problem::Problem;
-use crate::input::quantity::{Duration, Modulus, Poisson, Stress, Viscosity};
+use crate::input::quantity::{Duration, Modulus, Poisson, QuantityError, Stress, Viscosity};
 use crate::input::table::{TableError, Tables};
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::{
@@ -67,9 +67,8 @@ impl Body {
     }
 }
 
-/// Isotropic, linearly elastic material.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+/// Isotropic, linearly elastic material; a scene gives Young's modulus `young` or the shear modulus `shear`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Elastic {
     /// Young's modulus E [Pa].
     pub young: Modulus,
@@ -78,6 +77,35 @@ pub struct Elastic {
     /// Yield stress in uniaxial tension [Pa]; if given, a contact pressure beyond first yield is a warning.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub yield_stress: Option<Modulus>,
+}
+
+impl<'de> Deserialize<'de> for Elastic {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        /// As a scene writes it, with one of two moduli.
+        #[derive(Deserialize)]
+        #[serde(rename = "Elastic", deny_unknown_fields)]
+        struct Written {
+            young: Option<Modulus>,
+            shear: Option<Modulus>,
+            poisson: Poisson,
+            yield_stress: Option<Modulus>,
+        }
+        let Written { young, shear, poisson, yield_stress } = Written::deserialize(deserializer)?;
+        let young = match (young, shear) {
+            (Some(young), None) => young,
+            (None, Some(shear)) => young_of_shear(shear, poisson).map_err(de::Error::custom)?,
+            (None, None) => return Err(de::Error::missing_field("young")),
+            (Some(_), Some(_)) => {
+                return Err(de::Error::custom("an Elastic body has both `young` and `shear`: expected one of the two"));
+            }
+        };
+        Ok(Self { young, poisson, yield_stress })
+    }
+}
+
+/// E = 2G(1+ν).
+fn young_of_shear(shear: Modulus, poisson: Poisson) -> Result<Modulus, QuantityError> {
+    Modulus::new(2.0 * shear.si() * (1.0 + poisson.si()))
 }
 
 /// Isotropic, linearly viscoelastic material with a constant Poisson's ratio.

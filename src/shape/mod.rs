@@ -26,6 +26,7 @@ pub mod rough;
 mod rough_line;
 mod rounded;
 mod sphere;
+mod spheres;
 mod truncated;
 mod wavy;
 
@@ -38,6 +39,7 @@ pub use punch::FlatPunch;
 pub use rough_line::{RoughShape, Seeds};
 pub use rounded::{RoundedCone, RoundedPunch};
 pub use sphere::Sphere;
+pub use spheres::Spheres;
 pub use truncated::{TruncatedCone, TruncatedParaboloid};
 pub use wavy::WavyParaboloid;
 
@@ -175,6 +177,12 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         None
     }
 
+    /// Relative error of force and radius at the contact radius `a` [m] for what is not known of the shape; zero of a
+    /// shape given by a formula.
+    fn sampling_error(&self, _a: f64) -> f64 {
+        0.0
+    }
+
     /// Places in (0, a) where g′ or one of its derivatives jumps or where a quadrature panel should
     /// end, ascending [m].
     fn breaks(&self, a: f64) -> Vec<f64> {
@@ -203,6 +211,8 @@ pub enum Shape {
     Paraboloid(Paraboloid),
     /// Exact sphere.
     Sphere(Sphere),
+    /// Two spheres, one of which may be hollow, by the effective radius.
+    Spheres(Spheres),
     /// Cone.
     Cone(Cone),
     /// Power-law profile.
@@ -257,6 +267,11 @@ pub enum ShapeError {
     /// A quantity derived from the shape's own is out of range.
     #[error("effective radius of the ellipsoid: {0}")]
     Quantity(#[from] QuantityError),
+    /// Two spheres whose surfaces do not part from each other.
+    #[error(
+        "the sum 1/R of the curvatures of the two spheres is not above zero: expected radii that are not zero, and a hollow sphere, of negative radius, wider than the other"
+    )]
+    NoGap,
     /// The shape is no profile over a radius.
     #[error("a {0} has no profile over a radius")]
     NoProfile(&'static str),
@@ -269,6 +284,7 @@ impl Shape {
         match self {
             Self::Paraboloid(_) => "Paraboloid",
             Self::Sphere(_) => "Sphere",
+            Self::Spheres(_) => "Spheres",
             Self::Cone(_) => "Cone",
             Self::Power(_) => "Power",
             Self::FlatPunch(_) => "FlatPunch",
@@ -295,6 +311,7 @@ impl Shape {
             Self::RoundedCone(shape) => Some(shape.radius.si()),
             Self::WavyParaboloid(shape) => Some(shape.radius.si()),
             Self::Ellipsoid(shape) => Some(shape.effective_radius()),
+            Self::Spheres(shape) => Some(shape.effective_radius()),
             _ => None,
         }
     }
@@ -305,6 +322,7 @@ impl Shape {
         match self {
             Self::Paraboloid(_)
             | Self::Sphere(_)
+            | Self::Spheres(_)
             | Self::Cone(_)
             | Self::Power(_)
             | Self::FlatPunch(_)
@@ -342,6 +360,7 @@ impl Shape {
         Ok(match self {
             Self::Paraboloid(shape) => Arc::new(shape.clone()),
             Self::Sphere(shape) => Arc::new(shape.clone()),
+            Self::Spheres(shape) => Arc::new(shape.effective().ok_or(ShapeError::NoGap)?),
             Self::Cone(shape) => Arc::new(shape.clone()),
             Self::Power(shape) => Arc::new(shape.clone()),
             Self::FlatPunch(shape) => Arc::new(shape.clone()),

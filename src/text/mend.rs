@@ -450,8 +450,8 @@ mod tests {
             (2, 35, "bodies[0].young: -1.0 Pa is out of range"),
             (2, 39, "unknown field `poison`"),
             (2, 56, "unknown variant `Rigit`"),
-            (3, 32, "invalid type: sequence"),
-            (3, 60, "springs: invalid value"),
+            (3, 33, "invalid type: sequence"),
+            (3, 61, "springs: invalid value"),
         ];
         begins(&faults(Notation::Json, text), &right);
     }

@@ -86,6 +86,7 @@ impl<'t> Stop<'t> {
 
     fn explained(&self, code: &Error) -> (usize, String) {
         let message = match code {
+            Error::Message(what) if self.token() == ")" => return self.wrong_whole(what),
             Error::Message(_) | Error::InvalidValueForType { .. } => self.wrong_value(code),
             Error::ExpectedStringEnd => "this text has no closing quote: expected `\"`".into(),
             Error::UnclosedBlockComment => return self.endless_comment(),
@@ -114,10 +115,22 @@ impl<'t> Stop<'t> {
         (at, format!("the bracket `{open}` is never closed: expected `{close}` before the end of the file"))
     }
 
-    fn missing(&self, field: &str, holder: Option<&str>) -> (usize, String) {
+    /// The head of the bracket that is open, with its name.
+    fn head(&self) -> usize {
         let open = self.around.open.map_or(self.at, |(_, at)| at);
-        let head = self.text[..open].trim_end_matches(walk::word).len();
-        (head, format!("{} lacks the field `{field}`: expected `{field}: …`", holder.unwrap_or("this")))
+        self.text[..open].trim_end_matches(walk::word).len()
+    }
+
+    /// Fields that are right one by one and make nothing together.
+    fn wrong_whole(&self, what: &str) -> (usize, String) {
+        let holder = self.around.path.rsplit_once('.').map_or("", |(holder, _)| holder);
+        (self.head(), if holder.is_empty() { what.to_owned() } else { format!("{holder}: {what}") })
+    }
+
+    fn missing(&self, field: &str, holder: Option<&str>) -> (usize, String) {
+        let head = self.head();
+        let other = if (field, holder) == ("young", Some("Elastic")) { " or `shear: …`" } else { "" };
+        (head, format!("{} lacks the field `{field}`: expected `{field}: …`{other}", holder.unwrap_or("this")))
     }
 
     /// A value that was read but is not right, with the path of its field.

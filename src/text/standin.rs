@@ -29,16 +29,27 @@ impl Guise {
 /// The stand-in; of an enum it is the first kind, of a structure all fields are stand-ins.
 pub struct StandIn<E> {
     guise: Guise,
+    place: Place,
     error: PhantomData<E>,
+}
+
+/// Where a stand-in stands, which decides whether something optional is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// In the place of a value that is given or lacking: it is there.
+    Asked,
+    /// Within another stand-in: it is left out.
+    Within,
 }
 
 impl<E> StandIn<E> {
     pub fn new(guise: Guise) -> Self {
-        Self { guise, error: PhantomData }
+        Self { guise, place: Place::Asked, error: PhantomData }
     }
 
-    fn another(&self) -> Self {
-        Self::new(self.guise)
+    /// A part of it.
+    fn within(&self) -> Self {
+        Self { place: Place::Within, ..Self::new(self.guise) }
     }
 }
 
@@ -79,10 +90,16 @@ impl<'de, E: de::Error> de::Deserializer<'de> for StandIn<E> {
         deserialize_string: visit_str(""),
         deserialize_bytes: visit_bytes(&[]),
         deserialize_byte_buf: visit_bytes(&[]),
-        deserialize_option: visit_none(),
         deserialize_unit: visit_unit(),
         deserialize_identifier: visit_str(""),
         deserialize_ignored_any: visit_unit(),
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+        match self.place {
+            Place::Asked => visitor.visit_some(self.within()),
+            Place::Within => visitor.visit_none(),
+        }
     }
 
     fn deserialize_unit_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, E> {
@@ -146,7 +163,7 @@ impl<'de, E: de::Error> de::SeqAccess<'de> for StandIns<E> {
     fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, E> {
         let Some(left) = self.left.checked_sub(1) else { return Ok(None) };
         self.left = left;
-        seed.deserialize(self.each.another()).map(Some)
+        seed.deserialize(self.each.within()).map(Some)
     }
 }
 
@@ -160,7 +177,7 @@ impl<'de, E: de::Error> de::MapAccess<'de> for StandIns<E> {
     }
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, E> {
-        seed.deserialize(self.each.another())
+        seed.deserialize(self.each.within())
     }
 }
 
