@@ -32,8 +32,9 @@
 use super::FrictionError;
 use super::turning::Grip;
 use crate::contact::viscoelastic::layout::Layout;
-use crate::contact::viscoelastic::spring::{Free, Piece, Spring};
+use crate::contact::viscoelastic::spring::{Free, Piece, Spring, decay};
 use crate::contact::viscoelastic::{Motion, Spectrum};
+use crate::material::{Element, Mode};
 use crate::shape::Profile;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -42,8 +43,8 @@ use std::sync::Arc;
 ///
 /// There is no error of the time step: every instant at which a spring is touched, begins to slip or
 /// is released is a root. What remains is the sum over the springs. Valid for a constant Poisson's
-/// ratio (G*/E* constant in time) and elastic similarity. The heat of friction is not accounted apart
-/// from the heat of relaxation: the work done at the bed is the sum of both and of the energy stored.
+/// ratio (G*/E* constant in time) and elastic similarity. The work done at the bed is the sum of the energy stored,
+/// of the heat of relaxation and of that of friction, μ∫q|slip|, which is told apart.
 /// Check: without terms it is [`CoulombBed`](super::bed::CoulombBed).
 #[derive(Debug, Clone)]
 pub struct ViscoelasticBed {
@@ -55,6 +56,8 @@ pub struct ViscoelasticBed {
     depth: f64,
     speeds: (f64, f64),
     springs: Vec<(Spring, SpringGrip)>,
+    /// Energy lost to friction so far [J].
+    dissipated: f64,
 }
 
 /// Tangential state of a spring, divided by m.
@@ -110,7 +113,7 @@ impl ViscoelasticBed {
         let rest = Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] };
         let springs = vec![(Spring::untouched(&spectrum), SpringGrip::Free(rest)); layout.len()];
         let (coefficient, reach) = (grip.coefficient, grip.reach());
-        Ok(Self { spectrum, layout, coefficient, reach, depth: 0.0, speeds: (0.0, 0.0), springs })
+        Ok(Self { spectrum, layout, coefficient, reach, depth: 0.0, speeds: (0.0, 0.0), springs, dissipated: 0.0 })
     }
 
     /// Moves at the normal speed `speed` and the tangential speed `slide` [m/s] for `duration` [s].
@@ -118,11 +121,15 @@ impl ViscoelasticBed {
         let motion = Motion { start: self.depth, speed, duration };
         let slide = if self.reach > 0.0 { slide / self.reach } else { 0.0 };
         let spectrum = self.spectrum.as_ref();
-        for ((normal, tangential), height) in self.springs.iter_mut().zip(&self.layout.height) {
-            let seen = Motion { start: motion.start - height, ..motion };
+        let mut slipped = 0.0;
+        for (j, (normal, tangential)) in self.springs.iter_mut().enumerate() {
+            let seen = Motion { start: motion.start - self.layout.height[j], ..motion };
             let before = std::mem::replace(normal, Spring::Pressed(Vec::new()));
-            *normal = before.follow(spectrum, &seen, &mut |piece| tangential.follow(spectrum, piece, slide));
+            let mut lost = 0.0;
+            *normal = before.follow(spectrum, &seen, &mut |piece| lost += tangential.follow(spectrum, piece, slide));
+            slipped += self.layout.weight[j] * lost;
         }
+        self.dissipated += self.coefficient * self.reach * slipped;
         self.depth = motion.end();
         self.speeds = (speed, slide);
     }
@@ -158,6 +165,12 @@ impl ViscoelasticBed {
         self.depth
     }
 
+    /// Energy lost to friction so far [J].
+    #[must_use]
+    pub fn dissipated(&self) -> f64 {
+        self.dissipated
+    }
+
     /// Normal and tangential force [N].
     #[must_use]
     pub fn forces(&self) -> (f64, f64) {
@@ -190,12 +203,16 @@ impl ViscoelasticBed {
 }
 
 impl SpringGrip {
-    /// Follows a stretch of the normal motion while the indenter slides at the speed `slide`.
-    fn follow(&mut self, spectrum: &Spectrum, piece: &Piece<'_>, slide: f64) {
+    /// Follows a stretch of the normal motion while the indenter slides at the speed `slide`; gives ∫q ds [N], the
+    /// normal load over the way slipped.
+    fn follow(&mut self, spectrum: &Spectrum, piece: &Piece<'_>, slide: f64) -> f64 {
         match *piece {
-            Piece::Free { duration, .. } => self.recover(spectrum, duration),
+            Piece::Free { duration, .. } => {
+                self.recover(spectrum, duration);
+                0.0
+            }
             Piece::Pressed { u, s, speed, duration } => {
-                self.drag(spectrum, &UnderIndenter { start: u, loads: s, speed, slide, duration });
+                self.drag(spectrum, &UnderIndenter { start: u, loads: s, speed, slide, duration })
             }
         }
     }
@@ -209,29 +226,31 @@ impl SpringGrip {
         }
     }
 
-    fn drag(&mut self, spectrum: &Spectrum, pressed: &UnderIndenter<'_>) {
+    fn drag(&mut self, spectrum: &Spectrum, pressed: &UnderIndenter<'_>) -> f64 {
         let (mut displacement, mut loads, slip) = self.touched(spectrum);
         if let SlipState::Towards(side) = slip {
             let free = pressed.difference(spectrum, side, displacement, &loads);
             if spectrum.recovery_speed(&free, 0.0) > pressed.speed - side * pressed.slide {
+                let lost = pressed.load_over_slip(spectrum, side, &free);
                 *self = pressed.slipped(spectrum, side, free);
-                return;
+                return lost;
             }
         }
         let first = pressed.first_slip(spectrum, displacement, &loads);
         let stuck = first.map_or(pressed.duration, |(time, _)| time);
         spectrum.press(&mut loads, pressed.slide, stuck);
         displacement += pressed.slide * stuck;
-        *self = match first {
-            None => Self::Held { displacement, loads, slip: SlipState::No },
-            Some((time, side)) => {
-                let (start, mut normal) = (pressed.start + pressed.speed * time, pressed.loads.to_vec());
-                spectrum.press(&mut normal, pressed.speed, time);
-                let rest = UnderIndenter { start, loads: &normal, duration: pressed.duration - time, ..*pressed };
-                let free = rest.difference(spectrum, side, displacement, &loads);
-                rest.slipped(spectrum, side, free)
-            }
+        let Some((time, side)) = first else {
+            *self = Self::Held { displacement, loads, slip: SlipState::No };
+            return 0.0;
         };
+        let (start, mut normal) = (pressed.start + pressed.speed * time, pressed.loads.to_vec());
+        spectrum.press(&mut normal, pressed.speed, time);
+        let rest = UnderIndenter { start, loads: &normal, duration: pressed.duration - time, ..*pressed };
+        let free = rest.difference(spectrum, side, displacement, &loads);
+        let lost = rest.load_over_slip(spectrum, side, &free);
+        *self = rest.slipped(spectrum, side, free);
+        lost
     }
 
     /// The state of a spring that is, or has just come, under the indenter.
@@ -267,6 +286,39 @@ impl UnderIndenter<'_> {
         }
     }
 
+    /// ∫₀^T q (side·u̇ − ṅ + ż) dt [N] over a stretch slipped all along: the load of the normal spring over the way the
+    /// indenter slips on it, with the free difference z = z₀ + Σ zₖ e^(−t/λₖ).
+    ///
+    /// q(t) = E∞n + ηṅ + Σ [sᵢ e^(−t/τᵢ) + Eᵢṅτᵢ (1 − e^(−t/τᵢ))], so that all is a sum of integrals of e^(−t/λ),
+    /// e^(−t/τ) and their products; x = T/λ and y = T/τ, with 1 − e^(−x−y) = (1 − e^(−x)) + e^(−x) (1 − e^(−y)).
+    fn load_over_slip(&self, spectrum: &Spectrum, side: f64, free: &Free) -> f64 {
+        let (time, speed) = (self.duration, self.speed);
+        if time <= 0.0 {
+            return 0.0;
+        }
+        let (floor, steady) = (spectrum.equilibrium() * speed * time, spectrum.viscosity() * speed);
+        let start = spectrum.equilibrium() * self.start + steady;
+        let elements = || spectrum.terms().iter().zip(self.loads);
+        let held = |(term, load): (&Element, &f64)| {
+            let y = time / term.time;
+            load * faded(y) + term.modulus * speed * time * grown(y)
+        };
+        let ramp = time * (start + 0.5 * floor + elements().map(held).sum::<f64>());
+        let creeping = |(mode, z): (&Mode, &f64)| {
+            let x = time / mode.time;
+            let (kept, lost) = decay(x);
+            let element = |(term, load): (&Element, &f64)| {
+                let y = time / term.time;
+                let both = x / (x + y) * (lost + kept * y * faded(y));
+                load * both + term.modulus * speed * time * (lost - x * kept * faded(y)) / (x + y)
+            };
+            let rising = if x > 0.0 { (lost - x * kept) / x } else { 0.0 };
+            -z * (start * lost + floor * rising + elements().map(element).sum::<f64>())
+        };
+        let creep: f64 = spectrum.modes().iter().zip(&free.modes).map(creeping).sum();
+        (side * self.slide - speed) * ramp + creep
+    }
+
     /// The end of a stretch slipped all along: v = side·(n − z) with the free difference z.
     fn slipped(&self, spectrum: &Spectrum, side: f64, mut free: Free) -> SpringGrip {
         spectrum.recover(&mut free, self.duration);
@@ -282,9 +334,23 @@ impl UnderIndenter<'_> {
     }
 }
 
+/// (1 − e^(−y))/y, the mean of e^(−t) over 0 … y.
+fn faded(y: f64) -> f64 {
+    if y > 0.0 { decay(y).1 / y } else { 1.0 }
+}
+
+/// (y − 1 + e^(−y))/y², which is ½ at y = 0; by its series where the difference would lose digits.
+fn grown(y: f64) -> f64 {
+    if y > 0.5 {
+        return (1.0 - faded(y)) / y;
+    }
+    // Σ (−y)ᵏ/(k+2)! by Horner's rule: each factor is −y/(k+2).
+    0.5 * (3..18).rev().fold(1.0, |sum, k| 1.0 - y / f64::from(k) * sum)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::{CoulombBed, Pose};
+    use super::super::{CoulombBed, FrettingMap, Pose};
     use super::*;
     use crate::input::quantity::Length;
     use crate::material::Relaxation;
@@ -320,6 +386,7 @@ mod tests {
             let shape = Paraboloid { radius: Length::new(1.0).unwrap() };
             let mut relaxing = bed(&spectrum(1.0, &[], 0.0), GRIP);
             let mut elastic = CoulombBed::new(&shape, GRIP, 60.try_into().unwrap(), 1.2).unwrap();
+            let mut map = FrettingMap::new(&shape, GRIP, &relaxing.layout.place);
             let mut to = Pose::default();
             for motion in history {
                 let ((speed, slide), time) = speeds(motion);
@@ -327,6 +394,11 @@ mod tests {
                 // The same products as in the bed, so that both are touched at the same instants.
                 to = Pose { indentation: to.indentation + speed * time, slide: to.slide + slide * time };
                 let force = elastic.advance(&[to])[0];
+                map.advance(to);
+                let per_length = map.energy().into_iter().zip(&relaxing.layout.weight);
+                let right: f64 = per_length.map(|(energy, weight)| 0.5 * weight * energy).sum();
+                let lost = relaxing.dissipated();
+                prop_assert!((lost - right).abs() < 1e-13, "{lost} {right}");
                 prop_assert!((relaxing.forces().1 - force).abs() < 1e-13, "{} {force}", relaxing.forces().1);
             }
         }
@@ -341,6 +413,7 @@ mod tests {
                 spectrum(0.5, &[(0.5, 0.3)], 0.05),
             ];
             let (mut whole, mut cut) = (bed(&kinds[which], GRIP), bed(&kinds[which], GRIP));
+            let mut before = 0.0;
             for motion in history {
                 let (pair, time) = speeds(motion);
                 whole.advance(pair, time);
@@ -349,6 +422,9 @@ mod tests {
                 }
                 let ((normal, force), (_, other)) = (whole.forces(), cut.forces());
                 prop_assert!((force - other).abs() < 1e-11, "{force} {other}");
+                let (lost, other) = (whole.dissipated(), cut.dissipated());
+                prop_assert!((lost - other).abs() < 1e-11 && lost > before - 1e-14, "{before} {lost} {other}");
+                before = lost;
                 prop_assert!(force.abs() <= GRIP.coefficient * normal * (1.0 + 1e-12) + 1e-14);
             }
         }

@@ -327,7 +327,9 @@ fn a_term_of_no_weight_is_elastic() {
     for (soft, hard) in ends(&relaxing).iter().zip(&ends(&elastic)) {
         let bound = 0.3 * hard.normal.indentation.unwrap().max(0.0) * width;
         assert!((force(soft) - force(hard)).abs() <= bound + 1e-12, "{} {}", force(soft), force(hard));
-        assert!(soft.tangential.unwrap().dissipated.is_none());
+        // The bound of the force over the whole way, under the largest load.
+        let lost = |record: &Record| record.tangential.unwrap().dissipated.unwrap();
+        assert!((lost(soft) - lost(hard)).abs() <= 0.3 * 0.6 * width * 0.6, "{} {}", lost(soft), lost(hard));
     }
     assert!(force(&ends(&elastic)[5]) > 0.1, "the history does not load the contact");
 }

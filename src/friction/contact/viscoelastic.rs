@@ -7,8 +7,8 @@ use crate::friction::{FrictionError, ViscoelasticBed};
 
 /// A bed of viscoelastic springs with friction, driven along the depth of the normal contact.
 ///
-/// Exact in time for depth and slide that are straight in each step. What springs lose by slip is not told apart
-/// from what they lose by relaxing, so that no energy is given.
+/// Exact in time for depth and slide that are straight in each step. What springs lose by slip is told apart from what
+/// they lose by relaxing; what they store is not.
 #[derive(Debug, Clone)]
 pub struct ViscoelasticFriction {
     bed: ViscoelasticBed,
@@ -44,7 +44,7 @@ impl TangentialContact for ViscoelasticFriction {
             stick_radius,
             stiffness: 2.0 * self.tangential_modulus * stick_radius,
             stored: None,
-            dissipated: None,
+            dissipated: Some(self.bed.dissipated()),
             area_ratio: None,
         }
     }
