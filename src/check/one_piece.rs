@@ -86,12 +86,15 @@ pub fn largest_force(plan: &Plan, outcome: &Outcome) -> f64 {
 
 /// The least load from which on, up to the largest, a condition holds, to a thousandth; `None` if it does not at the largest.
 fn least_load(whole: impl Fn(f64) -> bool, largest: f64) -> Option<f64> {
-    let load = |k: i32| largest * 0.8_f64.powi(k);
+    // The contact can touch outside at loads between others that seal, where an end of it meets the next crest: a fine
+    // scan above, and decades below.
+    let even = (0..=48).map(|k| largest * (1.0 - f64::from(k) / 60.0));
+    let loads: Vec<f64> = even.chain((1..50).map(|k| 0.2 * largest * 0.8_f64.powi(k))).collect();
     if !whole(largest) {
         return None;
     }
-    let Some(fails) = (1..60).find(|&k| !whole(load(k))) else { return Some(0.0) };
-    let (mut low, mut high) = (load(fails), load(fails - 1));
+    let Some(fails) = loads.iter().position(|&load| !whole(load)) else { return Some(0.0) };
+    let (mut low, mut high) = (loads[fails], loads[fails.saturating_sub(1)]);
     while high > 1.001 * low {
         let middle = (low * high).sqrt();
         *(if whole(middle) { &mut high } else { &mut low }) = middle;

@@ -121,6 +121,19 @@ pub fn mean_radius_error(radii: [f64; 2]) -> Result<f64, RootError> {
     Ok(4.0 / 3.0 * ratio.sqrt().sqrt() / exact - 1.0)
 }
 
+/// Peak pressure of an ellipsoid over that of a sphere of radius √(R₁R₂) under the same force.
+///
+/// It depends on R₁/R₂ alone: a² p₀ of both goes with the force, and their axes with its cube root. 1 for equal radii.
+///
+/// # Errors
+/// As for [`EllipticHertz::at_indentation`].
+pub fn peak_pressure_ratio(radii: [f64; 2]) -> Result<f64, RootError> {
+    let larger = radii[0].max(radii[1]);
+    let ratio = radii[0].min(radii[1]) / larger;
+    let pressure = |radii| EllipticHertz::at_force(radii, 1.0, 1.0).map(|contact| contact.peak_pressure);
+    Ok(pressure([1.0, ratio])? / pressure([ratio.sqrt(); 2])?)
+}
+
 /// Ratio b/a of the semi-axes for these radii, and its integrals.
 fn shape(radii: [f64; 2]) -> Result<(f64, Integrals), RootError> {
     if let Some(&at) = radii.iter().find(|radius| !radius.is_finite() || **radius <= 0.0) {
@@ -179,6 +192,18 @@ mod tests {
             assert!((mean_radius_error([3.0, 3.0 * ratio]).unwrap() - error).abs() < 1e-12);
         }
         assert!(mean_radius_error([1.0, 1.0]).unwrap().abs() < 1e-15);
+    }
+
+    /// From semi-axes that return both curvatures, against p₀ = (6FE*²/π³R²)^{1/3} of the sphere.
+    #[test]
+    fn an_ellipse_presses_harder_than_a_circle() {
+        for ratio in [1.0, 0.5, 0.1, 0.01] {
+            let exact = EllipticHertz::at_force([1.0, ratio], 1.0, 1.0).unwrap().peak_pressure;
+            let sphere = (6.0 / (PI.powi(3) * ratio)).cbrt();
+            let found = peak_pressure_ratio([7.0 * ratio, 7.0]).unwrap();
+            assert!((found * sphere / exact - 1.0).abs() < 1e-14, "{ratio}");
+            assert!(if ratio < 1.0 { found > 1.0 } else { (found - 1.0).abs() < 1e-14 });
+        }
     }
 
     #[test]

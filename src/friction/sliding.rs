@@ -112,6 +112,22 @@ impl Friction {
 #[must_use]
 pub fn sliding_force(loaded: &Loaded, law: &dyn SlidingLaw) -> f64 {
     let a = loaded.contact_radius();
+    2.0 * PI * a * a * over_angles(loaded, law, |theta| theta.sin() * theta.cos())
+}
+
+/// Tangential displacement u = (2/G*) ∫₀^a τ(p(r)) dr [m] at which a contact slips everywhere; below it the middle sticks.
+///
+/// The tangential springs of a contact in gross sliding carry q_x(x) = 2∫ₓ^a τ r dr/√(r²−x²), most on the axis, which
+/// slips last (Popov & Heß 2015, ch. 5). Of a second slide the other way it is twice as much. `modulus` is G* [Pa].
+/// Check: Coulomb friction has μdE*/G* whatever the shape, a uniform stress 2τa/G*.
+#[must_use]
+pub fn full_slip_displacement(loaded: &Loaded, law: &dyn SlidingLaw, modulus: f64) -> f64 {
+    2.0 * loaded.contact_radius() * over_angles(loaded, law, f64::cos) / modulus
+}
+
+/// ∫ τ(p(a sin θ)) weight(θ) dθ over the quarter circle; a weight that falls like cos θ takes an inverse root away.
+fn over_angles(loaded: &Loaded, law: &dyn SlidingLaw, weight: impl Fn(f64) -> f64) -> f64 {
+    let a = loaded.contact_radius();
     let mut ends: Vec<f64> = law.corners().into_iter().flat_map(|p| crossings(loaded, p)).collect();
     ends.extend(loaded.profile().breaks(a).into_iter().filter(|&x| x < a).map(|x| (x / a).asin()));
     ends.push(FRAC_PI_2);
@@ -119,11 +135,11 @@ pub fn sliding_force(loaded: &Loaded, law: &dyn SlidingLaw) -> f64 {
     let mut from = 0.0;
     let mut sum = 0.0;
     for to in ends {
-        let at = |theta: f64| law.stress(pressure(loaded, theta)) * theta.sin() * theta.cos();
+        let at = |theta: f64| law.stress(pressure(loaded, theta)) * weight(theta);
         sum += panel_with_root_ends(|past, left| at(if past < left { from + past } else { to - left }), to - from);
         from = to;
     }
-    2.0 * PI * a * a * sum
+    sum
 }
 
 /// Pressure [Pa] at r = a sin θ, where the root at the edge is a cos θ to all digits.

@@ -32,9 +32,10 @@
 use super::FrictionError;
 use super::turning::Grip;
 use crate::contact::viscoelastic::layout::Layout;
-use crate::contact::viscoelastic::spring::{Free, Piece, Spring, decay};
+use crate::contact::viscoelastic::spring::{Free, Piece, Spring};
 use crate::contact::viscoelastic::{Motion, Spectrum};
 use crate::material::{Element, Mode};
+use crate::numerics::exponential::{decay, square_remainder};
 use crate::shape::Profile;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -339,13 +340,9 @@ fn faded(y: f64) -> f64 {
     if y > 0.0 { decay(y).1 / y } else { 1.0 }
 }
 
-/// (y − 1 + e^(−y))/y², which is ½ at y = 0; by its series where the difference would lose digits.
+/// (y − 1 + e^(−y))/y², which is ½ at y = 0.
 fn grown(y: f64) -> f64 {
-    if y > 0.5 {
-        return (1.0 - faded(y)) / y;
-    }
-    // Σ (−y)ᵏ/(k+2)! by Horner's rule: each factor is −y/(k+2).
-    0.5 * (3..18).rev().fold(1.0, |sum, k| 1.0 - y / f64::from(k) * sum)
+    if y > 1e-100 { square_remainder(y, decay(y).1) / (y * y) } else { 0.5 }
 }
 
 #[cfg(test)]

@@ -58,6 +58,19 @@ impl Ensemble {
             .then(|| Self { members: members.len(), rows: (0..shortest(members)).filter_map(row).collect() })
     }
 
+    /// Largest standard deviation of the depth, the force or the stiffness, each as a part of its largest mean.
+    #[must_use]
+    pub fn relative_deviation(&self) -> f64 {
+        let of = |of: fn(&Scattered) -> Scatter| {
+            let scatters = self.rows.iter().map(of);
+            let (mean, deviation) = scatters.fold((0.0, 0.0), |most: (f64, f64), scatter| {
+                (most.0.max(scatter.mean.abs()), most.1.max(scatter.deviation))
+            });
+            if mean > 0.0 { deviation / mean } else { 0.0 }
+        };
+        of(|row| row.indentation).max(of(|row| row.force)).max(of(|row| row.stiffness))
+    }
+
     /// Mean and scatter, one row per record.
     #[must_use]
     pub fn table(&self) -> Table {

@@ -24,6 +24,8 @@ pub(super) struct Run {
     pub(super) fields: Vec<Field>,
     /// The field at the largest indentation; `None` until the way back begins.
     deepest: Option<Deepest>,
+    /// The time at which it is left [s].
+    until: f64,
     wanted: Wanted,
     pub(super) notes: Vec<String>,
     /// The load of the contact at its greatest force, if it is wanted.
@@ -61,6 +63,33 @@ pub(super) fn follow(plan: &Shared, contact: Box<dyn ContactModel>, wanted: Want
     Ok(run)
 }
 
+/// Pressure on the axis [Pa] at the record of the largest force of `run`, a contact like `contact` led there again;
+/// `None` where a field shows it or where it is singular.
+///
+/// Bodies that relax have lost it by the end of the entry. It costs at most as much as the run.
+///
+/// # Errors
+/// As for [`follow`].
+pub(super) fn pressure_at_largest_force(
+    plan: &Shared,
+    contact: Box<dyn ContactModel>,
+    run: &Run,
+) -> Result<Option<f64>, SimulationError> {
+    let largest = run.records.iter().max_by(|x, y| x.normal.force.total_cmp(&y.normal.force));
+    let shown = |time: f64| run.fields.iter().any(|field| (field.time - time).abs() <= 0.0);
+    let Some(time) = largest.map(|record| record.time).filter(|&time| time > 0.0 && !shown(time)) else {
+        return Ok(None);
+    };
+    let mut again = Run { until: time, ..Run::new(contact, plan.accuracy(), Wanted::NOTHING) };
+    for stage in &plan.stages {
+        again.follow_stage(stage).map_err(|source| SimulationError::Contact { entry: stage.entry, source })?;
+        if again.time >= time {
+            break;
+        }
+    }
+    Ok(again.contact.loading().and_then(|loading| loading.pressure(0.0)))
+}
+
 impl Run {
     fn new(contact: Box<dyn ContactModel>, accuracy: f64, wanted: Wanted) -> Self {
         let mut run = Self {
@@ -73,6 +102,7 @@ impl Run {
             records: Vec::new(),
             fields: Vec::new(),
             deepest: None,
+            until: f64::INFINITY,
             wanted,
             notes: Vec::new(),
             loaded: None,
@@ -96,6 +126,9 @@ impl Run {
         self.driver.begin(self.contact.as_mut(), course, self.slide)?;
         for part in stage.parts() {
             self.advance(&course, part, start)?;
+            if self.time >= self.until {
+                return Ok(());
+            }
         }
         self.slide = course.tangential.at(self.slide, 1.0, course.over);
         self.observe();
@@ -129,18 +162,20 @@ impl Run {
         if self.goes_back(course, part) {
             self.look_deepest();
         }
+        let time = start + part * course.over;
+        let mut parted = time;
         for event in self.driver.advance(self.contact.as_mut(), part)? {
             self.push(event.before, event.tangential, start + event.time);
             self.push(event.after, event.tangential, start + event.time);
+            parted = start + event.time;
         }
-        let time = start + part * course.over;
         if was_joined
             && !self.contact.joined()
             && self.control == Control::Force
             && self.driver.prescribed_at(part) < 0.0
         {
             self.notes.push(format!(
-                "history[{}]: the prescribed force passes pull-off at t = {time:e} s: the bodies part and stay apart",
+                "history[{}]: the prescribed force passes pull-off at t = {parted:e} s: the bodies part and stay apart",
                 self.entry,
             ));
         }

@@ -24,7 +24,7 @@ mod error;
 mod fields;
 mod follow;
 mod fretting;
-mod plane;
+pub mod plane;
 pub mod named;
 pub mod record;
 mod results;
@@ -44,7 +44,9 @@ use crate::input::problem::Problem;
 use crate::run::record::Outcome;
 use crate::scene::parts::Parts;
 use crate::scene::plan::{Plan, RoundPlan};
-use follow::{Run, follow};
+use curves::sliding;
+use follow::{Run, follow, pressure_at_largest_force};
+use results::Pressures;
 
 /// Why a scene could not be run to its end.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -135,7 +137,11 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
     let stresses = loaded.as_ref().filter(|_| wanted.stresses).map(|loaded| fields::stresses(plan, loaded));
     outcome.tables.splice(0..0, pressure.into_iter().chain(stresses));
     outcome.warnings.extend(warnings::of(plan, &outcome.records, loaded.as_ref()));
-    let shape = warnings::error_of_shape(plan).filter(|shape| shape.relative > outcome.error_estimate.relative);
+    if let Some(ratio) = warnings::pressure_on_ellipse(plan) {
+        outcome.results.iter_mut().for_each(|named| named.scale("peak_pressure", ratio));
+    }
+    let shape = warnings::error_of_shape(plan, &outcome.records)
+        .filter(|shape| shape.relative > outcome.error_estimate.relative);
     outcome.error_estimate = shape.unwrap_or(outcome.error_estimate);
     Ok(outcome)
 }
@@ -147,7 +153,12 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
 fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
     let run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
     let fretting = fretting::map(plan, run.path());
-    let mut results = results::named(Some(&plan.contact), &run.records, &run.fields);
+    let on_axis = match plan.contact.bodies().relaxation().filter(|_| !run.fields.is_empty()) {
+        Some(_) => pressure_at_largest_force(plan, compose::contact(plan, Wanted::NOTHING)?, &run)?,
+        None => None,
+    };
+    let pressures = Pressures { fields: &run.fields, on_axis };
+    let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));
     let outcome = Outcome {
@@ -155,7 +166,13 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
         plan: parts(plan, &run),
         tables: fretting.into_iter().collect(),
         results,
-        warnings: run.notes.iter().cloned().chain(viscoelastic::remark(&run)).collect(),
+        warnings: run
+            .notes
+            .iter()
+            .cloned()
+            .chain(viscoelastic::remark(&run))
+            .chain(sliding::short_slides(plan, &run.records))
+            .collect(),
         records: run.records,
         fields: run.fields,
     };

@@ -66,6 +66,15 @@ impl Named {
         Self { quantity, unit: Unit::ONE, finding: Finding::Count(count) }
     }
 
+    /// Multiplies the number of the quantity `quantity` by `factor`; all else stays.
+    pub fn scale(&mut self, quantity: &str, factor: f64) {
+        if let Finding::Number(number) = &mut self.finding
+            && self.quantity == quantity
+        {
+            *number *= factor;
+        }
+    }
+
     /// Name in files, such as `largest_force_n`.
     #[must_use]
     pub fn name(&self) -> String {

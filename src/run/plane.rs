@@ -1,10 +1,11 @@
 //! Plane shapes: a wave on the half-plane in closed form, a wavy parabola by its Chebyshev series.
 
 use super::follow::follow;
-use super::{SimulationError, Wanted, results};
+use super::results::{self, Pressures};
+use super::{SimulationError, Wanted};
 use crate::contact::model::ContactModel;
 use crate::contact::plane::{WaveContact, WavyContact, Westergaard};
-use crate::run::named::Named;
+use crate::run::named::{Finding, Named};
 use crate::run::record::{ErrorEstimate, Outcome, Record};
 use crate::run::unit::Unit;
 use crate::scene::plan::{CappedCoulomb, PlanePlan, Section};
@@ -49,10 +50,20 @@ fn run_wavy(plan: &PlanePlan, shape: &PlaneWavy, wanted: Wanted) -> Result<Outco
     outcome.results.push(Named::number("rms_slope", Unit::ONE, shape.rms_slope()));
     if let Some(force) = broken {
         outcome.warnings.push(format!(
-            "under {force:.4e} N the contact is not in one piece, as under other forces that are missing here: it leaks; `explain` tells the least load that seals"
+            "under {force:.4e} N the contact is not in one piece, as under other forces that are missing here: it leaks"
         ));
     }
     Ok(outcome)
+}
+
+/// Why an outcome has nothing to show: none of its loaded states is in one piece.
+#[must_use]
+pub fn in_pieces(outcome: &Outcome) -> Option<&'static str> {
+    let broken = outcome.named("in_one_piece") == Some(Finding::Answer(false));
+    let unknown = broken && outcome.records.iter().all(|record| record.normal.force <= 0.0);
+    unknown.then_some(
+        "shape: under no force of the history is the contact in one piece, and one in several pieces is not computed: expected longer or lower waves, or a greater force",
+    )
 }
 
 /// A state of a contact in one piece, or of none at all.
@@ -69,7 +80,7 @@ fn outcome(
     let run = follow(plan, contact, wanted)?;
     let (records, broken): (Vec<_>, Vec<_>) = run.records.into_iter().partition(is_known);
     let outcome = Outcome {
-        results: results::named(None, &records, &run.fields),
+        results: results::named(None, &records, &Pressures { fields: &run.fields, on_axis: None }),
         records,
         fields: run.fields,
         tables: Vec::new(),

@@ -12,7 +12,7 @@ use crate::scene::plan::RoundPlan;
 
 /// The results the scene has, in a fixed order; `contact` is who computes a round contact.
 #[must_use]
-pub fn named(contact: Option<&ContactLaw>, records: &[Record], fields: &[Field]) -> Vec<Named> {
+pub fn named(contact: Option<&ContactLaw>, records: &[Record], fields: &Pressures<'_>) -> Vec<Named> {
     let mut results = largest(contact, records, fields);
     if let (Some(first), Some(last)) = (records.first(), records.last()) {
         results.extend(last_state(contact, first, last));
@@ -20,24 +20,53 @@ pub fn named(contact: Option<&ContactLaw>, records: &[Record], fields: &[Field])
     results
 }
 
+/// What is known of the pressures of a scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Pressures<'r> {
+    /// Over the radius, at the ends of the entries and at the largest depth.
+    pub fields: &'r [Field],
+    /// The largest on the axis [Pa] between them, where it was looked for.
+    pub on_axis: Option<f64>,
+}
+
 /// The largest of everything.
-fn largest(contact: Option<&ContactLaw>, records: &[Record], fields: &[Field]) -> Vec<Named> {
+fn largest(contact: Option<&ContactLaw>, records: &[Record], pressures: &Pressures<'_>) -> Vec<Named> {
     let forces = || records.iter().map(|record| record.normal.force);
     let most = |of: fn(&Record) -> Option<f64>| records.iter().filter_map(of).reduce(f64::max);
-    let intensity = fields.iter().filter_map(|field| field.stress_intensity);
+    let intensity = pressures.fields.iter().filter_map(|field| pressures.intensity(field));
     let intensity = intensity.max_by(|x, y| x.abs().total_cmp(&y.abs()));
-    let pull_off = forces()
-        .reduce(f64::min)
-        .filter(|least| contact.is_some_and(|contact| contact.bodies().adheres()) && *least < 0.0);
+    let adheres = contact.is_some_and(|contact| contact.bodies().adheres());
     let found = [
         ("largest_force", Unit::NEWTON, forces().reduce(f64::max)),
         ("largest_indentation", Unit::METRE, most(|record| record.normal.indentation)),
         ("largest_contact_radius", Unit::METRE, most(|record| record.normal.contact_radius)),
-        ("peak_pressure", Unit::PASCAL, peak_pressure(fields)),
+        ("peak_pressure", Unit::PASCAL, pressures.peak()),
         ("largest_stress_intensity", Unit::PASCAL_ROOT_METRE, intensity),
-        ("pull_off_force", Unit::NEWTON, pull_off),
+        ("jump_in_force", Unit::NEWTON, jump_in(records).filter(|_| adheres)),
+        ("pull_off_force", Unit::NEWTON, pull_off(records).filter(|_| adheres)),
     ];
     known(&found)
+}
+
+/// Force [N] with which the bodies, apart until then, jump into contact, if they pull each other.
+fn jump_in(records: &[Record]) -> Option<f64> {
+    let apart = |record: &Record| record.normal.contact_radius.is_none_or(|a| a <= 0.0);
+    let jump = records.windows(2).find(|pair| apart(&pair[0]) && !apart(&pair[1]))?;
+    let same = jump[1].normal.indentation == jump[0].normal.indentation;
+    Some(jump[1].normal.force).filter(|force| same && *force < 0.0)
+}
+
+/// The least force [N] on the way out, if it is a pull and has been passed: the bodies have parted, or are drawn
+/// further apart under a weaker one.
+fn pull_off(records: &[Record]) -> Option<f64> {
+    let depth = |record: &Record| record.normal.indentation.unwrap_or(f64::NEG_INFINITY);
+    let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
+    let passed = |pair: &&[Record]| {
+        let out = depth(&pair[1]) < depth(&pair[0]) || radius(&pair[1]) < radius(&pair[0]);
+        out && depth(&pair[1]) <= depth(&pair[0]) && pair[1].normal.force > pair[0].normal.force
+    };
+    let least = records.windows(2).filter(passed).map(|pair| pair[0].normal.force).reduce(f64::min);
+    least.filter(|least| *least < 0.0)
 }
 
 /// Work done so far, and the last state.
@@ -128,16 +157,28 @@ fn per_cycle(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
     }
 }
 
-/// The largest pressure of all fields, if it is finite: a sharp edge or apex has none.
-fn peak_pressure(fields: &[Field]) -> Option<f64> {
-    let compressed = |field: &&Field| field.stress_intensity.is_none_or(|intensity| intensity > 0.0);
-    if fields.iter().any(|field| !compressed(&field)) {
-        return None;
+/// Part of the largest pressure anywhere that an edge without load may seem to carry, by rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl Pressures<'_> {
+    /// The largest of all, finite or not.
+    fn largest(&self) -> Option<f64> {
+        let of_fields = self.fields.iter().flat_map(|field| field.rows.iter().filter_map(|row| row.pressure));
+        of_fields.chain(self.on_axis).reduce(f64::max)
     }
-    let all_known = |field: &Field| field.rows.first().is_some_and(|row| row.pressure.is_some());
-    if !fields.iter().all(all_known) {
-        return None;
+
+    /// Stress intensity [Pa √m] of the edge of a field, beyond the rounding of the loads the springs have carried:
+    /// those of a liquid fall by many decades, their rounding does not.
+    fn intensity(&self, field: &Field) -> Option<f64> {
+        let rounding = ROUNDING * self.largest().unwrap_or(0.0) * field.contact_radius.sqrt();
+        field.stress_intensity.filter(|intensity| intensity.abs() > rounding)
     }
-    let pressures = fields.iter().flat_map(|field| field.rows.iter().filter_map(|row| row.pressure));
-    pressures.reduce(f64::max)
+
+    /// The largest pressure [Pa], if it is finite: a sharp edge or apex has none.
+    fn peak(&self) -> Option<f64> {
+        let compressed = |field: &Field| self.intensity(field).is_none_or(|intensity| intensity > 0.0);
+        let known = |field: &Field| field.rows.first().is_some_and(|row| row.pressure.is_some());
+        let finite = self.fields.iter().all(|field| compressed(field) && known(field));
+        self.largest().filter(|_| finite)
+    }
 }

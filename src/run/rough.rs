@@ -15,23 +15,26 @@ use rayon::prelude::*;
 /// Runs a scene with a rough shape, all members of its ensemble in parallel; `done` is told the share behind.
 pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
     let surface = &plan.surface;
+    let count = surface.seeds.len();
+    let seeds = [&surface.seeds[..], &like(&surface.seeds)].concat();
     let behind = std::sync::atomic::AtomicUsize::new(0);
     let member = |&seed: &u64| {
         let records = member(plan, seed);
-        let count = behind.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
-        done(count as f64 / surface.seeds.len() as f64);
+        let behind = behind.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+        done(behind as f64 / seeds.len() as f64);
         records
     };
-    let members: Vec<Result<_, SimulationError>> = surface.seeds.par_iter().map(member).collect();
-    let members = members.into_iter().collect::<Result<Vec<_>, _>>()?;
-    let ensemble = Ensemble::of(&members);
-    let records = ensemble::mean(&members);
+    let members: Vec<Result<_, SimulationError>> = seeds.par_iter().map(member).collect();
+    let all = members.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let members = &all[..count];
+    let ensemble = Ensemble::of(members);
+    let records = ensemble::mean(members);
     Ok(Outcome {
         results: named(surface, &records, ensemble.as_ref()),
         records,
         fields: Vec::new(),
         tables: ensemble.iter().map(Ensemble::table).collect(),
-        error_estimate: estimate(),
+        error_estimate: estimate(&all, count),
         warnings: vec![format!("{VALIDITY}; indentation counts from first touch")],
         plan: plan.parts(),
     })
@@ -64,9 +67,32 @@ fn named(surface: &Surface, records: &[Record], ensemble: Option<&Ensemble>) -> 
     results
 }
 
-fn estimate() -> ErrorEstimate {
+/// Surfaces like a single one, by which its scatter is known: few, for each costs as much.
+const LIKE: u64 = 4;
+/// Error of the stiffness of the bed against the full half-space over H = 0.2 to 0.9.
+const BESIDE_HALF_SPACE: f64 = 0.2;
+
+/// Seeds of surfaces like the one of a single seed; none beside an ensemble.
+fn like(seeds: &[u64]) -> Vec<u64> {
+    match seeds {
+        [one] => (1..=LIKE).map(|k| one.wrapping_add(k)).collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// The error of the method, or of `count` surfaces that stand for all their like: three standard deviations of the
+/// depth, force or stiffness of `all` surfaces computed, of a mean those of the mean.
+fn estimate(all: &[Vec<Record>], count: usize) -> ErrorEstimate {
+    let scatter = 3.0 * Ensemble::of(all).map_or(0.0, |all| all.relative_deviation()) / (count as f64).sqrt();
+    if scatter > BESIDE_HALF_SPACE {
+        let basis = format!(
+            "approximate: three standard deviations of the depth, force or stiffness of {count} of the surfaces of this spectrum, from {}",
+            all.len()
+        );
+        return ErrorEstimate { relative: scatter, basis };
+    }
     ErrorEstimate {
-        relative: 0.2,
+        relative: BESIDE_HALF_SPACE,
         basis: "approximate: stiffness against the full half-space over H = 0.2 to 0.9; sums of the bed are exact to rounding".to_owned(),
     }
 }

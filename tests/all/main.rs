@@ -26,5 +26,7 @@ mod scenes;
 mod validation;
 #[cfg(feature = "text")]
 mod text;
+#[cfg(feature = "text")]
+mod told;
 mod viscoelastic_scenes;
 mod wavy_jumps;

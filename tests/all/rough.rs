@@ -197,10 +197,26 @@ fn a_parabola_without_waves_is_the_cylinder_of_hertz() {
 /// Fine waves break the contact: the run says so and gives no state that it does not know.
 #[test]
 fn a_leaking_seal_is_told() {
-    let seal =
-        "PlaneWavy(radius: \"5 mm\", waves: [(amplitude: \"0.2 um\", wavelength: \"13.468 um\")], datum: \"10 mm\")";
-    let (folder, said) = run(&plane(seal, "steps: 4,", "Press(to: 100, over: 1)"), None, &[]);
+    let seal = "PlaneWavy(radius: \"5 mm\", waves: [(amplitude: \"0.2 um\", wavelength: \"80 um\")], datum: \"10 mm\")";
+    let (folder, said) = run(&plane(seal, "steps: 4,", "Press(to: 60, over: 1)"), None, &[]);
     assert!(said.contains("in one piece            no"), "{said}");
     assert!(table(folder.path(), ".json").contains("it leaks"));
-    assert_eq!(table(folder.path(), ".csv").lines().count(), 2);
+    // At rest, under 45 N and under 60 N; it seals from 34.9 N on.
+    assert_eq!(column(&table(folder.path(), ".csv"), "force_n"), [0.0, 45.0, 60.0]);
+}
+
+/// A seal whose waves no force of the history closes has no state to show: the run fails, and writes nothing.
+#[test]
+fn a_seal_that_leaks_all_the_time_is_a_failed_run() {
+    let seal =
+        "PlaneWavy(radius: \"5 mm\", waves: [(amplitude: \"0.2 um\", wavelength: \"13.468 um\")], datum: \"10 mm\")";
+    let folder = TempDir::new().unwrap();
+    std::fs::write(folder.path().join("scene.ron"), plane(seal, "steps: 4,", "Press(to: 100, over: 1)")).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_springbed"));
+    command.stdin(Stdio::null()).current_dir(folder.path()).args(["run", "scene.ron", "--out", "out"]);
+    let output = command.output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("under no force of the history is the contact in one piece"), "{said}");
+    assert!(!folder.path().join("out").exists());
 }

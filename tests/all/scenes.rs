@@ -50,7 +50,7 @@ fn every_scene_runs_and_gives_the_answers_in_its_comments() {
         let outcome = compute(&scene.plan, &formats).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let files = products(&scene.plan, "scene.ron", &outcome, &formats).unwrap();
         assert!(files.len() >= 2 && files.iter().all(|file| !file.content.is_empty()), "{}", path.display());
-        let known = endings(&scene.setup, &formats);
+        let known = endings(&scene.plan, &formats);
         assert!(files.iter().all(|file| known.contains(&file.ending)), "{}: beyond {known:?}", path.display());
         for (name, right, bound) in answers(&text) {
             let found = result(&outcome, &name).unwrap_or_else(|| panic!("{}: no {name}", path.display()));

@@ -253,3 +253,62 @@ fn stresses_and_yield_are_those_of_the_present_load() {
     }
     assert!(pressed(4e4, None).warnings.iter().any(|told| told.contains("body 2: the stress passes first yield")));
 }
+
+/// Depth by depth at given times, as one table.
+fn by_table(bodies: (Body, Body), times: &[f64], depths: &[f64]) -> Outcome {
+    let tables = InMemory::default().with("h.csv", &[("time_s", times), ("indentation_m", depths)]);
+    let scene = scene(bodies, vec![Entry::Table("h.csv".into())]);
+    run::run(&scene.resolve(&tables).unwrap(), Wanted { fields: true, ..Wanted::NOTHING }).unwrap()
+}
+
+fn with_fields(scene: Scene) -> Outcome {
+    let wanted = Wanted { fields: true, ..Wanted::NOTHING };
+    run::run(&scene.resolve(&InMemory::default()).unwrap(), wanted).unwrap()
+}
+
+/// The pressure of a liquid is past by the end of its history: the same motion by a table and by entries has the same
+/// peak, and it is that of a table that ends where the fast part does.
+#[test]
+fn the_peak_pressure_of_a_table_is_that_of_its_whole_motion() {
+    let liquid = || (rubber(0.0, &[(0.5e6, 0.05)], 0.0), Body::Rigid);
+    let peak = |outcome: &Outcome| outcome.number("peak_pressure_pa").unwrap();
+    let entries = with_fields(scene(liquid(), vec![indent(1e-4, 0.01), indent(1.0001e-4, 9.99)]));
+    let rows = by_table(liquid(), &[0.0, 0.01, 10.0], &[0.0, 1e-4, 1.0001e-4]);
+    let fast = by_table(liquid(), &[0.0, 0.01], &[0.0, 1e-4]);
+    // The same pressure, summed over panels of another history.
+    for outcome in [&rows, &fast] {
+        assert!((peak(outcome) / peak(&entries) - 1.0).abs() < 1e-9, "{} {}", peak(outcome), peak(&entries));
+    }
+    assert_eq!(rows.number("largest_stress_intensity_pa_sqrt_m"), None, "an edge without adhesion is not singular");
+}
+
+/// In the contact the surface is that of the indenter, d − f(r), whatever moves it and whoever computes it.
+#[test]
+fn the_surface_in_the_contact_is_the_indenter() {
+    let bodies = || (rubber(0.3e6, &TERMS.map(|(modulus, time)| (1e6 * modulus, time)), 0.0), Body::Rigid);
+    let wave = Oscillate {
+        amplitude: Amplitude::new(1e-6).unwrap(),
+        frequency: Frequency::new(1.0).unwrap(),
+        cycles: Positive::new(1.0).unwrap(),
+    };
+    let rough = |history| Scene { accuracy: Some(Accuracy::new(1e-3).unwrap()), ..scene(bodies(), history) };
+    let scenes = [
+        rough(vec![press(1.0, 1.0), hold_force(1.0), press(0.5, 1.0)]),
+        rough(vec![indent(1e-5, 1.0), Entry::Oscillate(wave)]),
+        Scene { springs: NonZeroUsize::new(100), ..scene(bodies(), vec![indent(1e-5, 1.0), indent(5e-6, 1.0)]) },
+    ];
+    for scene in scenes {
+        let outcome = with_fields(scene);
+        assert!(outcome.fields.len() >= 2);
+        for field in &outcome.fields {
+            let at_end = |record: &&run::record::Record| (record.time - field.time).abs() <= 0.0;
+            let record = outcome.records.iter().rev().find(at_end).unwrap();
+            let d = record.normal.indentation.unwrap();
+            for row in field.rows.iter().filter(|row| row.radius < field.contact_radius) {
+                let right = d - 0.5 * row.radius * row.radius;
+                let found = row.displacement.unwrap();
+                assert!((found - right).abs() <= 8.0 * f64::EPSILON * d, "{}: {found:e}, not {right:e}", row.radius);
+            }
+        }
+    }
+}

@@ -9,6 +9,7 @@ use crate::app::progress::Progress;
 use crate::app::run::{Product, compute_watched, endings, products};
 use crate::app::scene_file::SceneFile;
 use crate::app::write::write_all;
+use crate::run::plane;
 use rayon::prelude::*;
 use std::path::PathBuf;
 
@@ -62,7 +63,7 @@ fn no_clash(scenes: &[SceneFile], common: &Common) -> Result<(), Failure> {
 }
 
 fn outputs<'s>(scene: &'s SceneFile, common: &Common) -> Outputs<'s> {
-    let endings = endings(&scene.setup, &common.format).into_iter();
+    let endings = endings(&scene.plan, &common.format).into_iter();
     Outputs { scene, names: endings.map(|ending| format!("{}{ending}", scene.stem())).collect() }
 }
 
@@ -70,6 +71,9 @@ fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Res
     let plan = &scene.plan;
     let file = scene.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let outcome = compute_watched(plan, &common.format, watch).map_err(|error| error.to_string())?;
+    if let Some(why) = plane::in_pieces(&outcome) {
+        return Err(why.to_owned());
+    }
     let products = products(plan, &file, &outcome, &common.format).map_err(|error| error.to_string())?;
     let json = if common.json { export::json(&plan.scene, &file, &outcome) } else { Ok(String::new()) };
     Ok(Done {

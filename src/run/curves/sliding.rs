@@ -13,15 +13,17 @@
 //! ```
 
 use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::loaded::Loaded;
 use crate::contact::state::Tangential;
 use crate::friction::FrictionError;
 use crate::friction::peeling::ShearedAdhesion;
-use crate::friction::sliding::{SlidingPoint, amontons_range, friction_curve};
+use crate::friction::sliding::{SlidingPoint, amontons_range, friction_curve, full_slip_displacement};
 use crate::run::record::Record;
 use crate::run::sheared;
 use crate::scene::law::FrictionLaw;
-use crate::scene::plan::Plan;
+use crate::scene::plan::{Plan, RoundPlan, Shared};
 use crate::scene::stage::Stage;
+use crate::shape::Rim;
 
 /// Deviation of d ln F_x/d ln F from one up to which Amontons' law counts as holding.
 const AMONTONS: f64 = 0.01;
@@ -114,8 +116,43 @@ pub fn amontons(curve: &[SlidingPoint]) -> Option<(Option<f64>, Option<f64>)> {
     Some((Some(low).filter(|low| *low > first), Some(high).filter(|high| *high < last)))
 }
 
+/// What is to be said of slides too short for the gross sliding that the law of friction takes for granted.
+#[must_use]
+pub fn short_slides(plan: &RoundPlan, records: &[Record]) -> Vec<String> {
+    let interface = plan.friction.as_ref().and_then(FrictionLaw::interface);
+    let speeds = speeds(plan).filter(|(_, speed)| *speed > 0.0);
+    let told = |(entry, speed): (usize, f64)| {
+        let law = interface?.law(speed).ok()?;
+        let end = records.iter().rfind(|record| record.entry == entry)?;
+        let before = records.iter().rfind(|record| record.entry < entry)?;
+        let way = (end.tangential?.slide - before.tangential?.slide).abs();
+        let turned = end.tangential?.force * before.tangential?.force < 0.0;
+        let once = full_slip_displacement(&loaded(plan, end)?, law.as_ref(), plan.pair.tangential);
+        let needed = if turned { 2.0 * once } else { once };
+        (way < needed).then(|| {
+            format!(
+                "history[{entry}]: a slide of {way:.3e} m is too short for gross sliding, which takes {needed:.3e} m: in truth the middle of the contact sticks, and the tangential force given is too large"
+            )
+        })
+    };
+    speeds.filter_map(told).collect()
+}
+
+/// The load of the elastic contact of a record; `None` where the bodies are apart.
+fn loaded(plan: &RoundPlan, record: &Record) -> Option<Loaded> {
+    let radius = record.normal.contact_radius.filter(|&a| a > 0.0)?;
+    let ground = plan.ground();
+    let edge_load = match (ground.profile().rim(), plan.contact.bodies().adheres()) {
+        (Rim::Wall(_), _) | (_, true) => {
+            ground.modulus() * (record.normal.indentation? - ground.profile().reduced(radius))
+        }
+        (Rim::None | Rim::End(_), false) => 0.0,
+    };
+    Some(Loaded::elastic(ground, radius, edge_load))
+}
+
 /// Entry and sliding speed [m/s] of every stage; zero where the body does not slide one way.
-fn speeds(plan: &Plan) -> impl DoubleEndedIterator<Item = (usize, f64)> {
+fn speeds(plan: &Shared) -> impl DoubleEndedIterator<Item = (usize, f64)> {
     let mut at = 0.0;
     let mut speed = |stage: &Stage| {
         let from = at;

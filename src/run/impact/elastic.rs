@@ -34,7 +34,8 @@ pub fn follow(
     let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
     let field = field.and_then(|contact| fields::field(contact, "greatest depth".to_owned(), time));
     let loaded = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses)).map(QuasiStatic::loaded);
-    Ok(Followed { row, moments, field, loaded, bytes: passage.bytes() })
+    let radius = deepest.as_ref().map_or(0.0, |contact| contact.loaded().contact_radius());
+    Ok(Followed { row, moments, radius, field, loaded, bytes: passage.bytes() })
 }
 
 /// Largest pressure [Pa], unless a sharp edge or tip has an infinite one.

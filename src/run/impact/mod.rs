@@ -25,6 +25,8 @@ const RECORDS: usize = 200;
 struct Followed {
     row: ImpactRow,
     moments: Vec<ImpactState>,
+    /// Contact radius at the greatest depth [m], which no record need hit.
+    radius: f64,
     field: Option<Field>,
     loaded: Option<Loaded>,
     bytes: usize,
@@ -51,7 +53,7 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
     let shown = followed.swap_remove(shown);
     let records = records(plan, &shown.moments);
     let outcome = Outcome {
-        results: results::named(plan, &rows, &records, shown.field.as_ref()),
+        results: results::named(plan, (&rows, &records), shown.radius, shown.field.as_ref()),
         records,
         fields: shown.field.into_iter().collect(),
         tables: std::iter::once(table::impacts(&rows)).chain(table::incidence(&incidence)).collect(),

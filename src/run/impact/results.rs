@@ -7,16 +7,23 @@ use crate::run::record::{Field, Record};
 use crate::run::unit::Unit;
 use crate::scene::plan::ImpactPlan;
 
-/// The results of a scene, in a fixed order; records and pressure are those of the fastest impact.
+/// The results of a scene, in a fixed order; records, the contact radius at the greatest depth [m] and pressure are
+/// those of the fastest impact.
 #[must_use]
-pub fn named(plan: &ImpactPlan, rows: &[ImpactRow], records: &[Record], field: Option<&Field>) -> Vec<Named> {
+pub fn named(
+    plan: &ImpactPlan,
+    (rows, records): (&[ImpactRow], &[Record]),
+    deepest_radius: f64,
+    field: Option<&Field>,
+) -> Vec<Named> {
     let mut results = match rows {
         [one] => single(one),
         many => curve(many),
     };
-    let largest = |of: fn(&Record) -> f64| records.iter().map(of).fold(0.0, f64::max);
+    let largest_radius =
+        records.iter().filter_map(|record| record.normal.contact_radius).fold(deepest_radius, f64::max);
     let mut add = |quantity, unit, value| results.push(Named::number(quantity, unit, value));
-    add("largest_contact_radius", Unit::METRE, largest(|record| record.normal.contact_radius.unwrap_or(0.0)));
+    add("largest_contact_radius", Unit::METRE, largest_radius);
     if let Some(intensity) = field.and_then(|field| field.stress_intensity) {
         add("largest_stress_intensity", Unit::PASCAL_ROOT_METRE, intensity);
     }

@@ -40,7 +40,8 @@ pub fn follow(
     let moments = if wanted.is_some() { flight.moments(records) } else { Vec::new() };
     let field = wanted.is_some_and(|wanted| wanted.fields).then(|| field(&flight)).flatten();
     let loaded = wanted.filter(|wanted| wanted.stresses).and_then(|_| flight.loaded());
-    Ok(Followed { row, moments, field, loaded, bytes: flight.bytes() })
+    let radius = flight.deepest_radius();
+    Ok(Followed { row, moments, radius, field, loaded, bytes: flight.bytes() })
 }
 
 /// The pressure at the greatest depth.

@@ -18,6 +18,10 @@ pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
 /// What the scene lacks for a figure.
 fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     let scene = draft.scene;
+    let of_plane = scene.shape.is_plane().then(|| lacks_of_plane(plot)).flatten();
+    if of_plane.is_some() {
+        return of_plane;
+    }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape => return None,
         Plot::Radius | Plot::Pressure | Plot::Stress => {
@@ -45,6 +49,24 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         }
     };
     (!there).then_some(what)
+}
+
+/// What a plane contact lacks for a figure, whatever else the scene has.
+fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
+    match plot {
+        Plot::Force | Plot::Energy | Plot::Radius | Plot::Pressure | Plot::Moduli | Plot::Area | Plot::Restitution => {
+            None
+        }
+        Plot::Stress => {
+            Some("the stress below a plane contact is not computed: expected Force, Radius, Pressure or Energy")
+        }
+        Plot::Shape => {
+            Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")
+        }
+        Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Coefficient => Some(
+            "of the friction of a plane contact the force of gross sliding is a result, and no more: expected Force, Radius, Pressure or Energy",
+        ),
+    }
 }
 
 /// Whether the friction is one of gross sliding.

@@ -12,6 +12,9 @@ pub(super) struct Interpolant {
     slopes: Vec<f64>,
 }
 
+/// Fewest points that give a slope and its change.
+pub(super) const FEWEST: usize = 3;
+
 /// One piece: f′(u) = m₀ + u(2c₂ + 3c₃u) with u = (r−r₀)/h in [0, 1].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cubic {
@@ -48,6 +51,17 @@ impl Cubic {
 }
 
 impl Interpolant {
+    /// The interpolant through every other point and the last; `None` where fewer than three are left.
+    pub(super) fn coarser(&self) -> Option<Self> {
+        let last = self.radii.len() - 1;
+        let every_other = |values: &[f64]| -> Vec<f64> {
+            let kept = values.iter().enumerate().filter(|(at, _)| at % 2 == 0 || *at == last);
+            kept.map(|(_, value)| *value).collect()
+        };
+        let (radii, heights) = (every_other(&self.radii), every_other(&self.heights));
+        (radii.len() >= FEWEST).then(|| Self::new(radii, heights))
+    }
+
     /// The interpolant through at least three points of rising radii.
     pub(super) fn new(radii: Vec<f64>, heights: Vec<f64>) -> Self {
         let steps: Vec<f64> = radii.windows(2).map(|r| r[1] - r[0]).collect();

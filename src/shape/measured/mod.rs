@@ -7,7 +7,7 @@ mod samples;
 use super::{Profile, Rim};
 use crate::input::table::{Columns, TableError, Tables};
 use crate::numerics::root;
-use interpolant::Interpolant;
+use interpolant::{FEWEST as FEWEST_ROWS, Interpolant};
 use samples::Samples;
 use std::path::Path;
 
@@ -24,9 +24,6 @@ pub struct Measured {
     feature: Option<f64>,
     fall: Option<f64>,
 }
-
-/// Fewest rows that give a slope and its change.
-const FEWEST_ROWS: usize = 3;
 
 impl Measured {
     /// Reads the columns `radius_m` and `height_m` of a table.
@@ -167,6 +164,20 @@ impl Profile for Measured {
 
     fn breaks(&self, a: f64) -> Vec<f64> {
         self.samples.ends(a)
+    }
+
+    /// Twice the largest difference to every other row at a few radii up to `a`: a cubic of second order at least errs
+    /// by a third of it, but differences pass zero.
+    fn sampling_error(&self, a: f64) -> f64 {
+        let Some(coarse) = self.samples.interpolant().coarser().map(Samples::new) else { return 1.0 };
+        let difference = |a: f64| {
+            let (depth, load) = (self.reduced(a), self.load_integral(a));
+            let (low, high) = coarse.bracket(depth).filter(|_| load > 0.0)?;
+            let edge = root::within(|x| x * coarse.at(x).reduced - depth, low, high);
+            Some((coarse.at(edge).load / load - 1.0).abs().max((edge / a - 1.0).abs()))
+        };
+        let radii = (0..6).map(|k| a * (1.0 - 0.02 * f64::from(k)));
+        radii.filter_map(difference).reduce(f64::max).map_or(0.0, |error| (2.0 * error).min(1.0))
     }
 }
 
@@ -309,6 +320,28 @@ mod tests {
     fn a_flat_in_the_middle_is_the_flat_radius() {
         let table = measured(&even(11), |r| (r - 0.3).max(0.0));
         near(table.edge(0.0).unwrap(), 0.3, 1e-15);
+    }
+
+    /// A ball in few rows: the error stated is above the true one and falls with the square of the spacing.
+    #[test]
+    fn what_lies_between_the_rows_is_stated() {
+        let ball = Sphere { radius: metres(1.0) };
+        let mut before = f64::INFINITY;
+        for count in [8_u32, 24, 72, 216] {
+            let radii: Vec<f64> = (0..=count).map(|k| 0.95 * f64::from(k) / f64::from(count)).collect();
+            let measured = measured(&radii, |r| ball.height(r));
+            for a in [0.3, 0.6, 0.9] {
+                let edge = ball.edge(measured.reduced(a)).unwrap();
+                let force = (measured.load_integral(a) / ball.load_integral(edge) - 1.0).abs();
+                let (real, stated) = (force.max((a / edge - 1.0).abs()), measured.sampling_error(a));
+                assert!(real <= stated, "{count} rows, {a}: {real:e} {stated:e}");
+            }
+            let stated = measured.sampling_error(0.6);
+            assert!(stated < before / 3.0, "{count} rows: {stated:e} after {before:e}");
+            before = stated;
+        }
+        let paraboloid = measured(&[0.0, 1.0, 2.0, 3.0, 4.0], |r| 0.5 * r * r);
+        assert!(paraboloid.sampling_error(2.5) < 1e-14, "points of a paraboloid give it back");
     }
 
     #[test]

@@ -1,0 +1,154 @@
+//! What a scene is told beside its records: named results, warnings, refusals on the way.
+
+use springbed::contact::elliptic::EllipticHertz;
+use springbed::input::table::InMemory;
+use springbed::run::record::Outcome;
+use springbed::run::{self, SimulationError, Wanted};
+use springbed::scene::Scene;
+
+fn tried(text: &str) -> Result<Outcome, SimulationError> {
+    let plan = Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap();
+    run::run(&plan, Wanted { fields: true, ..Wanted::NOTHING })
+}
+
+/// A paraboloid of 5 mm on rubber of E* = 8/3 MPa, with `parts` and the history `entries`.
+fn on_rubber(parts: &str, entries: &str) -> Outcome {
+    let text = format!(
+        "(shape: Paraboloid(radius: \"5 mm\"), bodies: (Elastic(young: \"2 MPa\", poisson: 0.5), Rigid), {parts} \
+         history: [{entries}])"
+    );
+    tried(&text).unwrap()
+}
+
+const JKR: &str = "adhesion: Jkr(work: 0.05),";
+
+/// JKR: the edge jumps in under −(4/3)πwR at d = 0 and is pulled off under −(3/2)πwR, if it is.
+#[test]
+fn a_pull_off_is_told_only_where_something_is_pulled_off() {
+    let scale = -std::f64::consts::PI * 0.05 * 5e-3;
+    let near = |found: Option<f64>, right: f64| found.is_some_and(|found| (found / right - 1.0).abs() < 1e-4);
+    let pressed = on_rubber(JKR, "Indent(to: 1e-5, over: 1)");
+    assert!(near(pressed.number("jump_in_force_n"), 4.0 / 3.0 * scale), "{:?}", pressed.results);
+    assert_eq!(pressed.number("pull_off_force_n"), None);
+    let eased = on_rubber(JKR, "Indent(to: 1e-5, over: 1), Indent(to: 2e-6, over: 1)");
+    assert_eq!(eased.number("pull_off_force_n"), None, "a pull that is still growing is no pull-off");
+    for way_out in ["Retract(speed: 1e-6)", "Indent(to: -1e-5, over: 1)", "Press(to: -1, over: 1)"] {
+        let parted = on_rubber(JKR, &format!("Indent(to: 1e-5, over: 1), {way_out}"));
+        let found = parted.number("pull_off_force_n");
+        assert!(near(found, 1.5 * scale), "{way_out}: {found:?}, not {}", 1.5 * scale);
+    }
+}
+
+/// Under a force the bodies part where it passes −(3/2)πwR, not at the record after.
+#[test]
+fn the_warning_of_a_pull_off_tells_its_instant() {
+    let parted = on_rubber(JKR, "Press(to: 5e-3, over: 1), Press(to: -7e-3, over: 1)");
+    let instant = 1.0 + (5e-3 + 1.5 * std::f64::consts::PI * 0.05 * 5e-3) / 12e-3;
+    let warning = parted.warnings.iter().find(|warning| warning.contains("passes pull-off at t = ")).unwrap();
+    let told = warning.split("t = ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+    assert!((told.parse::<f64>().unwrap() / instant - 1.0).abs() < 1e-9, "{warning}: {instant}");
+}
+
+/// Coulomb friction slips everywhere from μdE*/G* on, a uniform shear stress from 2τa/G*; a slide the other way takes
+/// twice as much.
+#[test]
+fn a_slide_too_short_for_gross_sliding_is_told() {
+    let short = |friction: &str, slides: &str| {
+        let entries = format!("Indent(to: 1e-5, over: 1), {slides}");
+        on_rubber(&format!("friction: {friction},"), &entries)
+            .warnings
+            .iter()
+            .filter(|warning| warning.contains("too short"))
+            .count()
+    };
+    let slide = |to: f64| format!("Slide(to: {to:e}, over: 1)");
+    // G*/E* = 2(1 − ν)/(2 − ν) = 2/3.
+    let capped = "CoulombOrowan(coefficient: 0.3, shear_limit: \"1 GPa\")";
+    let (full, a) = (0.3 * 1e-5 * 1.5, (5e-3_f64 * 1e-5).sqrt());
+    assert_eq!((short(capped, &slide(0.999 * full)), short(capped, &slide(1.001 * full))), (1, 0));
+    let uniform = "Pressure(shear: \"0.1 MPa\", slope: 0)";
+    let full = 2.0 * 1e5 * a / (8e6 / 3.0 * 2.0 / 3.0);
+    assert_eq!((short(uniform, &slide(0.999 * full)), short(uniform, &slide(1.001 * full))), (1, 0));
+    let to_and_fro = |back: f64| short(uniform, &format!("{}, {}", slide(1.1 * full), slide((1.1 - back) * full)));
+    assert_eq!((to_and_fro(1.999), to_and_fro(2.001)), (1, 0));
+}
+
+/// G and E = 2G(1 + ν) are one body, in a scene and in the scene it is resolved to.
+#[test]
+fn a_body_may_be_given_by_its_shear_modulus() {
+    let body = |moduli: &str| {
+        let text = format!(
+            "(shape: Cone(slope: 0.1), bodies: (Elastic({moduli}, poisson: 0.25), Rigid), history: [Indent(to: 1, over: 1)])"
+        );
+        Scene::from_ron(&text).unwrap()
+    };
+    let (shear, young) = (body("shear: \"80 GPa\""), body("young: \"200 GPa\""));
+    assert_eq!(shear, young);
+    assert_eq!(Scene::from_json(&shear.to_json().unwrap()).unwrap(), young);
+}
+
+/// w = γ₁ + γ₂ − γ₁₂, in RON and in JSON; the energy of the interface may be left out.
+#[test]
+fn a_work_of_adhesion_may_be_given_by_its_surfaces() {
+    let scene = |work: &str| {
+        let text = format!(
+            "(shape: Cone(slope: 0.1), bodies: (Elastic(young: 1, poisson: 0.25), Rigid), adhesion: Jkr(work: {work}), \
+             history: [Indent(to: 1, over: 1)])"
+        );
+        Scene::from_ron(&text)
+    };
+    let right = scene("0.0390625").unwrap();
+    assert_eq!(scene("(surface_1: \"31.25 mJ/m^2\", surface_2: 0.015625, interface: 0.0078125)").unwrap(), right);
+    assert_eq!(scene("(surface_2: 0.01953125, surface_1: \"19.53125 mJ/m^2\")").unwrap(), right);
+    let json = right
+        .to_json()
+        .unwrap()
+        .replace("\"work\": 0.0390625", "\"work\": {\"surface_1\": 0.01953125, \"surface_2\": 0.01953125}");
+    assert_eq!(Scene::from_json(&json).unwrap(), right);
+    let wrong = |work: &str| scene(work).unwrap_err().message;
+    assert!(wrong("(surface_1: 0.02, surface_2: 0.02, interface: 0.05)").contains("out of range: expected a work of"));
+    assert!(wrong("(surface_1: 0.02)").contains("lacks the field `surface_2`"));
+    assert!(wrong("(surface_1: 0.02, surface_2: -1)").contains("-1.0 J/m^2 is out of range"));
+    assert!(wrong("(surface_1: 0.02, surface: 1)").contains("there is no part `surface`: expected surface_1"));
+}
+
+/// Two spheres are a ball of 1/R = 1/R₁ + 1/R₂ on a flat; a ball in a cup is a wider one.
+#[test]
+fn two_spheres_are_one_on_a_flat() {
+    let force = |shape: &str| {
+        let text = format!(
+            "(shape: {shape}, bodies: (Elastic(young: \"2 MPa\", poisson: 0.5), Rigid), history: [Indent(to: 1e-6, over: 1)])"
+        );
+        tried(&text).unwrap().number("largest_force_n").unwrap()
+    };
+    let ball = force("Paraboloid(radius: \"20 mm\")");
+    for spheres in
+        ["\"40 mm\", radius_2: \"40 mm\"", "\"10 mm\", radius_2: \"-20 mm\"", "\"-60 mm\", radius_2: \"15 mm\""]
+    {
+        let found = force(&format!("Spheres(radius_1: {spheres})"));
+        assert!((found / ball - 1.0).abs() < 4.0 * f64::EPSILON, "{spheres}: {found} {ball}");
+    }
+    let small = on_shape("Spheres(radius_1: \"1 mm\", radius_2: \"1 m\")", "Indent(to: 1e-4, over: 1)");
+    assert!(small.warnings.iter().any(|warning| warning.contains("of the smaller sphere")), "{:?}", small.warnings);
+}
+
+fn on_shape(shape: &str, entries: &str) -> Outcome {
+    let text =
+        format!("(shape: {shape}, bodies: (Elastic(young: \"2 MPa\", poisson: 0.5), Rigid), history: [{entries}])");
+    tried(&text).unwrap()
+}
+
+/// The peak pressure of an ellipsoid is that of the elliptic contact under the same force, 1.5 F/πab; a and b with
+/// another library's elliptic integrals (Johnson, eqs. 4.25 to 4.28).
+#[test]
+fn an_ellipsoid_has_the_peak_pressure_of_its_ellipse() {
+    for ratio in [1.0, 10.0, 100.0] {
+        let shape = format!("Ellipsoid(radius_x: {}, radius_y: 1e-3)", 1e-3 * ratio);
+        let outcome = on_shape(&shape, "Press(to: 1e-4, over: 1)");
+        let exact = EllipticHertz::at_force([1e-3 * ratio, 1e-3], 8e6 / 3.0, 1e-4).unwrap();
+        let found = outcome.number("peak_pressure_pa").unwrap();
+        assert!((found / exact.peak_pressure - 1.0).abs() < 1e-12, "{ratio}: {found:e}");
+    }
+    let adhesive = on_shape("Ellipsoid(radius_x: 1e-2, radius_y: 1e-3)", "Press(to: 1e-4, over: 1)");
+    assert!(adhesive.error_estimate.relative > 0.09, "the force at a given depth is 10 % too small");
+}
