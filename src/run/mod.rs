@@ -24,7 +24,7 @@ mod error;
 mod fields;
 mod follow;
 mod fretting;
-pub mod plane;
+mod plane;
 pub mod named;
 pub mod record;
 mod results;
@@ -37,6 +37,7 @@ mod viscoelastic;
 
 pub use crate::contact::error::ContactError;
 pub use compose::{direct, sheared};
+pub use plane::in_pieces;
 
 use crate::contact::loaded::Loaded;
 use crate::drive::impact::ImpactError;

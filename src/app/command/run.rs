@@ -9,7 +9,7 @@ use crate::app::progress::Progress;
 use crate::app::run::{Product, compute_watched, endings, products};
 use crate::app::scene_file::SceneFile;
 use crate::app::write::write_all;
-use crate::run::plane;
+use crate::run::in_pieces;
 use rayon::prelude::*;
 use std::path::PathBuf;
 
@@ -71,7 +71,7 @@ fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Res
     let plan = &scene.plan;
     let file = scene.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     let outcome = compute_watched(plan, &common.format, watch).map_err(|error| error.to_string())?;
-    if let Some(why) = plane::in_pieces(&outcome) {
+    if let Some(why) = in_pieces(&outcome) {
         return Err(why.to_owned());
     }
     let products = products(plan, &file, &outcome, &common.format).map_err(|error| error.to_string())?;
