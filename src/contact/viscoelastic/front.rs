@@ -374,13 +374,15 @@ impl Front<'_> {
     fn path(&self) -> Vec<(f64, f64)> {
         let duration = self.motion.duration;
         let (shortest, accuracy) = (1e-12 * duration, self.attraction.map_or(0.0, Attraction::accuracy));
-        let (mut now, mut a, mut step) = (0.0, self.edge, duration / 16.0);
+        let (mut now, mut a, mut step, mut stride) = (0.0, self.edge, duration, 0.0);
         let mut path = vec![(a, 0.0)];
         while now < duration && a > 0.0 {
             let until = if duration - now <= 1.01 * step { duration } else { now + step };
             let half = 0.5 * (now + until);
-            let (whole, middle) = (self.opened(a, now, until), self.opened(a, now, half));
-            let halves = self.opened(middle, half, until);
+            let whole = self.opened(a, now, until, stride);
+            let middle = self.opened(a, now, half, 0.5 * (a - whole));
+            let halves = self.opened(middle, half, until, a - middle);
+            stride = a - whole;
             let error = (whole - halves).abs() / self.edge;
             if error > accuracy && until - now > shortest {
                 step = (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
@@ -400,13 +402,18 @@ impl Front<'_> {
         path
     }
 
-    /// The largest radius not above `a` that holds at the time `until` (implicit in the speed of the edge).
-    fn opened(&self, a: f64, now: f64, until: f64) -> f64 {
+    /// The largest radius not above `a` that holds at the time `until` (implicit in the speed of the edge); it is
+    /// looked for about a `stride` [m] away first.
+    fn opened(&self, a: f64, now: f64, until: f64, stride: f64) -> f64 {
         let margin = |x: f64| {
             let candidate = self.candidate(Way::Opening, x);
             let strength = self.attraction.map_or(0.0, |law| law.strength(x, (a - x) / (until - now)));
             strength - candidate.limit - candidate.urge(self.spectrum, until)
         };
+        let near = a - 1.5 * stride;
+        if stride > 0.0 && near > 0.0 && margin(a) < 0.0 && margin(near) >= 0.0 {
+            return root::within(|x| -margin(x), near, a);
+        }
         if a > 0.0 { last_hold(&margin, a).unwrap_or(0.0) } else { 0.0 }
     }
 }
