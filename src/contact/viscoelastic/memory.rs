@@ -448,8 +448,8 @@ impl Memory {
 /// What polynomials may miss of the springs where nothing else errs, relative to their loads.
 const SMOOTH: f64 = 1e-14;
 
-/// A contact smaller than this part of the largest one is none: it carries 1e-21 of the load.
-const SPECK: f64 = 1e-7;
+/// A shrinking contact smaller than this part of the largest one is none: its load is at most the square of it.
+const SPECK: f64 = 1e-6;
 
 /// What is left of a motion on the way through it.
 struct Walk {
