@@ -11,7 +11,7 @@ use crate::numerics::{extremum, root};
 
 /// What the edge does next.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Phase {
+pub(super) enum EdgePhase {
     /// It stands still for a time [s].
     Still(f64),
     /// It moves to a radius [m] in a time [s], each spring at the instant of its own limit.
@@ -37,7 +37,7 @@ pub(super) enum Way {
 }
 
 /// A spring as it is when the motion begins.
-pub(super) struct Seen {
+pub(super) struct SightedSpring {
     pub spring: Spring,
     /// Height g(x) of the indenter above it [m].
     pub height: f64,
@@ -46,7 +46,7 @@ pub(super) struct Seen {
 }
 
 /// A spring that may join or leave, as it is when the motion begins.
-struct Candidate {
+struct EdgeSpring {
     spring: Spring,
     doubt: f64,
     /// The motion as it sees it.
@@ -62,7 +62,7 @@ pub(super) struct Front<'b> {
     pub spectrum: &'b Spectrum,
     pub attraction: Option<&'b Attraction>,
     /// The spring at the distance x from the axis, at the edge the one that may go that way.
-    pub see: &'b dyn Fn(Way, f64) -> Seen,
+    pub see: &'b dyn Fn(Way, f64) -> SightedSpring,
     /// Contact radius [m].
     pub edge: f64,
     /// Largest radius there may be [m].
@@ -108,7 +108,7 @@ pub(super) fn instants(spectrum: &Spectrum, duration: f64) -> Vec<f64> {
     times
 }
 
-impl Candidate {
+impl EdgeSpring {
     /// How far beyond its limit the spring is after the time `t`: positive once it has joined or left.
     fn urge(&self, spectrum: &Spectrum, t: f64) -> f64 {
         match &self.spring {
@@ -142,7 +142,7 @@ impl Front<'_> {
     /// What the edge does first in the motion, and which way.
     ///
     /// Where rounding hides whether an edge at its limit moves, it waits for a little more.
-    pub(super) fn phase(&self) -> (Phase, Way) {
+    pub(super) fn phase(&self) -> (EdgePhase, Way) {
         for way in [Way::Opening, Way::Closing] {
             if self.wants(way) {
                 let phase = self.moves(way);
@@ -151,7 +151,7 @@ impl Front<'_> {
                 }
             }
         }
-        (Phase::Still(self.patience().max(self.least)), Way::Opening)
+        (EdgePhase::Still(self.patience().max(self.least)), Way::Opening)
     }
 
     /// The largest radius ever touched [m].
@@ -160,12 +160,12 @@ impl Front<'_> {
     }
 
     /// Whether a phase leads anywhere.
-    fn gets_on(&self, phase: &Phase) -> bool {
+    fn gets_on(&self, phase: &EdgePhase) -> bool {
         let away = |x: f64| (x - self.edge).abs() > 2.0 * BESIDE * self.edge;
         match phase {
-            Phase::Still(duration) => *duration > 0.0,
-            Phase::Moves { to, .. } | Phase::Jumps(to) => away(*to),
-            Phase::Creeps(path) => path.len() > 1,
+            EdgePhase::Still(duration) => *duration > 0.0,
+            EdgePhase::Moves { to, .. } | EdgePhase::Jumps(to) => away(*to),
+            EdgePhase::Creeps(path) => path.len() > 1,
         }
     }
 
@@ -174,14 +174,14 @@ impl Front<'_> {
         self.first(&self.candidate(way, x)).unwrap_or(last).min(last)
     }
 
-    fn candidate(&self, way: Way, x: f64) -> Candidate {
-        let Seen { spring, height, doubt } = (self.see)(way, x);
+    fn candidate(&self, way: Way, x: f64) -> EdgeSpring {
+        let SightedSpring { spring, height, doubt } = (self.see)(way, x);
         let seen = Motion { start: self.motion.start - height, ..self.motion };
         let limit = self.attraction.map_or(0.0, |attraction| match spring {
             Spring::Pressed(_) => attraction.strength(x, 0.0),
             Spring::Free(_) => attraction.reach(x),
         });
-        Candidate { spring, doubt, seen, lengths: self.motion.start.abs() + height, limit }
+        EdgeSpring { spring, doubt, seen, lengths: self.motion.start.abs() + height, limit }
     }
 
     /// A place just beyond the edge, on the side of the springs that would move: what is nearer does not count.
@@ -228,7 +228,7 @@ impl Front<'_> {
     }
 
     /// The first time at which a spring is beyond its limit [s].
-    fn first(&self, candidate: &Candidate) -> Option<f64> {
+    fn first(&self, candidate: &EdgeSpring) -> Option<f64> {
         if candidate.urge(self.spectrum, 0.0) >= 0.0 {
             return Some(0.0);
         }
@@ -236,7 +236,7 @@ impl Front<'_> {
     }
 
     /// The first time at which the urge of a spring rises through `level` [s].
-    fn crossing(&self, candidate: &Candidate, level: f64) -> Option<f64> {
+    fn crossing(&self, candidate: &EdgeSpring, level: f64) -> Option<f64> {
         let urge = |t: f64| candidate.urge(self.spectrum, t) - level;
         let rate = |t: f64| candidate.urge_rate(self.spectrum, t);
         let (mut before, mut rising) = (0.0, rate(0.0) > 0.0);
@@ -258,7 +258,7 @@ impl Front<'_> {
     }
 
     /// The greatest urge of a spring, and when [s].
-    fn top(&self, candidate: &Candidate) -> extremum::Peak {
+    fn top(&self, candidate: &EdgeSpring) -> extremum::Peak {
         let urge = |t: f64| candidate.urge(self.spectrum, t);
         let rate = |t: f64| candidate.urge_rate(self.spectrum, t);
         let at = |t: f64| extremum::Peak { place: t, value: urge(t) };
@@ -303,20 +303,20 @@ impl Front<'_> {
     }
 
     /// How an edge that wants to move does.
-    fn moves(&self, way: Way) -> Phase {
+    fn moves(&self, way: Way) -> EdgePhase {
         let from = self.beside(way);
         if way == Way::Opening && self.attraction.is_some_and(Attraction::has_rate) {
-            return Phase::Creeps(self.path());
+            return EdgePhase::Creeps(self.path());
         }
         if self.is_beyond(way, from) {
-            return Phase::Jumps(self.landing(way, from));
+            return EdgePhase::Jumps(self.landing(way, from));
         }
         let mut step = FIRST_STEP * self.start_length();
         let (mut x, mut before, mut now) = (from, from, 0.0);
         while let Some(next) = self.further(way, x, step) {
             let Some(at) = self.first(&self.candidate(way, next)) else { return self.ends(way, x, next) };
             if now <= 0.0 && self.is_beyond(way, next) {
-                return Phase::Jumps(self.landing(way, next));
+                return EdgePhase::Jumps(self.landing(way, next));
             }
             if at < now {
                 return self.folds(way, before, next);
@@ -324,7 +324,7 @@ impl Front<'_> {
             (before, x, now) = (x, next, at);
             step = self.longer(step, x);
         }
-        Phase::Moves { to: x, duration: now }
+        EdgePhase::Moves { to: x, duration: now }
     }
 
     /// Whether the spring at `x` is beyond its limit as the motion begins, by more than rounding.
@@ -351,21 +351,21 @@ impl Front<'_> {
     }
 
     /// The edge comes to an end between two places: the first has its instant, the other has not.
-    fn ends(&self, way: Way, inside: f64, outside: f64) -> Phase {
+    fn ends(&self, way: Way, inside: f64, outside: f64) -> EdgePhase {
         let top = |x: f64| self.top(&self.candidate(way, x));
         let missing = |x: f64| -top(x).value;
         let to = match root::brent(missing, inside.min(outside), inside.max(outside)) {
             Ok(to) if missing(inside) < 0.0 => to,
             _ => inside,
         };
-        Phase::Moves { to, duration: top(to).place }
+        EdgePhase::Moves { to, duration: top(to).place }
     }
 
     /// The edge gets ahead of itself between two places: it moves to where the instants are latest.
-    fn folds(&self, way: Way, before: f64, next: f64) -> Phase {
+    fn folds(&self, way: Way, before: f64, next: f64) -> EdgePhase {
         let at = |x: f64| self.first(&self.candidate(way, x)).unwrap_or(self.motion.duration);
         let latest = extremum::greatest(at, before.min(next), before.max(next));
-        Phase::Moves { to: latest.place, duration: latest.value }
+        EdgePhase::Moves { to: latest.place, duration: latest.value }
     }
 
     /// The way of an edge that opens by the rate law, until it stands still: radii and times.

@@ -193,10 +193,10 @@ const TWO_TIMES: [(f64, f64); 2] = [(2e6, 0.1), (0.8e6, 3.0)];
 #[test]
 fn an_edge_joins_and_leaves_by_its_own_modulus() {
     let history = [(1e-5, 1.0), (3e-6, 1.0), (9.5e-6, 2.0)];
-    type Law = fn(f64, &Spectrum) -> Attraction;
+    type EdgeLaw = fn(f64, &Spectrum) -> Attraction;
     let relaxed = [(7.409e-3, 308.1e-6), (-0.5289e-3, 210.3e-6), (4.877e-3, 303.4e-6)];
     let at_once = [(6.155e-3, 270.2e-6), (-1.990e-3, 241.9e-6), (4.653e-3, 269.3e-6)];
-    for (law, found) in [(Attraction::relaxed as Law, relaxed), (Attraction::instantaneous as Law, at_once)] {
+    for (law, found) in [(Attraction::relaxed as EdgeLaw, relaxed), (Attraction::instantaneous as EdgeLaw, at_once)] {
         let mut bed = held_ball(|spectrum| law(0.05, spectrum), &TWO_TIMES);
         for ((to, over), (force, radius)) in history.into_iter().zip(found) {
             bed.reach(to, over).unwrap();

@@ -1,14 +1,14 @@
 //! The continuous bed: no springs to count, no error of discretization.
 //!
 //! At any time the contact is a disc 0 ≤ x < a and the state of a spring depends on the height
-//! c = g(x) of the indenter above it only. A motion falls into phases in which the [edge](super::front) stands
+//! c = g(x) of the indenter above it only. A motion falls into phases in which the edge stands
 //! still, moves one way or jumps; the springs it passes join or leave at instants of their own, all others move
-//! alike. The bed falls into [panels](super::panel) in which the springs are smooth; the force is
+//! alike. The bed falls into panels in which the springs are smooth; the force is
 //! F = 2E∞ ∫₀^a (d − g) dx + Σ ∫ 2 sᵢ dx, the second part made with the panel and evolved like a spring from then on.
 
 use super::Spectrum;
 use super::attraction::Attraction;
-use super::front::{Front, Phase, Seen, Way, instants};
+use super::front::{EdgePhase, Front, SightedSpring, Way, instants};
 use super::ledger::Ledger;
 use super::panel::{Grain, Lived, Panel, panels};
 use super::spring::{Motion, Piece, Spring};
@@ -145,30 +145,30 @@ impl Memory {
     }
 
     /// What happens first in a motion.
-    fn next(&self, motion: &Motion, least: f64) -> Result<Step, BedError> {
+    fn next(&self, motion: &Motion, least: f64) -> Result<PhaseStep, BedError> {
         let see = |way: Way, x: f64| self.seen(way, x);
         let borders: Vec<f64> = self.panels.iter().map(|panel| panel.outer).collect();
         let front = Front { least: least.min(motion.duration), borders: &borders, ..self.front(motion, &see) };
         let (phase, way) = front.phase();
         let (duration, change) = match phase {
-            Phase::Still(duration) => (duration, None),
-            Phase::Moves { to, duration } => {
+            EdgePhase::Still(duration) => (duration, None),
+            EdgePhase::Moves { to, duration } => {
                 let to = if way == Way::Opening && to <= SPECK * front.reached() { 0.0 } else { to };
                 if way == Way::Closing && to >= front.limit && matches!(self.profile.rim(), Rim::End(_)) {
                     return Err(BedError::BeyondProfile { indentation: motion.depth(duration) });
                 }
                 (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| front.instant(way, x, duration))))
             }
-            Phase::Creeps(path) => {
+            EdgePhase::Creeps(path) => {
                 let &(to, duration) = path.last().unwrap_or(&(front.edge, 0.0));
                 (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| instant_of(&path, x))))
             }
-            Phase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
+            EdgePhase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
         };
-        Ok(Step { duration, change })
+        Ok(PhaseStep { duration, change })
     }
 
-    fn front<'b>(&'b self, motion: &Motion, see: &'b dyn Fn(Way, f64) -> Seen) -> Front<'b> {
+    fn front<'b>(&'b self, motion: &Motion, see: &'b dyn Fn(Way, f64) -> SightedSpring) -> Front<'b> {
         Front {
             spectrum: &self.spectrum,
             attraction: self.attraction.as_ref(),
@@ -298,8 +298,8 @@ impl Memory {
         self.panel(way, x).map_or_else(|| Spring::untouched(&self.spectrum), |panel| panel.spring(x))
     }
 
-    fn seen(&self, way: Way, x: f64) -> Seen {
-        Seen {
+    fn seen(&self, way: Way, x: f64) -> SightedSpring {
+        SightedSpring {
             spring: self.spring_on(way, x),
             height: self.profile.reduced(x),
             doubt: self.panel(way, x).map_or(0.0, Panel::doubt),
@@ -468,7 +468,7 @@ impl Walk {
 }
 
 /// What happens first in a motion.
-struct Step {
+struct PhaseStep {
     duration: f64,
     change: Option<Change>,
 }

@@ -21,17 +21,17 @@ const ROUNDING: f64 = 2e-14;
 const MOST_HALVINGS: u32 = 46;
 
 /// Nodes on [−1, 1], their weights, those of the barycentric formula, and the last two Legendre coefficients.
-struct Rule {
+struct NodeRule {
     nodes: [f64; NODES],
     weights: [f64; NODES],
     barycentric: [f64; NODES],
     last: [[f64; NODES]; 2],
 }
 
-static RULE: LazyLock<Rule> = LazyLock::new(|| {
+static RULE: LazyLock<NodeRule> = LazyLock::new(|| {
     let pairs: [(f64, f64); NODES] = std::array::from_fn(|k| quadrature::node_and_weight(NODES, k));
     let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
-    Rule {
+    NodeRule {
         nodes: pairs.map(|(x, _)| x),
         weights: pairs.map(|(_, w)| w),
         // Wang & Xiang 2012: (−1)ᵏ √((1 − xₖ²) wₖ).
@@ -102,7 +102,7 @@ fn nodes(inner: f64, outer: f64) -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// Springs that may become a panel, at its nodes.
-struct Draft {
+struct PanelDraft {
     inner: f64,
     outer: f64,
     springs: Vec<Lived>,
@@ -112,7 +112,7 @@ struct Draft {
     tail: f64,
 }
 
-impl Draft {
+impl PanelDraft {
     fn new(inner: f64, outer: f64, lived: &dyn Fn(f64) -> Lived) -> Self {
         let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| lived(x)).collect();
         let states: Vec<Vec<f64>> = springs.iter().map(|lived| numbers(lived.spring.clone())).collect();
@@ -202,9 +202,9 @@ pub(super) fn panels(
     grain: Grain,
     lived: &dyn Fn(f64) -> Lived,
 ) -> (Vec<Panel>, f64) {
-    let drafts: Vec<Draft> = borders.windows(2).map(|pair| Draft::new(pair[0], pair[1], lived)).collect();
+    let drafts: Vec<PanelDraft> = borders.windows(2).map(|pair| PanelDraft::new(pair[0], pair[1], lived)).collect();
     let greatest = drafts.iter().fold(grain.scale, |most: f64, draft| most.max(draft.greatest));
-    let mut open: Vec<(Draft, u32)> = drafts.into_iter().rev().map(|draft| (draft, 0)).collect();
+    let mut open: Vec<(PanelDraft, u32)> = drafts.into_iter().rev().map(|draft| (draft, 0)).collect();
     let (mut done, mut work) = (Vec::new(), 0.0);
     while let Some((draft, halvings)) = open.pop() {
         let middle = 0.5 * (draft.inner + draft.outer);
@@ -213,12 +213,12 @@ pub(super) fn panels(
             || middle <= draft.inner
             || middle >= draft.outer
         {
-            let (panel, done_on_it) = Draft { greatest, ..draft }.finished(spectrum, speed);
+            let (panel, done_on_it) = PanelDraft { greatest, ..draft }.finished(spectrum, speed);
             work += done_on_it;
             done.push(panel);
         } else {
-            open.push((Draft::new(middle, draft.outer, lived), halvings + 1));
-            open.push((Draft::new(draft.inner, middle, lived), halvings + 1));
+            open.push((PanelDraft::new(middle, draft.outer, lived), halvings + 1));
+            open.push((PanelDraft::new(draft.inner, middle, lived), halvings + 1));
         }
     }
     (done, work)
@@ -242,7 +242,7 @@ impl Panel {
     fn part(&self, spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let here = |x: f64| Lived { spring: self.spring(x), impulse: 0.0 };
         let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| here(x)).collect();
-        Draft { inner, outer, springs, greatest: self.greatest, tail: self.missed }.finished(spectrum, 0.0).0
+        PanelDraft { inner, outer, springs, greatest: self.greatest, tail: self.missed }.finished(spectrum, 0.0).0
     }
 
     /// The panel in two, cut at `x`.
@@ -256,7 +256,7 @@ impl Panel {
             return None;
         }
         let lived = |x: f64| Lived { spring: if x < next.inner { self } else { next }.spring(x), impulse: 0.0 };
-        let draft = Draft::new(self.inner, next.outer, &lived);
+        let draft = PanelDraft::new(self.inner, next.outer, &lived);
         let greatest = draft.greatest.max(self.greatest * self.left()).max(next.greatest * next.left());
         let seam = |x: f64| {
             let y = (2.0 * x - self.inner - next.outer) / (next.outer - self.inner);
