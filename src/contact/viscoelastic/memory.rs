@@ -448,8 +448,8 @@ impl Memory {
 /// What polynomials may miss of the springs where nothing else errs, relative to their loads.
 const SMOOTH: f64 = 1e-14;
 
-/// A shrinking contact smaller than this part of the largest one is none: its load is at most the square of it.
-const SPECK: f64 = 1e-6;
+/// A shrinking contact smaller than this part of the largest one, 20√ε, is none: a time off by 400ε lets it go.
+const SPECK: f64 = 3e-7;
 
 /// What is left of a motion on the way through it.
 struct Walk {
