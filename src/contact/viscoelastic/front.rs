@@ -86,8 +86,6 @@ const FIRST_STEP: f64 = 1e-5;
 const LONGEST_STEP: f64 = 1.0 / 24.0;
 /// Part of a radius that does not count: nearer to the edge no spring is looked at.
 const BESIDE: f64 = 8.0 * f64::EPSILON;
-/// Part of a radius within which another past is passed over.
-const NEAREST: f64 = 1e-3;
 /// Rounding of a limit, relative to what it is made of.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
@@ -276,9 +274,9 @@ impl Front<'_> {
 
     /// The next place of a search that way, `step` further [m]; `None` where there is none.
     ///
-    /// Never beyond springs of another past, unless they are too near to count.
+    /// Never beyond springs of another past.
     fn further(&self, way: Way, x: f64, step: f64) -> Option<f64> {
-        let near = NEAREST * x;
+        let near = 2.0 * BESIDE * x;
         match way {
             Way::Opening => {
                 let border = self.borders.iter().rev().find(|&&border| border < x - near);
@@ -322,7 +320,8 @@ impl Front<'_> {
                 return self.folds(way, before, next);
             }
             (before, x, now) = (x, next, at);
-            step = self.longer(step, x);
+            // Beyond a border the limits are others at once.
+            step = if self.borders.contains(&x) { FIRST_STEP * self.start_length() } else { self.longer(step, x) };
         }
         EdgePhase::Moves { to: x, duration: now }
     }
