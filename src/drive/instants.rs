@@ -13,6 +13,8 @@ pub struct NotableInstant {
     pub time: f64,
     /// The last time before it [s], where the state changes suddenly.
     pub just_before: Option<f64>,
+    /// Whether the bodies touch from then on, where that changes.
+    pub touching: Option<bool>,
 }
 
 /// A look at the contact at a time since the beginning of the piece [s].
@@ -103,7 +105,7 @@ impl Watch {
 
     /// Adds the beginning of the piece to what happens on it.
     pub fn note_beginning(&mut self) {
-        self.found.push_front(NotableInstant { time: 0.0, just_before: None });
+        self.found.push_front(NotableInstant { time: 0.0, just_before: None, touching: None });
     }
 
     /// Looks two intervals ahead.
@@ -163,7 +165,7 @@ impl Watch {
             let still = self.see(contact, middle)?.contact_radius > 0.0;
             *(if still == joined { &mut low } else { &mut high }) = middle;
         }
-        Ok(Some(NotableInstant { time: high, just_before: torn.map(|_| low) }))
+        Ok(Some(NotableInstant { time: high, just_before: torn.map(|_| low), touching: Some(!joined) }))
     }
 
     /// The turn of the force among three looks.
@@ -181,6 +183,6 @@ impl Watch {
         }
         let force = |time: f64| Ok::<_, ContactError>(sign * self.see(contact, time)?.force);
         let peak = extremum::search(force, three[0].time, three[1].time, three[2].time)?;
-        Ok(Some(NotableInstant { time: peak.place, just_before: None }))
+        Ok(Some(NotableInstant { time: peak.place, just_before: None, touching: None }))
     }
 }

@@ -49,7 +49,7 @@ use chords::Chords;
 use course::{Course, Extent, Path};
 use cycle::Cycle;
 use force::{ForceDrive, Ramp, ahead, depth_of};
-use instants::{Watch, looks};
+use instants::{NotableInstant, Watch, looks};
 
 /// Something that happens between two records, with the state on both sides.
 #[derive(Debug, Clone, Copy)]
@@ -63,6 +63,9 @@ pub struct Occurrence {
     /// State of the tangential contact.
     pub tangential: Option<Tangential>,
 }
+
+/// Part of a time by which rounding may delay what was seen to happen.
+const LATEST: f64 = 1e-12;
 
 /// A contact being led through the stages of a history.
 #[derive(Debug, Clone)]
@@ -314,10 +317,16 @@ impl Driver {
             let look = leg.watch.as_ref().and_then(Watch::next_stop).map(|stop| leg.begin + stop);
             let stop = look.unwrap_or(until).min(until);
             while let Some(instant) = leg.watch.as_mut().and_then(|watch| watch.take_until(stop - leg.begin)) {
-                self.move_to(contact, leg, leg.begin + instant.just_before.unwrap_or(instant.time))?;
-                let before = self.state(contact);
-                self.move_to(contact, leg, leg.begin + instant.time)?;
-                let (time, after) = (leg.begin + instant.time, self.state(contact));
+                let before = match instant.just_before {
+                    Some(time) => {
+                        self.move_to(contact, leg, leg.begin + time)?;
+                        Some(self.state(contact))
+                    }
+                    None => None,
+                };
+                let time = self.move_past(contact, leg, &instant, stop)?;
+                let after = self.state(contact);
+                let before = before.unwrap_or(after);
                 occurrences.push(Occurrence { time, before, after, tangential: contact.tangential() });
             }
             self.move_to(contact, leg, stop)?;
@@ -326,6 +335,31 @@ impl Driver {
                 _ => return Ok(()),
             }
         }
+    }
+
+    /// On along a leg until an instant has passed, not beyond `stop` [s]; the time [s] it is then.
+    ///
+    /// It was found by looking from a little earlier: where bodies touch or part, rounding on the way here may
+    /// delay it.
+    fn move_past(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        leg: &Leg,
+        instant: &NotableInstant,
+        stop: f64,
+    ) -> Result<f64, ContactError> {
+        let mut time = (leg.begin + instant.time).min(stop);
+        let mut later = f64::EPSILON * time;
+        self.move_to(contact, leg, time)?;
+        while let Some(touching) = instant.touching
+            && later < LATEST * time
+            && (contact.state().contact_radius > Some(0.0)) != touching
+        {
+            time = (time + later).min(stop);
+            later *= 2.0;
+            self.move_to(contact, leg, time)?;
+        }
+        Ok(time)
     }
 
     /// On along a leg to the time `time` [s].
@@ -461,9 +495,7 @@ impl Driver {
             duration *= 2.0;
         }
         contact.follow(&ahead(contact, -speed, duration))?;
-        let back = f64::MIN_POSITIVE.max(duration * f64::EPSILON);
-        contact.follow(&Straight::between(depth_of(contact), depth, back))?;
-        Ok(self.state(contact))
+        Ok(Normal { indentation: Some(depth), ..self.state(contact) })
     }
 
     /// The last cycle of the last oscillation of a contact that remembers.

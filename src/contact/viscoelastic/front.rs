@@ -123,8 +123,13 @@ impl EdgeSpring {
         }
     }
 
-    /// What rounding leaves of it.
+    /// What rounding leaves of it, and the doubt about the spring.
     fn rounding(&self, spectrum: &Spectrum) -> f64 {
+        self.own_rounding(spectrum) + self.doubt
+    }
+
+    /// What rounding leaves of it, the spring taken as it is told.
+    fn own_rounding(&self, spectrum: &Spectrum) -> f64 {
         let parts = match &self.spring {
             Spring::Pressed(s) => {
                 let steady = spectrum.equilibrium() * self.lengths + (spectrum.viscosity() * self.seen.speed).abs();
@@ -132,7 +137,7 @@ impl EdgeSpring {
             }
             Spring::Free(free) => self.lengths + free.rest.abs() + free.modes.iter().map(|z| z.abs()).sum::<f64>(),
         };
-        ROUNDING * (parts + self.limit) + self.doubt
+        ROUNDING * (parts + self.limit)
     }
 }
 
@@ -152,9 +157,12 @@ impl Front<'_> {
         (EdgePhase::Still(self.patience().max(self.least)), Way::Opening)
     }
 
-    /// The largest radius ever touched [m].
-    pub(super) fn reached(&self) -> f64 {
-        self.borders.last().copied().unwrap_or(0.0)
+    /// Whether at the time `t` even the spring at the axis, of a contact that nothing holds, carries no more than
+    /// rounding: then it has ended.
+    pub(super) fn is_spent(&self, way: Way, t: f64) -> bool {
+        let pulls = self.attraction.is_some_and(|attraction| attraction.work() > 0.0);
+        let axis = self.candidate(way, 0.0);
+        way == Way::Opening && !pulls && axis.urge(self.spectrum, t) >= -axis.own_rounding(self.spectrum)
     }
 
     /// Whether a phase leads anywhere.
@@ -274,25 +282,43 @@ impl Front<'_> {
 
     /// The next place of a search that way, `step` further [m]; `None` where there is none.
     ///
-    /// Never beyond springs of another past.
+    /// Springs of another past have other limits at once: a search stops on both sides of each border.
     fn further(&self, way: Way, x: f64, step: f64) -> Option<f64> {
-        let near = 2.0 * BESIDE * x;
-        match way {
-            Way::Opening => {
-                let border = self.borders.iter().rev().find(|&&border| border < x - near);
-                (x > 0.0).then(|| (x - step).max(border.copied().unwrap_or(0.0)))
-            }
-            Way::Closing => {
-                let border = self.borders.iter().find(|&&border| border > x + near);
-                (x < self.limit).then(|| (x + step).min(border.copied().unwrap_or(self.limit)))
-            }
-        }
+        let (there, to) = match way {
+            Way::Opening => (x > 0.0, (x - step).max(0.0)),
+            Way::Closing => (x < self.limit, (x + step).min(self.limit)),
+        };
+        let ahead = |&border: &f64| match way {
+            Way::Opening => border < x && to < border * (1.0 + BESIDE),
+            Way::Closing => border > x && to > border * (1.0 - BESIDE),
+        };
+        let next = match way {
+            Way::Opening => self.borders.iter().rev().copied().find(ahead),
+            Way::Closing => self.borders.iter().copied().find(ahead),
+        };
+        let stop = |border: f64| {
+            let (near, far) = match way {
+                Way::Opening => (border * (1.0 + BESIDE), border * (1.0 - BESIDE)),
+                Way::Closing => (border * (1.0 - BESIDE), border * (1.0 + BESIDE)),
+            };
+            if self.border_at(x) == Some(border) { far } else { near }
+        };
+        there.then(|| next.map_or(to, stop))
     }
 
-    /// Steps of a search: from fine to coarse.
+    /// The border beside which `x` is, if it is beside one.
+    fn border_at(&self, x: f64) -> Option<f64> {
+        self.borders.iter().copied().find(|border| (x - border).abs() <= 1.5 * BESIDE * border)
+    }
+
+    /// Steps of a search: from fine to coarse, and fine again beyond a border.
     fn longer(&self, step: f64, x: f64) -> f64 {
+        let first = FIRST_STEP * self.start_length();
+        if self.border_at(x).is_some() {
+            return first;
+        }
         let longest = if self.edge > 0.0 { LONGEST_STEP * self.edge.max(x) } else { 0.5 * x };
-        (1.7 * step).min(longest.max(FIRST_STEP * self.start_length())).min(0.25 * self.feature)
+        (1.7 * step).min(longest.max(first)).min(0.25 * self.feature)
     }
 
     /// A length [m] with which a search from the axis begins.
@@ -317,11 +343,13 @@ impl Front<'_> {
                 return EdgePhase::Jumps(self.landing(way, next));
             }
             if at < now {
-                return self.folds(way, before, next);
+                return match self.border_at(x) {
+                    Some(to) => EdgePhase::Moves { to, duration: now },
+                    None => self.folds(way, before, next),
+                };
             }
             (before, x, now) = (x, next, at);
-            // Beyond a border the limits are others at once.
-            step = if self.borders.contains(&x) { FIRST_STEP * self.start_length() } else { self.longer(step, x) };
+            step = self.longer(step, x);
         }
         EdgePhase::Moves { to: x, duration: now }
     }
@@ -335,13 +363,10 @@ impl Front<'_> {
     /// Where an edge that jumps comes to rest, from `x` on.
     fn landing(&self, way: Way, mut x: f64) -> f64 {
         let urge = |x: f64| self.candidate(way, x).urge(self.spectrum, 0.0);
-        if way == Way::Opening {
-            return last_hold(&|x| -urge(x), x).unwrap_or(0.0);
-        }
         let mut step = FIRST_STEP * self.start_length();
         while let Some(next) = self.further(way, x, step) {
             if urge(next) <= 0.0 {
-                return root::within(|x| -urge(x), x, next);
+                return root::brent(urge, x.min(next), x.max(next)).unwrap_or(next);
             }
             x = next;
             step = self.longer(step, x);

@@ -244,13 +244,13 @@ fn a_slow_approach_is_jkr() {
 proptest! {
     #![proptest_config(crate::laws::cases(48))]
 
-    /// Cutting any motion of an adhesive bed anywhere changes nothing, if its edge closes with the work it opens with; what is lost at a joining or leaving by the
+    /// Cutting any motion of an adhesive bed anywhere changes nothing; what is lost at a joining or leaving by the
     /// modulus at once is never negative. Bound: the panels' polynomials, relative to the load of the whole bed.
     #[test]
     fn cutting_a_motion_changes_nothing(
         terms in prop::collection::vec((0i32..30, -30i32..30), 0..3),
         turns in prop::collection::vec((-30i32..100, -20i32..20), 2..6),
-        (shared, closing, pieces) in (any::<bool>(), 4i32..5, 2u32..5),
+        (shared, closing, pieces) in (any::<bool>(), 0i32..5, 2u32..5),
     ) {
         let terms: Vec<_> = terms.iter().map(|&(e, t)| (1e5 * f64::from(1 + e), 10f64.powf(0.1 * f64::from(t)))).collect();
         let law = |spectrum: &Spectrum| {

@@ -148,12 +148,12 @@ impl Memory {
     fn next(&self, motion: &Motion, least: f64) -> Result<PhaseStep, BedError> {
         let see = |way: Way, x: f64| self.seen(way, x);
         let borders: Vec<f64> = self.panels.iter().map(|panel| panel.outer).collect();
-        let front = Front { least: least.min(motion.duration), borders: &borders, ..self.front(motion, &see) };
+        let front = self.front(motion, least, &borders, &see);
         let (phase, way) = front.phase();
         let (duration, change) = match phase {
             EdgePhase::Still(duration) => (duration, None),
             EdgePhase::Moves { to, duration } => {
-                let to = if way == Way::Opening && to <= SPECK * front.reached() { 0.0 } else { to };
+                let to = if front.is_spent(way, duration) { 0.0 } else { to };
                 if way == Way::Closing && to >= front.limit && matches!(self.profile.rim(), Rim::End(_)) {
                     return Err(BedError::BeyondProfile { indentation: motion.depth(duration) });
                 }
@@ -168,7 +168,13 @@ impl Memory {
         Ok(PhaseStep { duration, change })
     }
 
-    fn front<'b>(&'b self, motion: &Motion, see: &'b dyn Fn(Way, f64) -> SightedSpring) -> Front<'b> {
+    fn front<'b>(
+        &'b self,
+        motion: &Motion,
+        least: f64,
+        borders: &'b [f64],
+        see: &'b dyn Fn(Way, f64) -> SightedSpring,
+    ) -> Front<'b> {
         Front {
             spectrum: &self.spectrum,
             attraction: self.attraction.as_ref(),
@@ -178,11 +184,11 @@ impl Memory {
                 Rim::None => f64::MAX,
                 Rim::Wall(end) | Rim::End(end) => end,
             },
-            borders: &[],
+            borders,
             scale: self.profile.scale(),
             feature: self.profile.feature().unwrap_or(f64::INFINITY),
             motion: *motion,
-            least: 0.0,
+            least: least.min(motion.duration),
             instants: instants(&self.spectrum, motion.duration),
         }
     }
@@ -198,8 +204,11 @@ impl Memory {
         borders.dedup();
         let lived = |x: f64| self.lived(way, x, motion, instant(x));
         let lengths = motion.start.abs().max(motion.end().abs()) + self.profile.reduced(outer);
-        let scale = if way == Way::Closing { self.spectrum.equilibrium() * lengths } else { lengths };
-        let grain = Grain { scale, tolerance: self.tolerance() };
+        let (scale, most) = match way {
+            Way::Closing => (self.spectrum.equilibrium() * lengths, self.spectrum.instantaneous() * lengths),
+            Way::Opening => (lengths, lengths),
+        };
+        let grain = Grain { scale, tolerance: self.tolerance(), floor: 2.0 * f64::EPSILON * most };
         let (panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, &lived);
         Change { inner, outer, panels, work }
     }
@@ -447,9 +456,6 @@ impl Memory {
 
 /// What polynomials may miss of the springs where nothing else errs, relative to their loads.
 const SMOOTH: f64 = 1e-14;
-
-/// A shrinking contact smaller than this part of the largest one, 20√ε, is none: a time off by 400ε lets it go.
-const SPECK: f64 = 3e-7;
 
 /// What is left of a motion on the way through it.
 struct Walk {

@@ -17,8 +17,9 @@ use std::sync::{Arc, LazyLock};
 const NODES: usize = 16;
 /// What rounding leaves of the last coefficients of a polynomial, relative to the greatest value.
 const ROUNDING: f64 = 2e-14;
-/// Halvings of a stretch: beyond them nothing is left that counts.
-const MOST_HALVINGS: u32 = 46;
+/// Most panels of one stretch beyond those its borders ask for: the worst are halved first, and what the others miss
+/// is part of the estimate.
+const MOST_PANELS: usize = 512;
 
 /// Nodes on [−1, 1], their weights, those of the barycentric formula, and the last two Legendre coefficients.
 struct NodeRule {
@@ -126,7 +127,9 @@ impl PanelDraft {
             }
         }
         let flat: Vec<f64> = states.into_iter().flatten().collect();
-        for (end, at) in [(inner, -1.0), (outer, 1.0)] {
+        // On this side of the borders: beyond them springs have another past.
+        let within = (16.0 * f64::EPSILON * outer).min(0.25 * (outer - inner));
+        for (end, at) in [(inner + within, -1.0), (outer - within, 1.0)] {
             let there = numbers(lived(end).spring);
             for (seen, value) in interpolated(&flat, at).iter().zip(&there) {
                 // The polynomial grows towards its ends: it is no better there than a hundredth of this.
@@ -136,9 +139,20 @@ impl PanelDraft {
         Self { inner, outer, springs, greatest, tail }
     }
 
-    fn is_smooth(&self, greatest: f64, tolerance: f64) -> bool {
+    fn is_smooth(&self, greatest: f64, grain: Grain) -> bool {
         let part = (self.outer - self.inner) / self.outer;
-        self.tail <= ROUNDING * greatest || self.tail * part <= tolerance * greatest
+        self.tail <= (ROUNDING * greatest).max(grain.floor) || self.tail * part <= grain.tolerance * greatest
+    }
+
+    /// Whether halving it leads nowhere.
+    fn is_final(&self, greatest: f64, grain: Grain) -> bool {
+        let middle = 0.5 * (self.inner + self.outer);
+        self.is_smooth(greatest, grain) || middle <= self.inner || middle >= self.outer
+    }
+
+    fn halves(&self, lived: &dyn Fn(f64) -> Lived) -> [Self; 2] {
+        let middle = 0.5 * (self.inner + self.outer);
+        [Self::new(self.inner, middle, lived), Self::new(middle, self.outer, lived)]
     }
 
     fn finished(self, spectrum: &Spectrum, speed: f64) -> (Panel, f64) {
@@ -191,10 +205,12 @@ pub(super) struct Grain {
     pub scale: f64,
     /// What a polynomial may miss, relative to the greatest state and to the part of the radius it covers.
     pub tolerance: f64,
+    /// What rounding leaves of a state, however small it is: [N/m] or [m].
+    pub floor: f64,
 }
 
 /// Panels of springs between `borders`, which `lived` tells at the end of a motion at the speed v, and the work
-/// v ∫ F dt [J] done on them. They are halved until smooth.
+/// v ∫ F dt [J] done on them. They are halved until smooth, the worst first.
 pub(super) fn panels(
     spectrum: &Spectrum,
     borders: &[f64],
@@ -202,26 +218,25 @@ pub(super) fn panels(
     grain: Grain,
     lived: &dyn Fn(f64) -> Lived,
 ) -> (Vec<Panel>, f64) {
-    let drafts: Vec<PanelDraft> = borders.windows(2).map(|pair| PanelDraft::new(pair[0], pair[1], lived)).collect();
+    let mut drafts: Vec<PanelDraft> = borders.windows(2).map(|pair| PanelDraft::new(pair[0], pair[1], lived)).collect();
     let greatest = drafts.iter().fold(grain.scale, |most: f64, draft| most.max(draft.greatest));
-    let mut open: Vec<(PanelDraft, u32)> = drafts.into_iter().rev().map(|draft| (draft, 0)).collect();
-    let (mut done, mut work) = (Vec::new(), 0.0);
-    while let Some((draft, halvings)) = open.pop() {
-        let middle = 0.5 * (draft.inner + draft.outer);
-        if draft.is_smooth(greatest, grain.tolerance)
-            || halvings >= MOST_HALVINGS
-            || middle <= draft.inner
-            || middle >= draft.outer
-        {
-            let (panel, done_on_it) = PanelDraft { greatest, ..draft }.finished(spectrum, speed);
-            work += done_on_it;
-            done.push(panel);
-        } else {
-            open.push((PanelDraft::new(middle, draft.outer, lived), halvings + 1));
-            open.push((PanelDraft::new(draft.inner, middle, lived), halvings + 1));
+    let most = MOST_PANELS + drafts.len();
+    let mut done = Vec::new();
+    while !drafts.is_empty() {
+        let (ready, rough): (Vec<_>, Vec<_>) = drafts.into_iter().partition(|draft| draft.is_final(greatest, grain));
+        done.extend(ready);
+        let spare = most.saturating_sub(done.len() + rough.len());
+        drafts = rough;
+        if spare < drafts.len() {
+            drafts.sort_by(|a, b| b.tail.total_cmp(&a.tail));
+            done.extend(drafts.split_off(spare));
         }
+        drafts = drafts.into_iter().flat_map(|draft| draft.halves(lived)).collect();
     }
-    (done, work)
+    done.sort_by(|a, b| a.inner.total_cmp(&b.inner));
+    let finish = |draft: PanelDraft| PanelDraft { greatest, ..draft }.finished(spectrum, speed);
+    let (panels, works): (Vec<_>, Vec<_>) = done.into_iter().map(finish).unzip();
+    (panels, works.iter().sum())
 }
 
 impl Panel {
@@ -242,7 +257,9 @@ impl Panel {
     fn part(&self, spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let here = |x: f64| Lived { spring: self.spring(x), impulse: 0.0 };
         let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| here(x)).collect();
-        PanelDraft { inner, outer, springs, greatest: self.greatest, tail: self.missed }.finished(spectrum, 0.0).0
+        PanelDraft { inner, outer, springs, greatest: self.greatest * self.left(), tail: self.missed * self.left() }
+            .finished(spectrum, 0.0)
+            .0
     }
 
     /// The panel in two, cut at `x`.
@@ -258,10 +275,9 @@ impl Panel {
         let lived = |x: f64| Lived { spring: if x < next.inner { self } else { next }.spring(x), impulse: 0.0 };
         let draft = PanelDraft::new(self.inner, next.outer, &lived);
         let greatest = draft.greatest.max(self.greatest * self.left()).max(next.greatest * next.left());
+        let flat: Vec<f64> = draft.springs.iter().flat_map(|lived| numbers(lived.spring.clone())).collect();
         let seam = |x: f64| {
-            let y = (2.0 * x - self.inner - next.outer) / (next.outer - self.inner);
-            let flat: Vec<f64> = draft.springs.iter().flat_map(|lived| numbers(lived.spring.clone())).collect();
-            let one = interpolated(&flat, y);
+            let one = interpolated(&flat, (2.0 * x - self.inner - next.outer) / (next.outer - self.inner));
             let both = numbers(lived(x).spring);
             one.iter().zip(&both).all(|(one, both)| (one - both).abs() <= (4.0 * ROUNDING).max(tolerance) * greatest)
         };
