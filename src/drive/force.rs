@@ -79,9 +79,11 @@ const TOUCH: f64 = 1e-9;
 
 impl ForceDrive {
     /// A ramp that lasts `end` [s], along the exact creep of a contact that has only grown so far.
+    ///
+    /// Bodies that a pull has parted stay where they are until it ends.
     #[must_use]
-    pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>) -> Self {
-        Self { ramp, creep, end, now: 0.0, step: end, parted: false }
+    pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>, parted: bool) -> Self {
+        Self { ramp, creep, end, now: 0.0, step: end, parted }
     }
 
     /// The exact creep at the time `t` [s] of the ramp, where it is known.
@@ -113,6 +115,14 @@ impl ForceDrive {
     /// # Errors
     /// The contact would outgrow the profile.
     pub fn next(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
+        if self.now <= 0.0 && self.parted {
+            let wait = if self.ramp.rate > 0.0 { -self.ramp.from / self.ramp.rate } else { f64::INFINITY };
+            self.parted = wait >= self.end;
+            self.now = wait.clamp(0.0, self.end);
+            if self.now > 0.0 {
+                return Ok(Some(Stretch { speed: 0.0, until: self.now }));
+            }
+        }
         while self.now < self.end && !self.parted {
             let last = self.end - self.now <= self.step * (1.0 + 1e-9);
             let until = if last { self.end } else { (self.now + self.step).max(self.now.next_up()) };
@@ -252,7 +262,7 @@ fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: f64, mut parte
 /// The contact would outgrow the profile.
 pub fn press(contact: &mut dyn ContactModel, ramp: &Ramp, records: &[f64]) -> Result<Vec<Normal>, ContactError> {
     let end = records.last().copied().unwrap_or(0.0);
-    let mut drive = ForceDrive::new(*ramp, end, None);
+    let mut drive = ForceDrive::new(*ramp, end, None, false);
     let mut states = Vec::with_capacity(records.len());
     let mut now = 0.0;
     while let Some(piece) = drive.next(contact)? {

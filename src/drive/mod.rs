@@ -77,6 +77,8 @@ pub struct Driver {
     largest: f64,
     /// A pull has parted the bodies.
     parted: bool,
+    /// What is prescribed at the end of the present stage, a force if it is one [N].
+    pull: f64,
     cycle: Cycle,
     stage: ActiveStage,
 }
@@ -162,7 +164,7 @@ impl Driver {
             leg: None,
             middle: None,
         };
-        Self { accuracy, creep: contact.creep(), largest: 0.0, parted: false, cycle: Cycle::default(), stage }
+        Self { accuracy, creep: contact.creep(), largest: 0.0, parted: false, pull: 0.0, cycle: Cycle::default(), stage }
     }
 
     /// Begins a stage.
@@ -172,7 +174,10 @@ impl Driver {
     pub fn begin(&mut self, contact: &mut dyn ContactModel, course: Course, slide: f64) -> Result<(), ContactError> {
         let present = self.corrected(contact, contact.state());
         self.largest = self.largest.max(present.force.abs());
-        let from = prescribed(&present, course.control);
+        // Bodies that a pull has parted carry nothing, and the pull goes on.
+        let pulled = course.control == Control::Force && present.indentation.is_none();
+        let from = if pulled { self.pull } else { prescribed(&present, course.control) };
+        self.pull = course.normal.at(from, 1.0, course.over);
         self.stage =
             ActiveStage { course, from, slide, now: 0.0, remainder: Remainder::Records, leg: None, middle: None };
         if contact.memory().is_none() {
@@ -211,7 +216,7 @@ impl Driver {
         let ramp = Ramp { from, rate: (to - from) / duration, accuracy: self.accuracy, scale: self.largest };
         let along = self.creep.take();
         self.creep = along.as_ref().map(|creep| creep.after(to, course.over));
-        self.stage.remainder = Remainder::Force(ForceDrive::new(ramp, duration, along));
+        self.stage.remainder = Remainder::Force(ForceDrive::new(ramp, duration, along, self.parted));
         if course.over <= 0.0 {
             while let Some(leg) = self.next_leg(contact)? {
                 contact.follow(&ahead(contact, leg.speed, leg.end - leg.begin))?;
@@ -302,6 +307,7 @@ impl Driver {
             occurrences.push(self.let_go(contact, force.now()));
             self.parted = true;
         }
+        self.parted &= !contact.joined();
         Ok(())
     }
 

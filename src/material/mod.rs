@@ -298,50 +298,58 @@ pub struct Joined {
     pub relaxation: Option<Relaxation>,
 }
 
-/// What `bodies` are together; `None` for two rigid or two viscoelastic ones, which make no pair.
+/// One of two bodies, alone against a rigid one.
+struct Alone {
+    /// Its moduli at once.
+    stiffness: Stiffness,
+    /// What it relaxes by, if it gives at all.
+    spectrum: Option<Spectrum>,
+}
+
+/// What `bodies` are together; `None` for two rigid ones, which make no pair.
+///
+/// Each half-space is pressed in by its own 1/E*ᵢ(p) times the same pressure, whatever its ν: the sum is
+/// exact for constant ν, in the normal direction and without friction.
 ///
 /// # Errors
 /// A table of terms is wrong, or a body has no modulus; all problems at once.
 pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joined>, Vec<Problem>> {
-    let elastic = |pair| Ok(Some(Joined { pair, relaxation: None }));
-    match bodies {
-        (Body::Rigid, Body::Rigid) | (Body::Viscoelastic(_), Body::Viscoelastic(_)) => Ok(None),
-        (Body::Viscoelastic(body), Body::Rigid) => viscoelastic(body, "bodies.0", tables).map(Some),
-        (Body::Rigid, Body::Viscoelastic(body)) => viscoelastic(body, "bodies.1", tables).map(Some),
-        (Body::Viscoelastic(body), Body::Elastic(partner)) => {
-            Ok(Some(beside(partner, body, viscoelastic(body, "bodies.0", tables)?)))
+    let (one, two) = (alone(&bodies.0, "bodies.0", tables), alone(&bodies.1, "bodies.1", tables));
+    let (one, two) = match (one, two) {
+        (Ok(one), Ok(two)) => (one, two),
+        (one, two) => return Err(one.err().into_iter().chain(two.err()).collect()),
+    };
+    let pair = Pair::of(&one.stiffness, &two.stiffness);
+    let both = match (one.spectrum, two.spectrum) {
+        (None, None) => return Ok(None),
+        (Some(spectrum), None) | (None, Some(spectrum)) => spectrum,
+        (Some(one), Some(two)) => one.in_series_with(&two),
+    };
+    if !bodies.0.relaxes() && !bodies.1.relaxes() {
+        return Ok(Some(Joined { pair, relaxation: None }));
+    }
+    Ok(Some(Joined { pair: Pair { normal: both.instantaneous(), ..pair }, relaxation: Some(both.relaxation_function()) }))
+}
+
+fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Problem> {
+    match body {
+        Body::Rigid => Ok(Alone { stiffness: Stiffness::RIGID, spectrum: None }),
+        Body::Elastic(elastic) => {
+            Ok(Alone { stiffness: elastic.stiffness(), spectrum: Some(Spectrum::elastic(elastic.plane_modulus())) })
         }
-        (Body::Elastic(partner), Body::Viscoelastic(body)) => {
-            Ok(Some(beside(partner, body, viscoelastic(body, "bodies.1", tables)?)))
-        }
-        (Body::Elastic(one), Body::Elastic(two)) => elastic(Pair::of(&one.stiffness(), &two.stiffness())),
-        (Body::Elastic(body), Body::Rigid) => elastic(Pair::of(&body.stiffness(), &Stiffness::RIGID)),
-        (Body::Rigid, Body::Elastic(body)) => elastic(Pair::of(&Stiffness::RIGID, &body.stiffness())),
+        Body::Viscoelastic(body) => viscoelastic(body, path, tables),
     }
 }
 
-/// A viscoelastic and an elastic body: two compliances in series, again a Prony series.
-///
-/// Each half-space is pressed in by its own 1/E*ᵢ(p) times the same pressure, whatever its ν: the sum is
-/// exact for constant ν, in the normal direction and without friction.
-fn beside(partner: &Elastic, body: &Viscoelastic, alone: Joined) -> Joined {
-    let stiffness = Stiffness::new(alone.pair.normal, body.poisson.si());
-    let pair = Pair::of(&stiffness, &partner.stiffness());
-    let Some(relaxation) = alone.relaxation else { return Joined { pair, relaxation: None } };
-    let both = Spectrum::new(&relaxation).in_series_with(partner.plane_modulus()).relaxation_function();
-    Joined { pair: Pair { normal: both.instantaneous(), ..pair }, relaxation: Some(both) }
-}
-
-fn viscoelastic(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Joined, Vec<Problem>> {
-    let relaxation = body
-        .relaxation(tables)
-        .map_err(|error| vec![Problem::new(format!("{path}.shear.terms"), error.to_string())])?;
+fn viscoelastic(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Alone, Problem> {
+    let relaxation =
+        body.relaxation(tables).map_err(|error| Problem::new(format!("{path}.shear.terms"), error.to_string()))?;
     if relaxation.instantaneous() > 0.0 {
         let stiffness = Stiffness::new(relaxation.instantaneous(), body.poisson.si());
-        return Ok(Joined { pair: Pair::of(&stiffness, &Stiffness::RIGID), relaxation: Some(relaxation) });
+        return Ok(Alone { stiffness, spectrum: Some(Spectrum::new(&relaxation)) });
     }
     let message = "has no modulus above zero: expected an equilibrium modulus or at least one term";
-    Err(vec![Problem::new(format!("{path}.shear"), message)])
+    Err(Problem::new(format!("{path}.shear"), message))
 }
 
 impl Pair {
@@ -417,9 +425,7 @@ mod tests {
 
     #[test]
     fn bodies_that_make_no_pair() {
-        let pair = |one, two| joined(&(one, two), &InMemory::default()).unwrap();
-        assert_eq!(pair(Body::Rigid, Body::Rigid), None);
-        assert_eq!(pair(rubber(Terms::default()), rubber(Terms::default())), None);
+        assert_eq!(joined(&(Body::Rigid, Body::Rigid), &InMemory::default()).unwrap(), None);
     }
 
     proptest! {

@@ -47,6 +47,12 @@ impl Spectrum {
         Self::of(relaxation.equilibrium, relaxation.viscosity, merged(&relaxation.terms))
     }
 
+    /// A material of modulus `modulus` [Pa] that remembers nothing.
+    #[must_use]
+    pub fn elastic(modulus: f64) -> Self {
+        Self::of(modulus, 0.0, Vec::new())
+    }
+
     fn of(equilibrium: f64, viscosity: f64, terms: Vec<Element>) -> Self {
         let poles = poles(&terms, viscosity);
         let dashpot = poles.len() - terms.len();
@@ -61,22 +67,26 @@ impl Spectrum {
         Self { equilibrium, viscosity, terms, modes }
     }
 
-    /// This material in series with an elastic one of modulus `elastic` [Pa]: the pair of a
-    /// viscoelastic and an elastic half-space, as a Prony series again.
+    /// This material in series with another: the pair of two half-spaces, as a Prony series again.
     ///
-    /// 1/E'(p) = 1/E(p) + 1/E_e: the new relaxation times are the zeros of E(p) + E_e, the new
-    /// moduli E_e² Jₘ with the compliances of that sum. Exact for every spectrum.
-    /// Check: one Maxwell element (E, τ) gives the time τ (E + E_e)/E_e.
+    /// 1/E'(p) = 1/E₁(p) + 1/E₂(p): in the rate P = −p this sum has a pole at each 1/λₘ of both and, of a liquid,
+    /// one at zero; its zeros, which stand between them, are the new 1/τᵢ and its residues there the new moduli.
+    /// Exact for all spectra.
+    /// Check: one Maxwell element (E, τ) with an elastic body E₂ gives the time τ (E + E₂)/E₂; two equal bodies
+    /// give half the moduli at the same times.
     #[must_use]
-    pub fn in_series_with(&self, elastic: f64) -> Self {
-        let poles = poles(&self.terms, self.viscosity);
-        let floor = self.equilibrium + elastic;
+    pub fn in_series_with(&self, other: &Self) -> Self {
+        let (modes, fluidity) = ([&self.modes[..], &other.modes[..]].concat(), self.fluidity() + other.fluidity());
+        let rates: Vec<(f64, f64)> = modes.iter().map(|mode| (mode.compliance / mode.time, mode.time.recip())).collect();
+        let retarded = merged(&rates).into_iter().map(|pole| Pole { time: pole.time, weight: pole.modulus });
+        let flow = (fluidity > 0.0).then_some(Pole { time: 0.0, weight: fluidity });
+        let poles: Vec<Pole> = flow.into_iter().chain(retarded).collect();
+        let floor = self.glass_compliance() + other.glass_compliance();
         let zeros = secular::roots(&poles, floor);
-        let compliances = secular::compliances(&poles, floor, &zeros);
-        let term = |(zero, j): (&Zero, f64)| Element { modulus: elastic * (elastic * j), time: zero.value(&poles) };
-        let terms = zeros.iter().zip(compliances).map(term).collect();
-        let equilibrium = self.equilibrium / (1.0 + self.equilibrium / elastic);
-        Self::of(equilibrium, 0.0, terms)
+        let moduli = secular::compliances(&poles, floor, &zeros);
+        let term = |(zero, modulus): (&Zero, f64)| (modulus, zero.value(&poles).recip());
+        let terms: Vec<_> = zeros.iter().zip(moduli).map(term).collect();
+        Self::of(together(self.equilibrium, other.equilibrium), together(self.viscosity, other.viscosity), merged(&terms))
     }
 
     /// E∞ [Pa].
@@ -177,6 +187,12 @@ impl Spectrum {
     }
 }
 
+/// Two in series, of which either may be none.
+fn together(one: f64, two: f64) -> f64 {
+    let (soft, stiff) = (one.min(two), one.max(two));
+    if soft > 0.0 { soft / (1.0 + soft / stiff) } else { 0.0 }
+}
+
 /// Terms in ascending order, equal times merged, terms without effect dropped.
 fn merged(terms: &[(f64, f64)]) -> Vec<Element> {
     let mut sorted: Vec<(f64, f64)> = terms.iter().copied().filter(|&(e, tau)| e > 0.0 && tau > 0.0).collect();
@@ -216,13 +232,21 @@ mod tests {
         spectrum.glass_compliance() + spectrum.fluidity() / p + spectrum.modes().iter().map(part).sum::<f64>()
     }
 
+    /// Bound: the zeros and residues of either way, from relaxation to creep and back.
+    fn adds_compliances(one: &Spectrum, two: &Spectrum, p: f64) -> Result<(), TestCaseError> {
+        let pair = operational(&one.in_series_with(two), p);
+        let expected = (operational(one, p).recip() + operational(two, p).recip()).recip();
+        prop_assert!((pair / expected - 1.0).abs() < 1e-12, "{pair:e} {expected:e}");
+        Ok(())
+    }
+
     #[test]
     fn one_maxwell_element_by_hand() {
         // Standard solid: λ = τ E(0)/E∞, J₁ = 1/E∞ − 1/E(0).
         let spectrum = Spectrum::new(&Relaxation { equilibrium: 2.0, terms: vec![(6.0, 0.5)], viscosity: 0.0 });
         let mode = &spectrum.modes()[0];
         assert!((mode.time - 2.0).abs() < 1e-15 && (mode.compliance - 0.375).abs() < 1e-16, "{mode:?}");
-        let pair = spectrum.in_series_with(8.0);
+        let pair = spectrum.in_series_with(&Spectrum::elastic(8.0));
         assert!((pair.equilibrium() - 1.6).abs() < 1e-15);
         assert!((pair.instantaneous() - 4.0).abs() < 1e-15);
         assert!((pair.terms()[0].time - 0.5 * 16.0 / 10.0).abs() < 1e-15);
@@ -307,12 +331,26 @@ mod tests {
 
         /// 1/E'(p) = 1/E(p) + 1/E_e.
         #[test]
-        fn series_pair_adds_compliances(recipe in recipe(20), k in -200i32..200, e in -60i32..60) {
-            let spectrum = Spectrum::new(&recipe.relaxation());
-            let (p, elastic) = (10f64.powf(0.1 * f64::from(k)), 10f64.powf(0.1 * f64::from(e)));
-            let pair = operational(&spectrum.in_series_with(elastic), p);
-            let expected = (operational(&spectrum, p).recip() + elastic.recip()).recip();
-            prop_assert!((pair / expected - 1.0).abs() < 1e-12, "{pair:e} {expected:e}");
+        fn an_elastic_partner_adds_its_compliance(recipe in recipe(20), k in -200i32..200, e in -60i32..60) {
+            let elastic = Spectrum::elastic(10f64.powf(0.1 * f64::from(e)));
+            adds_compliances(&Spectrum::new(&recipe.relaxation()), &elastic, 10f64.powf(0.1 * f64::from(k)))?;
+        }
+
+        /// 1/E'(p) = 1/E₁(p) + 1/E₂(p), whichever comes first.
+        #[test]
+        fn two_bodies_add_their_compliances(one in recipe(12), two in recipe(12), k in -200i32..200) {
+            let (one, two) = (Spectrum::new(&one.relaxation()), Spectrum::new(&two.relaxation()));
+            adds_compliances(&one, &two, 10f64.powf(0.1 * f64::from(k)))?;
+            prop_assert_eq!(one.in_series_with(&two), two.in_series_with(&one));
+        }
+
+        /// Two equal bodies are one of half the modulus.
+        #[test]
+        fn equal_bodies_halve_the_moduli(recipe in recipe(12), k in -200i32..200) {
+            let (one, p) = (Spectrum::new(&recipe.relaxation()), 10f64.powf(0.1 * f64::from(k)));
+            let both = one.in_series_with(&one);
+            prop_assert_eq!(both.terms().len(), one.terms().len());
+            prop_assert!((2.0 * operational(&both, p) / operational(&one, p) - 1.0).abs() < 1e-13);
         }
     }
 }

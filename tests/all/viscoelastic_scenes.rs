@@ -312,3 +312,16 @@ fn the_surface_in_the_contact_is_the_indenter() {
         }
     }
 }
+
+/// Which body is the indenter does not matter, and two equal bodies are one of half the moduli. Bound: rounding of the
+/// spectrum of the pair.
+#[test]
+fn two_viscoelastic_bodies() {
+    let (one, two) = (rubber(0.25, &TERMS, 0.0), rubber(0.0, &[(2.0, 0.7), (0.1, 40.0)], 0.3));
+    let history = || vec![indent(0.01, 1.0), hold(0.5), indent(0.004, 0.3), retract(0.01)];
+    let there = run(scene((one.clone(), two.clone()), history()));
+    let back = run(scene((two, one.clone()), history()));
+    same(&there, &back, 0.0);
+    let half = rubber(0.125, &TERMS.map(|(modulus, time)| (0.5 * modulus, time)), 0.0);
+    same(&run(scene((one.clone(), one), history())), &run(scene((half, Body::Rigid), history())), 1e-12);
+}

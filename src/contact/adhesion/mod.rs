@@ -5,7 +5,7 @@
 //! use springbed::contact::adhesion::{Adhesion, Jkr, Range};
 //! use springbed::input::quantity::WorkOfAdhesion;
 //!
-//! let gel = Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(0.02)?, edge: None });
+//! let gel = Adhesion::Jkr(Jkr { work: WorkOfAdhesion::new(0.02)?, closing: None, edge: None });
 //! assert_eq!((gel.traits().name, gel.traits().work), ("Jkr", 0.02));
 //! assert_eq!(gel.traits().range, Range::Vanishing(None));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

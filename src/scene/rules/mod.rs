@@ -88,9 +88,8 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 33] = [
+pub const RULES: [Rule; 32] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
-    Rule::once(Bodies, Bodies, parts::two_viscoelastic),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),

@@ -19,14 +19,6 @@ pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
     )
 }
 
-pub(super) fn two_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
-    let (Body::Viscoelastic(_), Body::Viscoelastic(_)) = &draft.scene.bodies else { return None };
-    refused(
-        "bodies",
-        "a Viscoelastic body against another Viscoelastic body cannot be computed: expected Rigid or Elastic beside Viscoelastic",
-    )
-}
-
 /// An attraction, and what holds its edge, between elastic or viscoelastic bodies.
 pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
     let (adhesion, bodies) = (draft.scene.adhesion.as_ref()?.traits(), draft.bodies?);
@@ -115,13 +107,14 @@ pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
 /// Friction needs one ratio of tangential and normal stiffness at all times.
 pub(super) fn friction_of_bodies_in_series(draft: &Draft<'_>) -> Option<Problem> {
     draft.scene.friction.as_ref()?;
-    let ((Body::Viscoelastic(_), Body::Elastic(_)) | (Body::Elastic(_), Body::Viscoelastic(_))) = &draft.scene.bodies
-    else {
+    let (one, two) = &draft.scene.bodies;
+    let similar = matches!(one, Body::Rigid) || matches!(two, Body::Rigid) || one == two;
+    if similar || !draft.scene.relaxes() {
         return None;
-    };
+    }
     refused(
         "friction",
-        "with a Viscoelastic body against an Elastic body cannot be computed, for the pair is not elastically similar at all times: expected Rigid beside Viscoelastic, or no friction",
+        "with a Viscoelastic body against another that gives cannot be computed, for the pair is not elastically similar at all times: expected Rigid or an equal body beside Viscoelastic, or no friction",
     )
 }
 
