@@ -86,6 +86,7 @@ pub fn compute_watched(plan: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sy
             || figure && (plan.scene.plots.is_none() || plotted(Plot::Pressure) || plotted(Plot::Shear)),
         stresses: (figure || formats.contains(&Format::Csv)) && plotted(Plot::Stress),
         fretting: formats.contains(&Format::Csv) || figure,
+        instants: true,
     };
     Ok(run::run_watched(plan, wanted, done)?)
 }

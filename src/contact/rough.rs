@@ -16,6 +16,10 @@ use super::adhesion::line::Energy;
 use super::error::{ContactError, LineTooShort};
 use super::model::{ContactModel, Effort, Event, Glance, Loading, Pull, Straight};
 use super::state::Normal;
+use super::viscoelastic::Spectrum;
+use super::viscoelastic::continuous::in_time;
+use super::viscoelastic::layout::Layout;
+use super::viscoelastic::lazy::Lazy;
 use crate::shape::rough::{RoughError, RoughLine, positive};
 use crate::shape::{Profile, Rim};
 use std::sync::Arc;
@@ -90,6 +94,12 @@ impl RoughBed {
         self.gaps[0]
     }
 
+    /// Heights of the springs above the first one touched [m], ascending.
+    #[must_use]
+    pub fn heights(&self) -> Vec<f64> {
+        self.gaps.iter().map(|gap| gap - self.gaps[0]).collect()
+    }
+
     /// Number of springs.
     #[must_use]
     pub fn springs(&self) -> usize {
@@ -149,6 +159,28 @@ fn number(n: usize) -> f64 {
 /// Part of the line at either end that a contact on a curved shape must not reach.
 const MARGIN: f64 = 1.0 / 16.0;
 
+/// How deep a line can be pressed before a contact on a curved shape reaches its ends.
+#[derive(Debug, Clone, Copy)]
+struct LineEnds {
+    /// Indentation from first touch at which they are reached [m]; infinite over a flat.
+    depth: f64,
+    /// Length of the line [m].
+    length: f64,
+}
+
+impl LineEnds {
+    fn of(line: &RoughLine, points: usize, base: Option<&dyn Profile>, first_touch: f64) -> Result<Self, RoughError> {
+        Ok(Self { depth: least_gap_at_ends(base, line, points)? - first_touch, length: line.length() })
+    }
+
+    fn hold(&self, depth: f64) -> Result<(), ContactError> {
+        if depth > self.depth {
+            return Err(LineTooShort { indentation: depth, length: self.length }.into());
+        }
+        Ok(())
+    }
+}
+
 /// A rough line pressed on its bed; indentation counts from first touch.
 #[derive(Debug, Clone)]
 pub struct RoughContact {
@@ -156,10 +188,7 @@ pub struct RoughContact {
     state: BedState,
     /// Indentation from first touch [m].
     depth: f64,
-    /// Least gap near the ends of a line on a curved shape [m].
-    least_gap_at_ends: f64,
-    /// Length of the line [m].
-    length: f64,
+    ends: LineEnds,
 }
 
 impl RoughContact {
@@ -171,15 +200,98 @@ impl RoughContact {
     pub fn new(line: &RoughLine, points: usize, modulus: f64, base: Option<&dyn Profile>) -> Result<Self, RoughError> {
         let bed = RoughBed::under(line, points, modulus, |x| base.map_or(0.0, |base| base.reduced(x)))?;
         let state = bed.at_indentation(bed.first_touch());
-        let least_gap_at_ends = least_gap_at_ends(base, line, points)?;
-        Ok(Self { bed: Arc::new(bed), state, depth: 0.0, least_gap_at_ends, length: line.length() })
+        let ends = LineEnds::of(line, points, base, bed.first_touch())?;
+        Ok(Self { bed: Arc::new(bed), state, depth: 0.0, ends })
     }
 
-    fn within_line(&self) -> Result<Vec<Event>, ContactError> {
-        if self.state.indentation > self.least_gap_at_ends {
-            return Err(LineTooShort { indentation: self.depth, length: self.length }.into());
+    /// The springs.
+    #[must_use]
+    pub fn bed(&self) -> &RoughBed {
+        &self.bed
+    }
+}
+
+/// A rough line pressed on a bed that relaxes; indentation counts from first touch.
+///
+/// Springs do not see each other, and what one has been through depends on its height only: sorted, they are a bed like
+/// that of a round body, and a record costs the springs touched or released before it.
+#[derive(Debug, Clone)]
+pub struct RelaxingRough {
+    bed: Lazy,
+    width: f64,
+    ends: LineEnds,
+}
+
+impl RelaxingRough {
+    /// A line of `points` springs on the profile `base`, none under a nominally flat surface, over a half-space that
+    /// relaxes, just touching.
+    ///
+    /// # Errors
+    /// As of [`RoughBed::under`].
+    pub fn new(
+        line: &RoughLine,
+        points: usize,
+        spectrum: Arc<Spectrum>,
+        base: Option<&dyn Profile>,
+    ) -> Result<Self, RoughError> {
+        let bed = RoughBed::under(line, points, 1.0, |x| base.map_or(0.0, |base| base.reduced(x)))?;
+        let (ends, width) = (LineEnds::of(line, points, base, bed.first_touch())?, bed.stiffness);
+        Ok(Self { bed: Lazy::new(spectrum, Layout::sorted(bed.heights(), width)), width, ends })
+    }
+}
+
+impl ContactModel for RelaxingRough {
+    fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
+        if let Some(piece) = in_time(self.bed.spectrum(), self.bed.indentation(), piece)? {
+            self.bed.follow_line(&piece);
         }
+        self.ends.hold(self.bed.indentation())?;
         Ok(Vec::new())
+    }
+
+    fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
+        let see = |bed: &Lazy| Glance { force: bed.force(), contact_radius: bed.radius() };
+        match in_time(self.bed.spectrum(), self.bed.indentation(), piece)? {
+            Some(piece) => Ok(self.bed.tried(piece.speed, piece.duration, see)),
+            None => Ok(see(&self.bed)),
+        }
+    }
+
+    fn state(&self) -> Normal {
+        let ledger = self.bed.ledger();
+        Normal {
+            indentation: Some(self.bed.indentation()),
+            force: self.bed.force(),
+            contact_radius: None,
+            stiffness: self.bed.spectrum().instantaneous() * self.width * number(self.bed.pressed()),
+            stored: Energy { elastic: ledger.stored, surface: 0.0 },
+            dissipated: ledger.dissipated,
+        }
+    }
+
+    fn joined(&self) -> bool {
+        self.bed.pressed() > 0
+    }
+
+    fn loading(&self) -> Option<Box<dyn Loading + '_>> {
+        None
+    }
+
+    fn copy(&self) -> Box<dyn ContactModel> {
+        Box::new(self.clone())
+    }
+
+    fn memory(&self) -> Option<Arc<Spectrum>> {
+        Some(self.bed.shared_spectrum())
+    }
+
+    fn effort(&self) -> Effort {
+        Effort { springs: self.bed.layout().len(), bytes: self.bed.bytes(), force_error: None }
+    }
+
+    fn leave(&mut self) {
+        let away = self.bed.indentation().min(0.0) - 1.0;
+        self.bed.reach(away, self.bed.spectrum().instant());
     }
 }
 
@@ -198,7 +310,7 @@ fn least_gap_at_ends(base: Option<&dyn Profile>, line: &RoughLine, points: usize
 impl ContactModel for RoughContact {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
         (self.state, self.depth) = (self.bed.at_indentation(self.bed.first_touch() + piece.to), piece.to);
-        self.within_line()
+        self.ends.hold(self.depth).map(|()| Vec::new())
     }
 
     fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
@@ -236,7 +348,7 @@ impl ContactModel for RoughContact {
     fn press(&mut self, pull: &Pull) -> Option<Result<Vec<Event>, ContactError>> {
         self.state = self.bed.at_force(pull.force);
         self.depth = self.state.indentation - self.bed.first_touch();
-        Some(self.within_line())
+        Some(self.ends.hold(self.depth).map(|()| Vec::new()))
     }
 
     fn last_depth(&self) -> Option<Result<f64, ContactError>> {
@@ -279,6 +391,72 @@ mod tests {
         let force = 4.0 / 3.0 * 1e6 * 0.01f64.powf(1.5);
         assert!((bed.at_indentation(0.01).force / force - 1.0).abs() < 2e-4);
         assert!((bed.at_force(force).indentation / 0.01 - 1.0).abs() < 2e-4);
+    }
+
+    fn line() -> RoughLine {
+        let spectrum = crate::shape::rough::RoughnessSpectrum::table(&[(6.4, 1e-12), (64.0, 1e-15)]).unwrap();
+        RoughLine::new(&crate::shape::rough::Rings::of(&spectrum, 1.0, 1000).unwrap(), 7)
+    }
+
+    /// Pressed at constant speed v every spring has been pressed since its touch:
+    /// F = Δx v Σⱼ [E∞ sⱼ + Σᵢ Eᵢτᵢ (1 − e^(−sⱼ/τᵢ))], sⱼ its time. Bound: rounding of a thousand positive terms.
+    #[test]
+    fn a_ramp_on_a_rough_line_is_the_sum_over_its_springs() {
+        let terms = vec![(3.0, 0.2), (0.5, 7.0)];
+        let relaxation = crate::material::Relaxation { equilibrium: 0.4, terms: terms.clone(), viscosity: 0.0 };
+        let mut contact = RelaxingRough::new(&line(), 1000, Arc::new(Spectrum::new(&relaxation)), None).unwrap();
+        let heights = contact.bed.layout().height.clone();
+        let (speed, steps) = (0.02 * heights[999], 40);
+        for k in 1..=steps {
+            let (from, to) = (f64::from(k - 1), f64::from(k));
+            contact.follow(&Straight::between(speed * from, speed * to, 1.0)).unwrap();
+            let pressed = heights.iter().map(|height| to - height / speed).filter(|since| *since > 0.0);
+            let spring = |since: f64| {
+                let elements = terms.iter().map(|(e, tau)| -e * tau * (-since / tau).exp_m1());
+                speed * (0.4 * since + elements.sum::<f64>())
+            };
+            let force = contact.width * pressed.map(spring).sum::<f64>();
+            assert!((contact.state().force / force - 1.0).abs() < 1e-12, "{to}");
+        }
+        let state = contact.state();
+        assert!(state.dissipated > 0.0 && state.contact_radius.is_none());
+    }
+
+    /// A body that remembers nothing is the elastic bed, up and down.
+    #[test]
+    fn without_memory_it_is_the_elastic_bed() {
+        let spectrum = Arc::new(Spectrum::elastic(2.5));
+        let mut relaxing = RelaxingRough::new(&line(), 1000, spectrum, None).unwrap();
+        let mut elastic = RoughContact::new(&line(), 1000, 2.5, None).unwrap();
+        let largest = elastic.bed.heights()[600];
+        for part in [0.3, 1.0, 0.7, 0.1, 0.0, 0.5] {
+            let piece = Straight::between(relaxing.bed.indentation(), part * largest, 1.0);
+            relaxing.follow(&piece).unwrap();
+            elastic.follow(&piece).unwrap();
+            let (one, two) = (relaxing.state(), elastic.state());
+            assert!((one.force - two.force).abs() <= 1e-12 * elastic.bed.full_contact().1, "{part}");
+            assert!((one.stored.elastic - two.stored.elastic).abs() <= 1e-12 * elastic.bed.energies[999]);
+            assert!(one.dissipated.abs() <= 1e-12 * elastic.bed.energies[999]);
+        }
+    }
+
+    /// A rough line that has only been pressed and then slid: F_x = μ[F(d) − F(d − u_x/m)], m = μE*/G* (Ciavarella,
+    /// Jäger); it holds for any bed.
+    #[test]
+    fn the_first_slide_on_a_rough_line() {
+        let elastic = RoughContact::new(&line(), 1000, 2.5, None).unwrap();
+        let (bed, depth) = (elastic.bed.clone(), elastic.bed.heights()[700]);
+        let grip = crate::friction::Grip { normal_modulus: 2.5, tangential_modulus: 2.0, coefficient: 0.3 };
+        let springs = crate::friction::contact::CoulombSprings::sorted(bed.heights(), grip, bed.stiffness / 2.5);
+        let mut contact = crate::friction::contact::FrictionalContact::new(Box::new(elastic), Box::new(springs));
+        contact.follow(&Straight::between(0.0, depth, 1.0)).unwrap();
+        let force = |d: f64| bed.at_indentation(bed.first_touch() + d).force;
+        for k in 1..=10 {
+            let slide = 0.1 * f64::from(k) * depth * grip.coefficient * 2.5 / 2.0;
+            contact.follow(&Straight { slide, ..Straight::between(depth, depth, 1.0) }).unwrap();
+            let right = 0.3 * (force(depth) - force(depth * (1.0 - 0.1 * f64::from(k))));
+            assert!((contact.tangential().unwrap().force - right).abs() <= 1e-12 * force(depth), "{k}");
+        }
     }
 
     proptest! {

@@ -164,7 +164,15 @@ impl Driver {
             leg: None,
             middle: None,
         };
-        Self { accuracy, creep: contact.creep(), largest: 0.0, parted: false, pull: 0.0, cycle: Cycle::default(), stage }
+        Self {
+            accuracy,
+            creep: contact.creep(),
+            largest: 0.0,
+            parted: false,
+            pull: 0.0,
+            cycle: Cycle::default(),
+            stage,
+        }
     }
 
     /// Begins a stage.

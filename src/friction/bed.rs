@@ -64,7 +64,13 @@ impl CoulombBed {
         if depths.iter().any(|depth| depth.is_nan()) {
             return Err(FrictionError::BeyondRadius { radius });
         }
-        Ok(Self { grip, width, slips: Array1::zeros(depths.len()), depths, at: Pose::default() })
+        Ok(Self::of_depths(depths, grip, width))
+    }
+
+    /// A bed of springs of the width `width` [m], touched at the depths `depths` [m], which ascend.
+    #[must_use]
+    pub fn of_depths(depths: Array1<f64>, grip: Grip, width: f64) -> Self {
+        Self { grip, width, slips: Array1::zeros(depths.len()), depths, at: Pose::default() }
     }
 
     /// Moves on straight lines along `path`; the tangential force [N] at each of its points.

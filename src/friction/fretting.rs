@@ -50,8 +50,14 @@ impl FrettingMap {
     /// A map over springs at the distances `positions` ≥ 0 from the axis [m], ascending.
     #[must_use]
     pub fn new(profile: &dyn Profile, grip: Grip, positions: &[f64]) -> Self {
-        let spring = |&x: &f64| MappedSpring { x, depth: profile.reduced(x), slip: 0.0, lost: 0.0, way: 0.0 };
-        Self { grip, at: Pose::default(), springs: positions.iter().map(spring).collect() }
+        Self::of_depths(grip, positions.iter().map(|&x| (x, profile.reduced(x))))
+    }
+
+    /// A map over springs by distance from the axis and depth [m] at which each is touched, both ascending.
+    #[must_use]
+    pub fn of_depths(grip: Grip, springs: impl Iterator<Item = (f64, f64)>) -> Self {
+        let spring = |(x, depth)| MappedSpring { x, depth, slip: 0.0, lost: 0.0, way: 0.0 };
+        Self { grip, at: Pose::default(), springs: springs.map(spring).collect() }
     }
 
     /// Moves on a straight line to `to`.

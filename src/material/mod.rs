@@ -328,7 +328,10 @@ pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joine
     if !bodies.0.relaxes() && !bodies.1.relaxes() {
         return Ok(Some(Joined { pair, relaxation: None }));
     }
-    Ok(Some(Joined { pair: Pair { normal: both.instantaneous(), ..pair }, relaxation: Some(both.relaxation_function()) }))
+    Ok(Some(Joined {
+        pair: Pair { normal: both.instantaneous(), ..pair },
+        relaxation: Some(both.relaxation_function()),
+    }))
 }
 
 fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Problem> {

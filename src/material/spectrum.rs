@@ -77,7 +77,8 @@ impl Spectrum {
     #[must_use]
     pub fn in_series_with(&self, other: &Self) -> Self {
         let (modes, fluidity) = ([&self.modes[..], &other.modes[..]].concat(), self.fluidity() + other.fluidity());
-        let rates: Vec<(f64, f64)> = modes.iter().map(|mode| (mode.compliance / mode.time, mode.time.recip())).collect();
+        let rates: Vec<(f64, f64)> =
+            modes.iter().map(|mode| (mode.compliance / mode.time, mode.time.recip())).collect();
         let retarded = merged(&rates).into_iter().map(|pole| Pole { time: pole.time, weight: pole.modulus });
         let flow = (fluidity > 0.0).then_some(Pole { time: 0.0, weight: fluidity });
         let poles: Vec<Pole> = flow.into_iter().chain(retarded).collect();
@@ -86,7 +87,11 @@ impl Spectrum {
         let moduli = secular::compliances(&poles, floor, &zeros);
         let term = |(zero, modulus): (&Zero, f64)| (modulus, zero.value(&poles).recip());
         let terms: Vec<_> = zeros.iter().zip(moduli).map(term).collect();
-        Self::of(together(self.equilibrium, other.equilibrium), together(self.viscosity, other.viscosity), merged(&terms))
+        Self::of(
+            together(self.equilibrium, other.equilibrium),
+            together(self.viscosity, other.viscosity),
+            merged(&terms),
+        )
     }
 
     /// E∞ [Pa].

@@ -8,6 +8,7 @@ use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::model::ContactModel;
+use crate::contact::rough::{RelaxingRough, RoughContact};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
 use crate::friction::contact::{
@@ -17,9 +18,10 @@ use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
 use crate::friction::{FrictionError, ViscoelasticBed};
 use crate::run::record::ErrorEstimate;
 use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw};
-use crate::scene::plan::RoundPlan;
+use crate::scene::plan::{RoughPlan, RoundPlan};
 use crate::scene::stage::{Path, Stage};
 use crate::shape::Rim;
+use crate::shape::rough::{RoughError, RoughLine};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -42,6 +44,26 @@ pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>
     let friction = friction(plan, law, bed_radius, wanted);
     let friction = friction.map_err(|source| SimulationError::Refused(source.to_string()))?;
     Ok(Box::new(FrictionalContact::new(normal, friction)))
+}
+
+/// The contact of a rough plan with the surface of a seed, bodies just touching.
+///
+/// # Errors
+/// The surface cannot be made.
+pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, RoughError> {
+    let (line, points, base) = (RoughLine::new(&plan.surface.rings, seed), plan.surface.points, plan.base.as_deref());
+    if let Some(relaxation) = &plan.relaxation {
+        let spectrum = Arc::new(Spectrum::new(relaxation));
+        return Ok(Box::new(RelaxingRough::new(&line, points, spectrum, base)?));
+    }
+    let normal = RoughContact::new(&line, points, plan.pair.normal, base)?;
+    let Some(coefficient) = plan.coefficient else { return Ok(Box::new(normal)) };
+    let width = line.length() / points as f64;
+    let friction = CoulombSprings::sorted(normal.bed().heights(), plan.grip(coefficient), width);
+    Ok(Box::new(FrictionalContact::new(
+        Box::new(normal),
+        Box::new(friction.accurate_to(plan.accuracy().clamp(1e-12, 1e-2))),
+    )))
 }
 
 /// The direct path on a ground, bodies just touching.

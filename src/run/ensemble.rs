@@ -5,7 +5,7 @@ use super::record::Record;
 use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::adhesion::line::Energy;
-use crate::contact::state::Normal;
+use crate::contact::state::{Normal, Tangential};
 use crate::shape::rough::Scatter;
 
 /// Mean and scatter over many random surfaces.
@@ -106,17 +106,29 @@ pub fn mean(members: &[Vec<Record>]) -> Vec<Record> {
             force: mean(|record| record.normal.force)?,
             stiffness: mean(|record| record.normal.stiffness)?,
             stored: Energy { elastic: mean(|record| record.normal.stored.elastic)?, surface: 0.0 },
+            dissipated: mean(|record| record.normal.dissipated)?,
             ..record.normal
         };
-        Some(Record { time: mean(|record| record.time)?, normal, ..*record })
+        let rubbed = |of: fn(&Tangential) -> f64| over(members, k, |record| record.tangential.as_ref().map_or(0.0, of));
+        let tangential = record.tangential.map(|state| {
+            Some(Tangential {
+                force: rubbed(|state| state.force)?.mean,
+                stick_radius: rubbed(|state| state.stick_radius)?.mean,
+                stiffness: rubbed(|state| state.stiffness)?.mean,
+                stored: state.stored.and(Some(rubbed(|state| state.stored.unwrap_or(0.0))?.mean)),
+                dissipated: state.dissipated.and(Some(rubbed(|state| state.dissipated.unwrap_or(0.0))?.mean)),
+                ..state
+            })
+        });
+        Some(Record { time: mean(|record| record.time)?, normal, tangential: tangential.flatten(), ..*record })
     };
     let first = members.first().map_or(&[][..], |first| &first[..shortest(members)]);
     first.iter().enumerate().filter_map(record).collect()
 }
 
 /// Mean and scatter of the k-th record.
-fn over(members: &[Vec<Record>], k: usize, of: fn(&Record) -> f64) -> Option<Scatter> {
-    Scatter::of(&members.iter().filter_map(|records| records.get(k).map(of)).collect::<Vec<_>>())
+fn over(members: &[Vec<Record>], k: usize, of: impl Fn(&Record) -> f64) -> Option<Scatter> {
+    Scatter::of(&members.iter().filter_map(|records| records.get(k).map(&of)).collect::<Vec<_>>())
 }
 
 /// Records all members have.

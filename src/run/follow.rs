@@ -165,8 +165,10 @@ impl Run {
         let time = start + part * course.over;
         let mut parted = time;
         for event in self.driver.advance(self.contact.as_mut(), part)? {
-            self.push(event.before, event.tangential, start + event.time);
-            self.push(event.after, event.tangential, start + event.time);
+            if self.wanted.instants {
+                self.push(event.before, event.tangential, start + event.time);
+                self.push(event.after, event.tangential, start + event.time);
+            }
             parted = start + event.time;
         }
         if was_joined

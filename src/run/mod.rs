@@ -84,11 +84,13 @@ pub struct Wanted {
     pub stresses: bool,
     /// Where in the contact friction takes its energy.
     pub fretting: bool,
+    /// Records of what happens between those asked for: turns of the force, jumps.
+    pub instants: bool,
 }
 
 impl Wanted {
     /// Records and results only.
-    pub const NOTHING: Self = Self { fields: false, stresses: false, fretting: false };
+    pub const NOTHING: Self = Self { fields: false, stresses: false, fretting: false, instants: true };
 }
 
 /// What a solver finds, and the load of the contact at its greatest force where that was asked for.

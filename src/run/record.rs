@@ -58,8 +58,9 @@ pub const SLIDE: Column<Record> =
 pub const TANGENTIAL_FORCE: Column<Record> =
     Column::new("tangential_force", Unit::NEWTON, "tangential force Fₓ", |record| Some(record.tangential?.force));
 /// Radius of the sticking part.
-pub const STICK_RADIUS: Column<Record> =
-    Column::new("stick_radius", Unit::METRE, "stick radius c", |record| Some(record.tangential?.stick_radius));
+pub const STICK_RADIUS: Column<Record> = Column::new("stick_radius", Unit::METRE, "stick radius c", |record| {
+    record.normal.contact_radius.and(Some(record.tangential?.stick_radius))
+});
 
 /// Columns every scene has.
 const NORMAL: &[Column<Record>] = &[

@@ -1,15 +1,15 @@
 //! Rough shapes: the bed of a rough line, one member of an ensemble after the other.
 
+use super::compose;
 use super::ensemble::{self, Ensemble};
 use super::follow::follow;
 use super::named::Named;
 use super::record::{ErrorEstimate, Outcome, Record};
 use super::unit::Unit;
 use super::{SimulationError, Wanted};
-use crate::contact::rough::{RoughContact, VALIDITY};
+use crate::contact::rough::VALIDITY;
 use crate::scene::plan::RoughPlan;
 use crate::scene::surface::Surface;
-use crate::shape::rough::RoughLine;
 use rayon::prelude::*;
 
 /// Runs a scene with a rough shape, all members of its ensemble in parallel; `done` is told the share behind.
@@ -41,10 +41,9 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
 }
 
 fn member(plan: &RoughPlan, seed: u64) -> Result<Vec<Record>, SimulationError> {
-    let line = RoughLine::new(&plan.surface.rings, seed);
-    let contact = RoughContact::new(&line, plan.surface.points, plan.pair.normal, plan.base.as_deref());
+    let contact = compose::rough(plan, seed);
     let contact = contact.map_err(|error| SimulationError::Refused(format!("shape, seed {seed}: {error}")))?;
-    let run = follow(plan, Box::new(contact), Wanted::NOTHING)?;
+    let run = follow(plan, contact, Wanted { instants: false, ..Wanted::NOTHING })?;
     Ok(run.records)
 }
 
@@ -62,6 +61,15 @@ fn named(surface: &Surface, records: &[Record], ensemble: Option<&Ensemble>) -> 
         Named::number("rms_slope", Unit::ONE, roughness.rms_slope),
         Named::number("rms_curvature", Unit::PER_METRE, roughness.rms_curvature),
     ];
+    let rubs = records.iter().any(|record| record.tangential.is_some());
+    if let Some(last) = records.last().filter(|last| rubs || last.normal.dissipated > 0.0) {
+        results.push(Named::number("dissipated", Unit::JOULE, last.normal.dissipated));
+    }
+    if let Some(last) = records.last().and_then(|record| record.tangential) {
+        let tangential = |record: &Record| record.tangential.map_or(0.0, |state| state.force.abs());
+        results.push(Named::number("largest_tangential_force", Unit::NEWTON, largest(tangential)));
+        results.push(Named::number("friction_dissipated", Unit::JOULE, last.dissipated.unwrap_or(0.0)));
+    }
     results.extend(roughness.peak_to_valley.map(|height| Named::number("peak_to_valley", Unit::METRE, height)));
     results.extend(ensemble.iter().flat_map(|ensemble| ensemble.results()));
     results

@@ -184,6 +184,10 @@ pub struct RoughPlan {
     pub surface: Arc<Surface>,
     /// The smooth profile under it; `None` for a nominally flat surface.
     pub base: Option<Arc<dyn Profile>>,
+    /// E*(t) of bodies that relax.
+    pub relaxation: Option<Arc<Relaxation>>,
+    /// Coefficient μ of Coulomb friction.
+    pub coefficient: Option<f64>,
 }
 
 impl RoughPlan {

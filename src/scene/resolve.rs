@@ -82,7 +82,9 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
         (Geometry::Round(profile), Some(impact)) => Plan::Impact(impact_plan(shared, profile.clone(), impact)),
         (Geometry::Round(profile), None) => Plan::Round(round(shared, profile.clone())),
         (Geometry::Rough(surface, base), _) => {
-            Plan::Rough(RoughPlan { surface: surface.clone(), base: base.clone(), shared })
+            let coefficient = sliding(shared.scene.friction.as_ref()).map(|law| law.coefficient);
+            let relaxation = shared.read.relaxation.clone();
+            Plan::Rough(RoughPlan { surface: surface.clone(), base: base.clone(), relaxation, coefficient, shared })
         }
         (Geometry::Wave(wave), _) => {
             let section = Section::Wave { wave: wave.clone(), sliding: sliding(shared.scene.friction.as_ref()) };

@@ -66,7 +66,7 @@ impl RoughPlan {
     pub fn parts(&self) -> Parts {
         let springs = self.surface.points;
         let solver = Solver::new(
-            "rough bed",
+            if self.relaxation.is_some() { "rough viscoelastic bed" } else { "rough bed" },
             format!(
                 "approximate: a line with the spectrum of the surface stands for it, {springs} springs that touch one by one"
             ),
@@ -74,6 +74,11 @@ impl RoughPlan {
         let (mut used, mut left_out) =
             (vec!["equivalent rough line", "springs sorted by height"], vec!["real contact area"]);
         (if self.base.is_some() { &mut used } else { &mut left_out }).push(Component::Profile.name());
+        for (part, there) in
+            [("relaxation", self.relaxation.is_some()), ("Coulomb springs", self.coefficient.is_some())]
+        {
+            (if there { &mut used } else { &mut left_out }).push(part);
+        }
         (if self.surface.seeds.len() > 1 { &mut used } else { &mut left_out }).push("ensemble");
         // Gaps, forces and energies of the members that run at a time are no more than those of all.
         Parts { springs, state_bytes: 24 * springs, ..Parts::new(solver, used, left_out) }

@@ -220,3 +220,46 @@ fn a_seal_that_leaks_all_the_time_is_a_failed_run() {
     assert!(said.contains("under no force of the history is the contact in one piece"), "{said}");
     assert!(!folder.path().join("out").exists());
 }
+
+/// A rubber pressed fast and held: the force falls from that of E*(0) towards that of E∞, and what happens between the
+/// records does not depend on them.
+#[test]
+fn a_rough_rubber_relaxes() {
+    let rubber = "Viscoelastic(poisson: 0.5, shear: (equilibrium: \"1 MPa\", terms: [(modulus: \"9 MPa\", time: 1)]))";
+    let scene = |bodies: &str, history: &str| {
+        format!("(shape: RoughLine({SPECTRUM} length: \"100 um\", points: 4096), bodies: ({bodies}, Rigid), {history})")
+    };
+    let last = |scene: &str| {
+        let (folder, said) = run(scene, None, &[]);
+        assert!(said.contains("approximate"), "{said}");
+        column(&table(folder.path(), ".csv"), "force_n")
+    };
+    let held = "history: [Indent(to: \"2 um\", over: 1e-9), Hold(over: 50)]";
+    let force = last(&scene(rubber, held));
+    let elastic = |shear: &str| {
+        let body = format!("Elastic(poisson: 0.5, shear: \"{shear}\")");
+        *last(&scene(&body, "history: [Indent(to: \"2 um\", over: 1)]")).last().unwrap()
+    };
+    let near = |one: f64, two: f64| (one / two - 1.0).abs() < 1e-8;
+    assert!(near(force[100], elastic("10 MPa")) && near(*force.last().unwrap(), elastic("1 MPa")));
+    let there_and_back = |steps: usize| {
+        let history = "history: [Indent(to: \"2 um\", over: 1), Hold(over: 1), Indent(to: \"1.9 um\", over: 0.5)]";
+        *last(&scene(rubber, &format!("steps: {steps}, {history}"))).last().unwrap()
+    };
+    let (few, many) = (there_and_back(3), there_and_back(300));
+    assert!((few / many - 1.0).abs() < 1e-11, "{few:e} {many:e}");
+}
+
+/// Pressed and slid: full slip carries μF, and the records say what friction has taken.
+#[test]
+fn a_rough_line_slides() {
+    let history = "Press(to: 1e-3, over: 1), Slide(to: \"20 um\", over: 1)";
+    let scene = scene(SPECTRUM, history).replace("Rigid),", "Rigid), friction: Coulomb(coefficient: 0.3),");
+    let (folder, said) = run(&scene, None, &[]);
+    let records = table(folder.path(), ".csv");
+    let force = *column(&records, "tangential_force_n").last().unwrap();
+    assert!((force - 3e-4).abs() < 1e-15, "{force:e}");
+    assert!(*column(&records, "friction_dissipated_j").last().unwrap() > 0.0);
+    assert!(column(&records, "stick_radius_m").iter().all(|radius| radius.is_nan()), "a rough contact has no radius");
+    assert!(said.contains("friction dissipated"), "{said}");
+}

@@ -54,6 +54,9 @@ impl Rough {
             "the state is that of the largest force; indentation counts from first touch".to_owned(),
             "the line of the springs is another random surface of the same spectrum: single surfaces scatter by tens of per cent, and the share of springs in contact is not the contact area".to_owned(),
         ];
+        if self.plan.relaxation.is_some() {
+            notes.push("bodies that relax are compared by what they give at once, E*(0)".to_owned());
+        }
         if self.plan.surface.seeds.len() > MEMBERS {
             notes.push(format!("means over the first {MEMBERS} of {} seeds", self.plan.surface.seeds.len()));
         }

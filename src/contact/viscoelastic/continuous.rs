@@ -35,7 +35,11 @@ impl ContinuousContact {
 ///
 /// # Errors
 /// A dashpot lets nothing give at once.
-pub(super) fn in_time(spectrum: &Spectrum, from: f64, piece: &Straight) -> Result<Option<Straight>, ContactError> {
+pub(in crate::contact) fn in_time(
+    spectrum: &Spectrum,
+    from: f64,
+    piece: &Straight,
+) -> Result<Option<Straight>, ContactError> {
     if piece.duration > 0.0 {
         return Ok(Some(*piece));
     }

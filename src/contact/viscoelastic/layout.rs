@@ -32,6 +32,14 @@ impl Layout {
         Self::new(profile, (0..=count).map(|k| fine * (as_f64(k) * step).sinh()))
     }
 
+    /// Springs of the width Δx [m] under the heights `height` [m], which ascend: a rough line, its springs sorted. The
+    /// place of a spring is half the length of the line that is touched before it.
+    #[must_use]
+    pub fn sorted(height: Vec<f64>, width: f64) -> Self {
+        let place = (0..height.len()).map(|k| 0.5 * width * (as_f64(k) + 0.5)).collect();
+        Self { place, weight: vec![width; height.len()], height }
+    }
+
     fn new(profile: &dyn Profile, borders: impl Iterator<Item = f64> + Clone) -> Self {
         let cells = borders.clone().zip(borders.skip(1));
         let place: Vec<f64> = cells.clone().map(|(low, high)| 0.5 * (low + high)).collect();

@@ -25,11 +25,20 @@ impl CoulombSprings {
     /// # Errors
     /// The profile ends before `radius`.
     pub fn new(profile: &dyn Profile, grip: Grip, springs: NonZeroUsize, radius: f64) -> Result<Self, FrictionError> {
-        let width = radius / springs.get() as f64;
-        let places: Vec<f64> = (0..springs.get()).map(|k| (k as f64 + 0.5) * width).collect();
-        let bed = CoulombBed::new(profile, grip, springs, radius)?;
-        let map = FrettingMap::new(profile, grip, &places);
-        Ok(Self { bed, map, grip, width, accuracy: 1e-6, at: Pose::default(), force: 0.0 })
+        Ok(Self::of(CoulombBed::new(profile, grip, springs, radius)?, grip, radius / springs.get() as f64))
+    }
+
+    /// The springs of a rough line of the width Δx [m] each, sorted by the depths [m] at which they are touched;
+    /// bodies just touching.
+    #[must_use]
+    pub fn sorted(depths: Vec<f64>, grip: Grip, width: f64) -> Self {
+        Self::of(CoulombBed::of_depths(depths.into(), grip, 0.5 * width), grip, 0.5 * width)
+    }
+
+    fn of(bed: CoulombBed, grip: Grip, width: f64) -> Self {
+        let springs = bed.depths().iter().enumerate().map(|(k, &depth)| ((k as f64 + 0.5) * width, depth));
+        let map = FrettingMap::of_depths(grip, springs);
+        Self { bed, map, grip, width, accuracy: 1e-6, at: Pose::default(), force: 0.0 }
     }
 
     /// The same with curved steps followed to `accuracy`.

@@ -88,13 +88,14 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 32] = [
+pub const RULES: [Rule; 33] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
     Rule::once(Friction, Bodies, parts::gross_sliding_of_viscoelastic),
+    Rule::once(Friction, Bodies, parts::rough_friction_of_viscoelastic),
     Rule::once(Friction, Adhesion, parts::friction_under_adhesion),
     Rule::once(Friction, Adhesion, parts::friction_with_closing),
     Rule::once(Springs, Adhesion, parts::springs_under_adhesion),
@@ -102,7 +103,7 @@ pub const RULES: [Rule; 32] = [
     Rule::once(Shape, Adhesion, parts::adhesion_on_shape),
     Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),
-    Rule::many(Shape, Bodies, parts::viscoelastic_on_shape),
+    Rule::many(Shape, Bodies, parts::viscoelastic_on_plane),
     Rule::entry(Shape, history::impact_on_shape),
     Rule::entry(Shape, history::slide_on_plane),
     Rule::entry(Shape, history::depth_of_wavy),

@@ -216,11 +216,34 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
 pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let friction = draft.scene.friction.as_ref()?;
     match (draft.scene.shape.family(), friction) {
-        (Family::Wave(_), Friction::Coulomb(_) | Friction::CoulombOrowan(_)) => None,
-        (Family::Wave(_), Friction::Pressure(_))
-        | (Family::Round | Family::Line(_) | Family::Map(..) | Family::Wavy(_), _) => {
+        (Family::Wave(_), Friction::Coulomb(_) | Friction::CoulombOrowan(_))
+        | (Family::Line(_) | Family::Map(..), Friction::Coulomb(_)) => None,
+        (Family::Line(_) | Family::Map(..), Friction::CoulombOrowan(_) | Friction::Pressure(_)) => refused(
+            "friction",
+            format!(
+                "{} cannot be computed on {}: a rough bed does not tell the real pressure; expected Coulomb(coefficient: …)",
+                friction.name(),
+                not_round(&draft.scene.shape).unwrap_or_default()
+            ),
+        ),
+        (Family::Wave(_), Friction::Pressure(_)) | (Family::Round | Family::Wavy(_), _) => {
             cannot_be_on(draft, "friction", friction.name())
         }
+    }
+}
+
+/// Of bodies that relax a rough line knows the normal contact.
+pub(super) fn rough_friction_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
+    let (friction, _) = (draft.scene.friction.as_ref()?, draft.relaxation()?);
+    match draft.scene.shape.family() {
+        Family::Line(_) | Family::Map(..) => refused(
+            "friction",
+            format!(
+                "{} with a Viscoelastic body cannot be computed on a rough shape: expected Elastic bodies, or no friction",
+                friction.name()
+            ),
+        ),
+        Family::Round | Family::Wave(_) | Family::Wavy(_) => None,
     }
 }
 
@@ -229,7 +252,10 @@ pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     cannot_be_on(draft, "springs", "a number of springs")
 }
 
-pub(super) fn viscoelastic_on_shape(draft: &Draft<'_>) -> Vec<Problem> {
+pub(super) fn viscoelastic_on_plane(draft: &Draft<'_>) -> Vec<Problem> {
+    if !draft.scene.shape.is_plane() {
+        return Vec::new();
+    }
     let bodies = [("bodies.0", &draft.scene.bodies.0), ("bodies.1", &draft.scene.bodies.1)];
     let viscoelastic = bodies.into_iter().filter(|(_, body)| body.relaxes());
     viscoelastic.filter_map(|(path, _)| cannot_be_on(draft, path, "a viscoelastic body")).collect()
