@@ -18,6 +18,8 @@ pub mod agreement;
 pub(crate) mod attempt;
 pub mod case;
 pub mod cases;
+#[cfg(feature = "text")]
+pub mod matrix;
 mod measured;
 pub mod one_piece;
 pub mod comparison;

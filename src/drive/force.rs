@@ -74,6 +74,8 @@ pub struct ForceDrive {
 
 /// Shortest piece, relative to the whole.
 const SHORTEST: f64 = 1e-18;
+/// A change of the depth, relative to it, that no force tells: its rounding.
+const UNSEEN: f64 = 4.0 * f64::EPSILON;
 /// Least force asked for without adhesion, relative to the scale: the bodies just touch.
 const TOUCH: f64 = 1e-9;
 
@@ -216,6 +218,9 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
     // A guess from the stiffness, widened until it brackets the root: the force grows with the speed.
     let still = look(0.0).0;
     let stiffness = state.stiffness.max(1e-9 * force.abs() / depth.abs().max(1e-30));
+    if still.abs() <= UNSEEN * stiffness * depth.abs() {
+        return Ok(Some(0.0));
+    }
     let near = still.abs() / stiffness / duration;
     let mut width = near.max(1e-12 * depth.abs() / duration).max(1e-300).copysign(-still);
     let mut inner = 0.0;
@@ -229,8 +234,11 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
             }
             break;
         }
-        if (residual > 0.0) != (still > 0.0) || width.abs() >= 1e290 {
+        if (residual > 0.0) != (still > 0.0) {
             break;
+        }
+        if width.abs() >= 1e290 {
+            return failed.map_or(Ok(None), Err);
         }
         inner = width;
         width *= 2.0;

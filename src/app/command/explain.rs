@@ -5,6 +5,7 @@ use crate::app::console::{Console, Failure};
 use crate::app::export::with_prefix;
 use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
+use crate::check::matrix::{self, Cell, Verdict};
 use crate::check::{one_piece, theory};
 use crate::run::record::Outcome;
 use crate::scene::plan::Plan;
@@ -20,6 +21,31 @@ pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failur
     let outcome = compute(&scene.plan, &[]).map_err(Failure::failed)?;
     let text = if common.json { json(&scene.plan, &outcome)? } else { text(&scene.plan, &outcome) };
     console.result(&text)
+}
+
+/// Shows the matrix of all combinations.
+///
+/// # Errors
+/// It cannot be written.
+pub fn matrix(common: &Common, console: &Console) -> Result<(), Failure> {
+    let cells = matrix::cells();
+    let text = if common.json { cells_as_json(&cells)? } else { matrix::in_words(&cells) };
+    console.result(&text)
+}
+
+fn cells_as_json(cells: &[Cell]) -> Result<String, Failure> {
+    let object = |cell: &Cell| {
+        let [shape, bodies, adhesion, friction, drive] = cell.names();
+        let (solver, why) = match &cell.verdict {
+            Verdict::Computed { solver } => (Some(*solver), None),
+            Verdict::Refused { why } => (None, Some(why)),
+        };
+        serde_json::json!({
+            "shape": shape, "bodies": bodies, "adhesion": adhesion, "friction": friction, "drive": drive,
+            "solver": solver, "refused": why,
+        })
+    };
+    serde_json::to_string_pretty(&cells.iter().map(object).collect::<Vec<_>>()).map_err(Failure::failed)
 }
 
 fn text(plan: &Plan, outcome: &Outcome) -> String {

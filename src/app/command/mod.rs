@@ -73,8 +73,11 @@ enum Command {
     /// Say how a scene would be computed, and how well.
     Explain {
         /// Scene file.
-        #[arg(value_name = "SCENE.ron")]
-        scene: PathBuf,
+        #[arg(value_name = "SCENE.ron", required_unless_present = "matrix", conflicts_with = "matrix")]
+        scene: Option<PathBuf>,
+        /// Which shapes, bodies, adhesion, friction and drives are computed together, and why the others are not.
+        #[arg(long)]
+        matrix: bool,
     },
     /// Print a commented scene to start from.
     New {
@@ -152,7 +155,10 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
     match command {
         Command::Run { scenes } => run::run(&scenes, common, console),
         Command::Check { scenes } => check::run(&scenes, common, console),
-        Command::Explain { scene } => explain::run(&scene, common, console),
+        Command::Explain { scene, .. } => match scene {
+            Some(scene) => explain::run(&scene, common, console),
+            None => explain::matrix(common, console),
+        },
         Command::New { kind } => starters::run(kind.as_deref(), console),
         Command::Verify { filter, markdown } => {
             let form = if markdown { verify::Form::Markdown } else { verify::Form::of(common) };

@@ -1,6 +1,7 @@
 //! The cases as VALIDATION.md.
 
 use crate::check::case::{Case, Question};
+use crate::check::matrix;
 use crate::check::row::Row;
 use std::fmt::Write;
 
@@ -16,6 +17,13 @@ Made by `springbed verify --markdown > VALIDATION.md`; `springbed verify` shows 
 your machine. A test keeps names, proofs, bounds and remarks true, and the errors reached within
 their bounds; the last digit of an error reached may differ from machine to machine.
 ";
+
+const COMBINATIONS: &str = "\
+## Combinations
+
+Which shape, bodies, adhesion, friction and drive are computed together (`springbed explain
+--matrix`): a letter is the solver, a number the reason of a refusal, both told below; `-` is no
+combination of its own. A test runs one scene of every combination that is computed.";
 
 /// The text of VALIDATION.md.
 #[must_use]
@@ -41,5 +49,6 @@ pub fn validation(cases: &[Case], rows: &[Row]) -> String {
         let [because, weak] = [because, weak].map(|text| text.replace('|', "\\|"));
         let _ = writeln!(text, "| {name} | {proof} | {bound:e} | {reached} | {because} | {weak} |");
     }
+    let _ = writeln!(text, "\n{COMBINATIONS}\n\n```text\n{}\n```", matrix::in_words(&matrix::cells()));
     text
 }

@@ -26,7 +26,7 @@ pub(super) const CASES: &[Case] = &[
     Case::new("oscillation/storage and loss of a punch", Proof::Bound, 1e-9, "the first harmonics of path and force by two nodes per chord of a 256th of a cycle, fourth order; what is left of the start e^(−20/0.4)").weak("a punch, whose edge stands still; of a ball the edge moves and only small loops agree").by(loop_of_a_punch),
     Case::new("oscillation/small loop on a ball", Proof::Order, 2e-3, "the edge moves by a thousandth of the radius: the loop differs from that of a still edge by as much").weak("one amplitude").by(loop_of_a_ball),
     Case::new("viscoelastic jkr/slow pull-off", Proof::Order, 2e-3, "one part in 10⁴ of the relaxation is left at this speed; near its vertical tangent the force shows the root").weak("approaches the limit only").by(slow_pull_off),
-    Case::new("viscoelastic/ten records or a thousand", Proof::Rounding, 1e-12, "a record looks and changes nothing: the same roundings").weak("one history").by(ten_or_a_thousand),
+    Case::new("viscoelastic/ten records or a thousand", Proof::Rounding, 1e-12, "a record cuts a motion in two, which changes the springs by rounding").weak("one history").by(ten_or_a_thousand),
 ];
 
 fn solid(equilibrium: f64, terms: &[(f64, f64)]) -> Relaxation {
