@@ -266,7 +266,10 @@ impl Plan {
     /// E*(t) of bodies that relax.
     #[must_use]
     pub fn relaxation(&self) -> Option<&Relaxation> {
-        self.bodies()?.relaxation().map(Arc::as_ref)
+        match self {
+            Self::Rough(plan) => plan.relaxation.as_deref(),
+            Self::Round(_) | Self::Impact(_) | Self::Plane(_) => self.bodies()?.relaxation().map(Arc::as_ref),
+        }
     }
 
     /// Work of adhesion [J/m²] of an attraction of vanishing range.

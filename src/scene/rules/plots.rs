@@ -28,6 +28,10 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             (!scene.shape.is_rough(), "a rough bed does not know its contact area: expected Force, Energy or Shape")
         }
         Plot::Moduli => (scene.relaxes(), "expected a Viscoelastic body"),
+        Plot::Stick | Plot::Shear | Plot::Fretting if scene.shape.is_rough() => (
+            false,
+            "a rough bed does not know where in its contact it slips: expected Force, Energy, Shape or Friction",
+        ),
         Plot::Friction | Plot::Stick | Plot::Shear => (scene.friction.is_some(), "expected a friction"),
         Plot::Fretting => {
             let sticks = matches!(scene.friction.as_ref().map(Friction::slip), Some(Slip::Local(_)));

@@ -46,7 +46,7 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
             _ => vec![Plot::Restitution],
         },
         Plan::Plane(_) => vec![Plot::Force, Plot::Radius, Plot::Pressure],
-        Plan::Rough(_) => rough::SUITING.to_vec(),
+        Plan::Rough(rough) => rough::suiting(rough),
     }
 }
 
@@ -96,7 +96,11 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let records = &outcome.records;
     let against_depth = |column| against_depth(plan, records, column, axis_of(column));
     match plan {
-        Plan::Rough(rough) => rough::force(rough, outcome),
+        Plan::Rough(rough) => {
+            let over_time = [FORCE, INDENTATION].map(|column| against_time(records, &column));
+            let over_time = over_time.into_iter().filter(|_| rough.relaxation.is_some());
+            rough::force(rough, outcome).into_iter().chain(over_time).collect()
+        }
         Plan::Plane(_) => vec![against_depth(&LINE_FORCE)],
         Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(&FORCE)]).collect(),
         Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(&FORCE)],

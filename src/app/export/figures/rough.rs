@@ -10,7 +10,10 @@ use crate::shape::rough::{RoughLine, SpectrumSource};
 use crate::shape::{Family, RoughShape};
 
 /// What suits a rough shape.
-pub const SUITING: [Plot; 2] = [Plot::Force, Plot::Shape];
+pub fn suiting(plan: &RoughPlan) -> Vec<Plot> {
+    let rubs = plan.coefficient.map(|_| Plot::Friction);
+    [Plot::Force].into_iter().chain(rubs).chain([Plot::Shape]).collect()
+}
 
 /// Force over the indentation and stiffness over the force.
 pub fn force(plan: &RoughPlan, outcome: &Outcome) -> Vec<Panel> {
