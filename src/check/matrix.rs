@@ -280,7 +280,7 @@ impl Cell {
     /// # Errors
     /// It cannot be computed after all.
     pub fn outcome(&self) -> Option<Result<Outcome, SimulationError>> {
-        let plan = plan(self.at)?.ok()?;
+        let Ok(plan) = plan(self.at)? else { return None };
         Some(run::run(&plan, Wanted::NOTHING))
     }
 }

@@ -76,6 +76,8 @@ pub struct ForceDrive {
 const SHORTEST: f64 = 1e-18;
 /// A change of the depth, relative to it, that no force tells: its rounding.
 const UNSEEN: f64 = 4.0 * f64::EPSILON;
+/// No speed is looked for beyond this [m/s].
+const FASTEST: f64 = 1e290;
 /// Least force asked for without adhesion, relative to the scale: the bodies just touch.
 const TOUCH: f64 = 1e-9;
 
@@ -222,32 +224,31 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
         return Ok(Some(0.0));
     }
     let near = still.abs() / stiffness / duration;
-    let mut width = near.max(1e-12 * depth.abs() / duration).max(1e-300).copysign(-still);
-    let mut inner = 0.0;
-    loop {
-        let (residual, joined) = look(width);
-        if residual > 0.0 && !joined && still > 0.0 {
-            // Parted: the pull must be found before, if anywhere.
-            match last_pull(&mut look, inner, width) {
-                Some(pull) => width = pull,
-                None => return Ok(None),
-            }
-            break;
-        }
-        if (residual > 0.0) != (still > 0.0) {
-            break;
-        }
-        if width.abs() >= 1e290 {
-            return failed.map_or(Ok(None), Err);
-        }
-        inner = width;
-        width *= 2.0;
-    }
+    let width = near.max(1e-12 * depth.abs() / duration).max(1e-300).copysign(-still);
+    let Some((inner, width)) = bracket(&mut look, still, width) else { return failed.map_or(Ok(None), Err) };
     let speed = root::brent(|speed| look(speed).0, inner.min(width), inner.max(width)).unwrap_or(width);
     match failed.filter(|_| speed.abs() <= 0.0) {
         Some(error) => Err(error),
         None => Ok(Some(speed)),
     }
+}
+
+/// Two speeds between which the force is met, from zero on and widened from `width` [m/s]; `still` is what it is too
+/// great by at rest [N]. `None` if no speed meets it.
+fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64) -> Option<(f64, f64)> {
+    let mut inner = 0.0;
+    while width.abs() < FASTEST {
+        let (residual, joined) = look(width);
+        if residual > 0.0 && !joined && still > 0.0 {
+            // Parted: the pull must be found before, if anywhere.
+            return last_pull(look, inner, width).map(|pull| (inner, pull));
+        }
+        if (residual > 0.0) != (still > 0.0) {
+            return Some((inner, width));
+        }
+        (inner, width) = (width, 2.0 * width);
+    }
+    None
 }
 
 /// A speed between one that keeps the bodies together and one that parts them at which the pull is

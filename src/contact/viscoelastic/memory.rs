@@ -136,8 +136,19 @@ impl Memory {
     /// The first phase of what is left of a motion.
     fn phase(&mut self, walk: &mut Walk) -> Result<(), BedError> {
         let motion = walk.rest;
-        let step = self.next(&motion, walk.least)?;
-        walk.least = if step.change.is_none() { 4.0 * walk.least } else { walk.shortest };
+        let step = if walk.stalls < MOST_STALLS {
+            self.next(&motion, walk.least)?
+        } else {
+            walk.stalls -= 1;
+            PhaseStep { duration: walk.least.min(motion.duration), change: None }
+        };
+        if step.change.is_none() {
+            walk.least *= 4.0;
+        } else if step.duration > PROGRESS * walk.whole {
+            (walk.least, walk.stalls) = (walk.shortest, 0);
+        } else {
+            walk.stalls += 1;
+        }
         self.take(&motion.lasting(step.duration), step.change);
         self.depth = motion.depth(step.duration);
         walk.rest = motion.after(step.duration);
@@ -457,9 +468,20 @@ impl Memory {
 /// What polynomials may miss of the springs where nothing else errs, relative to their loads.
 const SMOOTH: f64 = 1e-14;
 
+/// Part of a motion below which an edge that moves gets nowhere: then there may be rounding alone, and the longer it
+/// stands still the sooner there is more.
+const PROGRESS: f64 = 1e-4;
+
+/// Phases that get nowhere before the edge stands still for a while.
+const MOST_STALLS: u32 = 256;
+
 /// What is left of a motion on the way through it.
 struct Walk {
     rest: Motion,
+    /// How long all of it lasts [s].
+    whole: f64,
+    /// Phases that got nowhere.
+    stalls: u32,
     /// The shortest time the edge may stand still [s]: below it there is only rounding.
     shortest: f64,
     /// The same now: longer each time that nothing has happened.
@@ -469,7 +491,7 @@ struct Walk {
 impl Walk {
     fn new(motion: Motion) -> Self {
         let shortest = 1e-15 * motion.duration;
-        Self { rest: motion, shortest, least: shortest }
+        Self { rest: motion, whole: motion.duration, stalls: 0, shortest, least: shortest }
     }
 }
 
