@@ -19,9 +19,9 @@ use rayon::prelude::*;
 
 /// A value of one of the parts of a scene.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Choice {
+struct Choice {
     /// What it is called in the matrix.
-    pub name: &'static str,
+    name: &'static str,
     /// How a scene writes it.
     text: &'static str,
 }
@@ -331,8 +331,7 @@ impl Cell {
 mod tests {
     use super::*;
 
-    /// One scene per cell: what the matrix promises runs, its numbers are numbers, and its estimate is no smaller
-    /// than rounding.
+    /// One scene per cell: what the matrix promises runs, its numbers are numbers, and it states an error.
     #[test]
     fn every_cell_that_is_promised_runs() {
         let wrong = |cell: &Cell| {

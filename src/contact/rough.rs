@@ -286,12 +286,11 @@ impl ContactModel for RelaxingRough {
     }
 
     fn effort(&self) -> Effort {
-        Effort { springs: self.bed.layout().len(), bytes: self.bed.bytes(), force_error: None }
+        self.bed.effort()
     }
 
     fn leave(&mut self) {
-        let away = self.bed.indentation().min(0.0) - 1.0;
-        self.bed.reach(away, self.bed.spectrum().instant());
+        self.bed.leave();
     }
 }
 
@@ -437,25 +436,6 @@ mod tests {
             assert!((one.force - two.force).abs() <= 1e-12 * elastic.bed.full_contact().1, "{part}");
             assert!((one.stored.elastic - two.stored.elastic).abs() <= 1e-12 * elastic.bed.energies[999]);
             assert!(one.dissipated.abs() <= 1e-12 * elastic.bed.energies[999]);
-        }
-    }
-
-    /// A rough line that has only been pressed and then slid: F_x = μ[F(d) − F(d − u_x/m)], m = μE*/G* (Ciavarella,
-    /// Jäger); it holds for any bed.
-    #[test]
-    fn the_first_slide_on_a_rough_line() {
-        let elastic = RoughContact::new(&line(), 1000, 2.5, None).unwrap();
-        let (bed, depth) = (elastic.bed.clone(), elastic.bed.heights()[700]);
-        let grip = crate::friction::Grip { normal_modulus: 2.5, tangential_modulus: 2.0, coefficient: 0.3 };
-        let springs = crate::friction::contact::CoulombSprings::sorted(bed.heights(), grip, bed.stiffness / 2.5);
-        let mut contact = crate::friction::contact::FrictionalContact::new(Box::new(elastic), Box::new(springs));
-        contact.follow(&Straight::between(0.0, depth, 1.0)).unwrap();
-        let force = |d: f64| bed.at_indentation(bed.first_touch() + d).force;
-        for k in 1..=10 {
-            let slide = 0.1 * f64::from(k) * depth * grip.coefficient * 2.5 / 2.0;
-            contact.follow(&Straight { slide, ..Straight::between(depth, depth, 1.0) }).unwrap();
-            let right = 0.3 * (force(depth) - force(depth * (1.0 - 0.1 * f64::from(k))));
-            assert!((contact.tangential().unwrap().force - right).abs() <= 1e-12 * force(depth), "{k}");
         }
     }
 

@@ -77,7 +77,7 @@ pub struct Driver {
     largest: f64,
     /// A pull has parted the bodies.
     parted: bool,
-    /// What is prescribed at the end of the present stage, a force if it is one [N].
+    /// The force [N] prescribed at the end of the present stage; zero where the depth is.
     pull: f64,
     cycle: Cycle,
     stage: ActiveStage,
@@ -185,7 +185,7 @@ impl Driver {
         // Bodies that a pull has parted carry nothing, and the pull goes on.
         let pulled = course.control == Control::Force && present.indentation.is_none();
         let from = if pulled { self.pull } else { prescribed(&present, course.control) };
-        self.pull = course.normal.at(from, 1.0, course.over);
+        self.pull = if course.control == Control::Force { course.normal.at(from, 1.0, course.over) } else { 0.0 };
         self.stage =
             ActiveStage { course, from, slide, now: 0.0, remainder: Remainder::Records, leg: None, middle: None };
         if contact.memory().is_none() {

@@ -18,7 +18,7 @@ use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
 use crate::friction::{FrictionError, ViscoelasticBed};
 use crate::run::record::ErrorEstimate;
 use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw};
-use crate::scene::plan::{RoughPlan, RoundPlan};
+use crate::scene::plan::{RoughPlan, RoundPlan, Shared};
 use crate::scene::stage::{Path, Stage};
 use crate::shape::Rim;
 use crate::shape::rough::{RoughError, RoughLine};
@@ -60,10 +60,7 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
     let Some(coefficient) = plan.coefficient else { return Ok(Box::new(normal)) };
     let width = line.length() / points as f64;
     let friction = CoulombSprings::sorted(normal.bed().heights(), plan.grip(coefficient), width);
-    Ok(Box::new(FrictionalContact::new(
-        Box::new(normal),
-        Box::new(friction.accurate_to(plan.accuracy().clamp(1e-12, 1e-2))),
-    )))
+    Ok(Box::new(FrictionalContact::new(Box::new(normal), Box::new(friction.accurate_to(friction_accuracy(plan))))))
 }
 
 /// The direct path on a ground, bodies just touching.
@@ -154,7 +151,7 @@ pub fn sheared(plan: &RoundPlan) -> Option<ShearedAdhesion> {
 }
 
 /// How closely a curved path is followed by friction, as a part of the depth.
-fn friction_accuracy(plan: &RoundPlan) -> f64 {
+fn friction_accuracy(plan: &Shared) -> f64 {
     plan.accuracy().clamp(1e-12, 1e-2)
 }
 

@@ -138,7 +138,7 @@ impl ContactModel for GrowingBed {
     }
 
     fn effort(&self) -> Effort {
-        Effort { springs: self.bed.layout().len(), bytes: self.bed.bytes(), force_error: None }
+        self.bed.effort()
     }
 
     fn creep(&self) -> Option<Creep> {
@@ -147,7 +147,6 @@ impl ContactModel for GrowingBed {
     }
 
     fn leave(&mut self) {
-        let away = self.bed.indentation().min(0.0) - 1.0;
-        self.bed.reach(away, self.bed.spectrum().instant());
+        self.bed.leave();
     }
 }

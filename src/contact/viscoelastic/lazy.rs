@@ -11,7 +11,7 @@ use super::layout::Layout;
 use super::ledger::{Ledger, impulse};
 use super::spring::{Free, Motion, Piece, Spring};
 use super::totals::Totals;
-use crate::contact::model::Straight;
+use crate::contact::model::{Effort, Straight};
 use crate::numerics::exponential::decay;
 use crate::shape::Profile;
 use std::sync::Arc;
@@ -175,6 +175,18 @@ impl Lazy {
     pub fn follow_line(&mut self, line: &Straight) {
         self.advance(line.speed, line.duration);
         self.now.depth = line.to;
+    }
+
+    /// Takes the indenter far away at once.
+    pub fn leave(&mut self) {
+        let away = self.now.depth.min(0.0) - 1.0;
+        self.reach(away, self.spectrum.instant());
+    }
+
+    /// Springs and bytes.
+    #[must_use]
+    pub fn effort(&self) -> Effort {
+        Effort { springs: self.layout.len(), bytes: self.bytes(), force_error: None }
     }
 
     /// The springs' material.

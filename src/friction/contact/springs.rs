@@ -92,3 +92,35 @@ impl TangentialContact for CoulombSprings {
         Effort { springs: self.bed.depths().len(), ..Effort::default() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::model::{ContactModel, Straight};
+    use crate::contact::rough::RoughContact;
+    use crate::friction::contact::FrictionalContact;
+    use crate::shape::rough::{Rings, RoughLine, RoughnessSpectrum};
+
+    /// A rough line that has only been pressed and then slid: F_x = μ[F(d) − F(d − u_x/m)], m = μE*/G* (Ciavarella,
+    /// Jäger), as on any bed. Bound: rounding of a thousand springs.
+    #[test]
+    fn the_first_slide_on_a_rough_line() {
+        let spectrum = RoughnessSpectrum::table(&[(6.4, 1e-12), (64.0, 1e-15)]).unwrap();
+        let line = RoughLine::new(&Rings::of(&spectrum, 1.0, 1000).unwrap(), 7);
+        let elastic = RoughContact::new(&line, 1000, 2.5, None).unwrap();
+        let bed = elastic.bed().clone();
+        let depth = bed.heights()[700];
+        let grip = Grip { normal_modulus: 2.5, tangential_modulus: 2.0, coefficient: 0.3 };
+        let springs = CoulombSprings::sorted(bed.heights(), grip, 1e-3);
+        let mut contact = FrictionalContact::new(Box::new(elastic), Box::new(springs));
+        contact.follow(&Straight::between(0.0, depth, 1.0)).unwrap();
+        let force = |d: f64| bed.at_indentation(bed.first_touch() + d).force;
+        for k in 1..=10 {
+            let part = 0.1 * f64::from(k);
+            let slide = part * depth * grip.reach();
+            contact.follow(&Straight { slide, ..Straight::between(depth, depth, 1.0) }).unwrap();
+            let right = 0.3 * (force(depth) - force(depth * (1.0 - part)));
+            assert!((contact.tangential().unwrap().force - right).abs() <= 1e-12 * force(depth), "{k}");
+        }
+    }
+}
