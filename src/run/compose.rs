@@ -8,7 +8,7 @@ use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::model::ContactModel;
-use crate::contact::rough::{RelaxingRough, RoughContact};
+use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
 use crate::friction::contact::{
@@ -55,6 +55,9 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
     if let Some(relaxation) = &plan.relaxation {
         let spectrum = Arc::new(Spectrum::new(relaxation));
         return Ok(Box::new(RelaxingRough::new(&line, points, spectrum, base)?));
+    }
+    if let Some(works) = plan.works {
+        return Ok(Box::new(AdhesiveRough::new(&line, points, plan.pair.normal, base, works)?));
     }
     let normal = RoughContact::new(&line, points, plan.pair.normal, base)?;
     let Some(coefficient) = plan.coefficient else { return Ok(Box::new(normal)) };

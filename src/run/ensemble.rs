@@ -105,7 +105,10 @@ pub fn mean(members: &[Vec<Record>]) -> Vec<Record> {
             indentation: record.normal.indentation.map(|_| indentation),
             force: mean(|record| record.normal.force)?,
             stiffness: mean(|record| record.normal.stiffness)?,
-            stored: Energy { elastic: mean(|record| record.normal.stored.elastic)?, surface: 0.0 },
+            stored: Energy {
+                elastic: mean(|record| record.normal.stored.elastic)?,
+                surface: mean(|record| record.normal.stored.surface)?,
+            },
             dissipated: mean(|record| record.normal.dissipated)?,
             ..record.normal
         };

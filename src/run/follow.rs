@@ -27,6 +27,7 @@ pub(super) struct Run {
     /// The time at which it is left [s].
     until: f64,
     wanted: Wanted,
+    jumps: Vec<(Normal, Normal)>,
     pub(super) notes: Vec<String>,
     /// The load of the contact at its greatest force, if it is wanted.
     pub(super) loaded: Option<Loaded>,
@@ -104,6 +105,7 @@ impl Run {
             deepest: None,
             until: f64::INFINITY,
             wanted,
+            jumps: Vec::new(),
             notes: Vec::new(),
             loaded: None,
             greatest: 0.0,
@@ -133,7 +135,9 @@ impl Run {
         self.slide = course.tangential.at(self.slide, 1.0, course.over);
         self.observe();
         if let Path::UntilParted { speed } = stage.normal {
+            let held = self.driver.state(self.contact.as_ref());
             let parted = self.driver.part(self.contact.as_mut(), speed)?;
+            self.jumps.push((held, parted));
             self.push(parted, self.contact.tangential(), self.time);
         }
         Ok(())
@@ -165,6 +169,7 @@ impl Run {
         let time = start + part * course.over;
         let mut parted = time;
         for event in self.driver.advance(self.contact.as_mut(), part)? {
+            self.jumps.push((event.before, event.after));
             if self.wanted.instants {
                 self.push(event.before, event.tangential, start + event.time);
                 self.push(event.after, event.tangential, start + event.time);
@@ -234,6 +239,11 @@ impl Run {
             let field = self.field(format!("largest depth (entry {})", self.entry + 1));
             self.deepest = field.map(|field| Deepest { depth, field }).or(self.deepest.take());
         }
+    }
+
+    /// The sudden changes on the way, the states before and after, whether they are among the records or not.
+    pub(super) fn jumps(&self) -> &[(Normal, Normal)] {
+        &self.jumps
     }
 
     /// The straight steps the tangential contact has taken, if they were kept.

@@ -8,8 +8,10 @@ use super::record::{ErrorEstimate, Outcome, Record};
 use super::unit::Unit;
 use super::{SimulationError, Wanted};
 use crate::contact::rough::VALIDITY;
+use crate::contact::state::Normal;
 use crate::scene::plan::RoughPlan;
 use crate::scene::surface::Surface;
+use crate::shape::rough::Scatter;
 use rayon::prelude::*;
 
 /// Runs a scene with a rough shape, all members of its ensemble in parallel; `done` is told the share behind.
@@ -19,32 +21,89 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
     let seeds = [&surface.seeds[..], &like(&surface.seeds)].concat();
     let behind = std::sync::atomic::AtomicUsize::new(0);
     let member = |&seed: &u64| {
-        let records = member(plan, seed);
+        let member = member(plan, seed);
         let behind = behind.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
         done(behind as f64 / seeds.len() as f64);
-        records
+        member
     };
     let members: Vec<Result<_, SimulationError>> = seeds.par_iter().map(member).collect();
-    let all = members.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let members = members.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let (all, pulls): (Vec<_>, Vec<_>) = members.into_iter().map(|member| (member.records, member.pulls)).unzip();
     let members = &all[..count];
     let ensemble = Ensemble::of(members);
     let records = ensemble::mean(members);
+    let mut results = named(surface, &records, ensemble.as_ref());
+    if plan.works.is_some() {
+        results.extend(pulled(&pulls[..count], records.last()));
+    }
     Ok(Outcome {
-        results: named(surface, &records, ensemble.as_ref()),
+        results,
         records,
         fields: Vec::new(),
         tables: ensemble.iter().map(Ensemble::table).collect(),
         error_estimate: estimate(&all, count),
-        warnings: vec![format!("{VALIDITY}; indentation counts from first touch")],
+        warnings: remarks(plan),
         plan: plan.parts(),
     })
 }
 
-fn member(plan: &RoughPlan, seed: u64) -> Result<Vec<Record>, SimulationError> {
+/// What the method is good for.
+fn remarks(plan: &RoughPlan) -> Vec<String> {
+    let adheres =
+        "adhesion holds the patches of the line as it holds round contacts (Heß): nothing exact stands beside it";
+    let adheres = plan.works.map(|_| adheres.to_owned());
+    [format!("{VALIDITY}; indentation counts from first touch")].into_iter().chain(adheres).collect()
+}
+
+/// What is known of one surface.
+struct Member {
+    records: Vec<Record>,
+    pulls: Pulls,
+}
+
+/// Forces [N] of sudden changes.
+#[derive(Clone, Copy)]
+struct Pulls {
+    /// With which the bodies jump into contact.
+    jump_in: Option<f64>,
+    /// At which most patches have held on the way out.
+    pull_off: Option<f64>,
+}
+
+impl Pulls {
+    fn of(jumps: &[(Normal, Normal)]) -> Self {
+        let apart = |normal: &Normal| normal.stiffness <= 0.0;
+        let joined = jumps.iter().find(|(before, after)| apart(before) && !apart(after));
+        let least = jumps.iter().map(|(before, _)| before.force).reduce(f64::min);
+        let pull = |force: &f64| *force < 0.0;
+        Self { jump_in: joined.map(|(_, after)| after.force).filter(pull), pull_off: least.filter(pull) }
+    }
+}
+
+fn member(plan: &RoughPlan, seed: u64) -> Result<Member, SimulationError> {
     let contact = compose::rough(plan, seed);
     let contact = contact.map_err(|error| SimulationError::Refused(format!("shape, seed {seed}: {error}")))?;
     let run = follow(plan, contact, Wanted { instants: false, ..Wanted::NOTHING })?;
-    Ok(run.records)
+    let pulls = Pulls::of(run.jumps());
+    Ok(Member { records: run.records, pulls })
+}
+
+/// The results of adhesion: forces are means over the members, if all have one.
+fn pulled(pulls: &[Pulls], last: Option<&Record>) -> Vec<Named> {
+    let of = |of: fn(&Pulls) -> Option<f64>| {
+        let forces = pulls.iter().map(of).collect::<Option<Vec<_>>>()?;
+        Scatter::of(&forces)
+    };
+    let (jump_in, pull_off) = (of(|pulls| pulls.jump_in), of(|pulls| pulls.pull_off));
+    let deviation = pull_off.filter(|_| pulls.len() > 1).map(|force| force.deviation);
+    let found = [
+        ("jump_in_force", Unit::NEWTON, jump_in.map(|force| force.mean)),
+        ("pull_off_force", Unit::NEWTON, pull_off.map(|force| force.mean)),
+        ("pull_off_force_deviation", Unit::NEWTON, deviation),
+        ("final_stored_surface", Unit::JOULE, last.map(|record| record.normal.stored.surface)),
+    ];
+    let named = |(name, unit, number): (&'static str, Unit, Option<f64>)| Some(Named::number(name, unit, number?));
+    found.into_iter().filter_map(named).collect()
 }
 
 /// The named results, those of an ensemble with their deviation.

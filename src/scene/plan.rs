@@ -23,6 +23,7 @@ use super::parts::Solver;
 use super::read::Read;
 use super::surface::Surface;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::rough::EdgeWorks;
 use crate::friction::Grip;
 use crate::friction::oblique::Ball;
 use crate::input::quantity::Accuracy;
@@ -186,6 +187,8 @@ pub struct RoughPlan {
     pub base: Option<Arc<dyn Profile>>,
     /// E*(t) of bodies that relax.
     pub relaxation: Option<Arc<Relaxation>>,
+    /// What an edge of its patches takes and gives, if the bodies adhere.
+    pub works: Option<EdgeWorks>,
     /// Coefficient μ of Coulomb friction.
     pub coefficient: Option<f64>,
 }
@@ -278,10 +281,13 @@ impl Plan {
         self.bodies()?.edge_work()
     }
 
-    /// Whether the bodies of a round contact adhere.
+    /// Whether the bodies adhere.
     #[must_use]
     pub fn adheres(&self) -> bool {
-        self.bodies().is_some_and(Bodies::adheres)
+        match self {
+            Self::Rough(plan) => plan.works.is_some(),
+            Self::Round(_) | Self::Impact(_) | Self::Plane(_) => self.bodies().is_some_and(Bodies::adheres),
+        }
     }
 
     /// What holds the edge of bodies that relax.

@@ -6,6 +6,7 @@ use super::read::{Geometry, Read};
 use super::rules::{self, Draft};
 use super::{Scene, limits, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
+use crate::contact::rough::EdgeWorks;
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
@@ -84,7 +85,9 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
         (Geometry::Rough(surface, base), _) => {
             let coefficient = sliding(shared.scene.friction.as_ref()).map(|law| law.coefficient);
             let relaxation = shared.read.relaxation.clone();
-            Plan::Rough(RoughPlan { surface: surface.clone(), base: base.clone(), relaxation, coefficient, shared })
+            let works = shared.scene.adhesion.as_ref().map(works);
+            let (surface, base) = (surface.clone(), base.clone());
+            Plan::Rough(RoughPlan { surface, base, relaxation, works, coefficient, shared })
         }
         (Geometry::Wave(wave), _) => {
             let section = Section::Wave { wave: wave.clone(), sliding: sliding(shared.scene.friction.as_ref()) };
@@ -143,6 +146,12 @@ fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
 fn pinned(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
     let AdhesionTraits { work, closing, .. } = adhesion?.traits();
     closing.map(|closing| HeldEdge { work, closing, edge: EdgeRule::Relaxed })
+}
+
+/// What the edges of a rough contact take and give.
+fn works(adhesion: &Adhesion) -> EdgeWorks {
+    let AdhesionTraits { work, closing, .. } = adhesion.traits();
+    EdgeWorks { opening: work, closing: closing.unwrap_or(work) }
 }
 
 /// Elastic bodies as bodies that remember nothing.

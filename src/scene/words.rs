@@ -65,8 +65,13 @@ impl RoughPlan {
     #[must_use]
     pub fn parts(&self) -> Parts {
         let springs = self.surface.points;
+        let name = match (&self.relaxation, self.works) {
+            (Some(_), _) => "rough viscoelastic bed",
+            (None, Some(_)) => "rough adhesive bed",
+            (None, None) => "rough bed",
+        };
         let solver = Solver::new(
-            if self.relaxation.is_some() { "rough viscoelastic bed" } else { "rough bed" },
+            name,
             format!(
                 "approximate: a line with the spectrum of the surface stands for it, {springs} springs that touch one by one"
             ),
@@ -74,9 +79,11 @@ impl RoughPlan {
         let (mut used, mut left_out) =
             (vec!["equivalent rough line", "springs sorted by height"], vec!["real contact area"]);
         (if self.base.is_some() { &mut used } else { &mut left_out }).push(Component::Profile.name());
-        for (part, there) in
-            [("relaxation", self.relaxation.is_some()), ("Coulomb springs", self.coefficient.is_some())]
-        {
+        for (part, there) in [
+            ("relaxation", self.relaxation.is_some()),
+            ("adhesive patches", self.works.is_some()),
+            ("Coulomb springs", self.coefficient.is_some()),
+        ] {
             (if there { &mut used } else { &mut left_out }).push(part);
         }
         (if self.surface.seeds.len() > 1 { &mut used } else { &mut left_out }).push("ensemble");

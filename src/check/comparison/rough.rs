@@ -57,6 +57,9 @@ impl Rough {
         if self.plan.relaxation.is_some() {
             notes.push("bodies that relax are compared by what they give at once, E*(0)".to_owned());
         }
+        if self.plan.works.is_some() {
+            notes.push("bodies that adhere are compared as if they did not".to_owned());
+        }
         if self.plan.surface.seeds.len() > MEMBERS {
             notes.push(format!("means over the first {MEMBERS} of {} seeds", self.plan.surface.seeds.len()));
         }

@@ -11,13 +11,13 @@ const HARDNESS: f64 = 2.8;
 
 /// Area, summits, plasticity and conductance of a rough scene under the force [N], with its normal stiffness [N/m].
 ///
-/// Empty without roughness. The area theories ask for a nominally flat surface; on a ball they say nothing.
+/// Empty without roughness. The area theories ask for a nominally flat surface and no adhesion; else they say nothing.
 #[must_use]
 pub fn in_words(plan: &Plan, force: f64, stiffness: f64) -> Vec<String> {
     let Plan::Rough(rough) = plan else { return Vec::new() };
     let (surface, roughness, modulus) = (&rough.surface, rough.surface.roughness(), plan.pair.normal);
     let mut lines = Vec::new();
-    if rough.base.is_none() && force > 0.0 {
+    if rough.base.is_none() && rough.works.is_none() && force > 0.0 {
         let pressure = force / (surface.length() * surface.length());
         let share = area_fraction(pressure, modulus, roughness.rms_slope);
         lines.push(format!(

@@ -207,9 +207,25 @@ pub(super) fn cannot_be_on(draft: &Draft<'_>, path: &str, part: &str) -> Option<
     refused(path, format!("{part} cannot be computed on {shape}: expected none"))
 }
 
+/// On a rough line patches of elastic bodies are held by their edges.
 pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let adhesion = draft.scene.adhesion.as_ref().map(Adhesion::traits)?;
-    cannot_be_on(draft, "adhesion", adhesion.name)
+    let of = match (draft.scene.shape.family(), &adhesion.range) {
+        (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.scene.relaxes() => return None,
+        (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => " of Viscoelastic bodies",
+        (Family::Line(_) | Family::Map(..), Range::Finite) => {
+            return refused(
+                "adhesion",
+                format!(
+                    "{} cannot be computed on {}, for its attraction reaches from patch to patch: expected Jkr(work: …)",
+                    adhesion.name,
+                    not_round(&draft.scene.shape).unwrap_or_default()
+                ),
+            );
+        }
+        (Family::Round | Family::Wave(_) | Family::Wavy(_), _) => "",
+    };
+    cannot_be_on(draft, "adhesion", &format!("{}{of}", adhesion.name))
 }
 
 /// Of friction a wave knows gross sliding, as a result.

@@ -18,11 +18,15 @@ pub fn suiting(plan: &RoughPlan) -> Vec<Plot> {
 /// Force over the indentation and stiffness over the force.
 pub fn force(plan: &RoughPlan, outcome: &Outcome) -> Vec<Panel> {
     let panel = banded(outcome, &INDENTATION, &FORCE);
-    let panel = Panel { y: panel.y.from(0.0), ..panel };
+    let panel = if plan.works.is_some() { panel } else { Panel { y: panel.y.from(0.0), ..panel } };
     vec![panel.note("Indentation counts from first touch."), stiffness(plan, outcome)]
 }
 
 fn stiffness(plan: &RoughPlan, outcome: &Outcome) -> Panel {
+    if plan.works.is_some() {
+        // One force belongs to many states of bodies that adhere.
+        return banded(outcome, &INDENTATION, &STIFFNESS).note(APPROXIMATE);
+    }
     let panel = banded(outcome, &FORCE, &STIFFNESS);
     let panel = Panel { x: log(panel.x), y: log(panel.y), ..panel };
     let panel = match hurst(plan) {
@@ -32,8 +36,11 @@ fn stiffness(plan: &RoughPlan, outcome: &Outcome) -> Panel {
         }
         None => panel,
     };
-    panel.note("Approximate: a line stands for the surface. It does not give the real contact area.")
+    panel.note(APPROXIMATE)
 }
+
+/// What is said of the stiffness.
+const APPROXIMATE: &str = "Approximate: a line stands for the surface. It does not give the real contact area.";
 
 /// The mean curve, and curves one standard deviation above and below it.
 fn banded(outcome: &Outcome, x: &Column<Record>, y: &Column<Record>) -> Panel {
