@@ -85,7 +85,7 @@ fn impacts(c: &mut Criterion) {
     let mut group = c.benchmark_group("impact");
     let kelvin_voigt = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![], viscosity: 0.1 }));
     for (name, spectrum) in [("kelvin_voigt", kelvin_voigt), ("ten_terms", spectrum(10))] {
-        let driven = StruckHalfSpace { spectrum, profile: Arc::new(ball()), attraction: None };
+        let driven = StruckHalfSpace { spectrum, profile: Arc::new(ball()) };
         let impact = Projectile { mass: 1.0, speed: 1.0 };
         group.bench_function(name, |b| b.iter(|| driven.flight(black_box(&impact), 1e-6)));
     }

@@ -64,6 +64,8 @@ pub struct Occurrence {
     pub tangential: Option<Tangential>,
 }
 
+/// Mean difference of the contact's force from the prescribed one, in errors allowed, from which on it has jumped.
+const JUMP: f64 = 4.0;
 /// Part of a time by which rounding may delay what was seen to happen.
 const LATEST: f64 = 1e-12;
 
@@ -79,6 +81,8 @@ pub struct Driver {
     parted: bool,
     /// The force [N] prescribed at the end of the present stage; zero where the depth is.
     pull: f64,
+    /// What a prescribed force has done in jumps beyond what the contact took [J].
+    lost: f64,
     cycle: Cycle,
     stage: ActiveStage,
 }
@@ -122,6 +126,8 @@ struct Leg {
     begin: f64,
     end: f64,
     watch: Option<Watch>,
+    /// Energy stored and lost at its beginning [J], if a force is prescribed.
+    accounted: Option<f64>,
 }
 
 impl Leg {
@@ -170,6 +176,7 @@ impl Driver {
             largest: 0.0,
             parted: false,
             pull: 0.0,
+            lost: 0.0,
             cycle: Cycle::default(),
             stage,
         }
@@ -228,6 +235,7 @@ impl Driver {
         if course.over <= 0.0 {
             while let Some(leg) = self.next_leg(contact)? {
                 contact.follow(&ahead(contact, leg.speed, leg.end - leg.begin))?;
+                self.note_jump(contact, &leg);
                 self.stage.leg = Some(leg);
             }
             (self.stage.remainder, self.stage.leg) = (Remainder::Done, None);
@@ -306,6 +314,7 @@ impl Driver {
                 break;
             }
             self.stage.now = leg.end;
+            self.note_jump(contact, &leg);
             self.stage.leg = self.next_leg(contact)?;
         }
         if let Remainder::Force(force) = &self.stage.remainder
@@ -317,6 +326,18 @@ impl Driver {
         }
         self.parted &= !contact.joined();
         Ok(())
+    }
+
+    /// What the prescribed force has done on a leg that is over beyond what the contact took, if the contact jumped: it
+    /// had another force on the way.
+    fn note_jump(&mut self, contact: &dyn ContactModel, leg: &Leg) {
+        let (Some(before), Remainder::Force(force)) = (leg.accounted, &self.stage.remainder) else { return };
+        let mean = 0.5 * (force.prescribed(leg.begin) + force.prescribed(leg.end));
+        let way = leg.to - leg.from;
+        let lost = mean * way - (accounted(contact) - before);
+        if lost > JUMP * self.accuracy * self.largest * way.abs() {
+            self.lost += lost;
+        }
     }
 
     /// Along a leg up to the time `until` [s], from look to look.
@@ -405,13 +426,14 @@ impl Driver {
                 Some(stretch) => {
                     let to = depth + stretch.speed * (stretch.until - begin);
                     let (speed, end) = (stretch.speed, stretch.until);
-                    return Ok(Some(Leg { from: depth, to, speed, begin, end, watch: None }));
+                    let accounted = Some(accounted(contact));
+                    return Ok(Some(Leg { from: depth, to, speed, begin, end, watch: None, accounted }));
                 }
                 None => return Ok(None),
             },
         };
         let speed = (to - depth) / (end - begin);
-        let mut leg = Leg { from: depth, to, speed, begin, end, watch: None };
+        let mut leg = Leg { from: depth, to, speed, begin, end, watch: None, accounted: None };
         leg.watch = self.watch(contact, &leg)?;
         Ok(Some(leg))
     }
@@ -454,6 +476,7 @@ impl Driver {
     }
 
     fn corrected(&self, contact: &dyn ContactModel, state: Normal) -> Normal {
+        let state = Normal { dissipated: state.dissipated + self.lost, ..state };
         if self.parted {
             return Normal { indentation: None, ..state };
         }
@@ -517,6 +540,12 @@ impl Driver {
     pub fn last_loop(&self) -> Option<Loop> {
         self.cycle.moduli()
     }
+}
+
+/// Energy stored and lost [J].
+fn accounted(contact: &dyn ContactModel) -> f64 {
+    let state = contact.state();
+    state.stored.stored() + state.dissipated
 }
 
 /// Value of what is prescribed; a body that has come free starts again from first touch.

@@ -25,6 +25,9 @@ pub fn estimate(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
     tangential.filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
 }
 
+/// Error of a state behind many pieces, each of which has missed its force or depth by no more than one.
+const CHORDS: f64 = 2.0;
+
 fn of(relative: f64, basis: &str) -> ErrorEstimate {
     ErrorEstimate { relative, basis: basis.to_owned() }
 }
@@ -39,6 +42,10 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         ContactLaw::Springs { count, work } => springs_error(plan, *count, work.unwrap_or(0.0), &run.records),
         ContactLaw::Continuous { relaxation, edge } => match edge.as_ref().filter(|edge| edge.has_rate()) {
             Some(edge) => rate_error(plan, run, relaxation, edge),
+            None if plan.is_curved() => of(
+                sums(run) + CHORDS * plan.accuracy(),
+                "continuous bed: straight pieces of the depth to the accuracy asked for, and what the polynomials of its panels miss",
+            ),
             None => of(sums(run), "continuous bed, exact in time: what the polynomials of its panels miss"),
         },
         ContactLaw::ViscoelasticSprings { count, .. } => viscoelastic_springs_error(plan, run, count.get()),
@@ -104,18 +111,33 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
 
 /// An edge that obeys a rate law: the whole history again with the edge followed better.
 fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
-    let forces = |records: &[Record]| {
-        let forces = records.iter().map(|record| record.normal.force);
-        (forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max))
-    };
-    let again = follow(plan, viscoelastic::refined(plan, relaxation, edge), Wanted::NOTHING)
-        .ok()
-        .map(|run| forces(&run.records));
-    let (found, finer) = (forces(&run.records), again.unwrap_or((f64::NAN, f64::NAN)));
-    let off = (found.0 - finer.0).abs().max((found.1 - finer.1).abs()) / largest_force(run);
+    let again = follow(plan, viscoelastic::refined(plan, relaxation, edge), Wanted::NOTHING);
+    let off = again.map_or(f64::NAN, |again| apart(&run.records, &again.records));
     let pieces = if plan.is_curved() { plan.accuracy() } else { 0.0 };
     of(
         sums(run) + pieces + 2.0 * off,
-        "continuous bed: what the polynomials of its panels miss, and the least and greatest force with the opening edge followed better",
+        "continuous bed: what the polynomials of its panels miss, and forces and energies with the opening edge followed better",
     )
+}
+
+/// How far the least and the greatest forces of two runs are apart, or the energies at their ends, each as a part of
+/// its largest.
+fn apart(one: &[Record], two: &[Record]) -> f64 {
+    let forces = |records: &[Record]| {
+        let forces = records.iter().map(|record| record.normal.force);
+        [forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max)]
+    };
+    let last = |records: &[Record]| {
+        records.last().map_or([0.0; 2], |record| [record.normal.stored.stored(), record.normal.dissipated])
+    };
+    let energies = |record: &Record| {
+        let Normal { stored, dissipated, .. } = record.normal;
+        stored.elastic.abs() + stored.surface.abs() + dissipated.abs()
+    };
+    let force = one.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let energy = one.iter().map(energies).fold(f64::MIN_POSITIVE, f64::max);
+    let off = |one: [f64; 2], two: [f64; 2], scale: f64| {
+        one.iter().zip(two).map(|(one, two)| (one - two).abs() / scale).fold(0.0, f64::max)
+    };
+    off(forces(one), forces(two), force).max(off(last(one), last(two), energy))
 }

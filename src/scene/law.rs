@@ -291,8 +291,13 @@ pub enum ImpactLaw {
     Viscoelastic {
         /// E*(t).
         relaxation: Arc<Relaxation>,
+    },
+    /// Bodies whose adhesive edge depends on what has been: the mass drives the continuous bed in steps.
+    Held {
+        /// E*(t); without terms of elastic bodies.
+        relaxation: Arc<Relaxation>,
         /// Adhesive edge.
-        edge: Option<HeldEdge>,
+        edge: HeldEdge,
     },
 }
 
@@ -305,16 +310,13 @@ impl ImpactLaw {
                 "energy of the direct path",
                 "elastic bodies give back what they take, so that the speed follows from the energy at each depth, jumps of an adhesive contact included; the time is an integral over the depth, no step is taken",
             ),
-            Self::Viscoelastic { edge, .. } => Solver::new(
+            Self::Viscoelastic { .. } => Solver::new(
                 "driven continuous bed",
-                format!(
-                    "the bodies remember: m d̈ = −F in steps of high order; the contact grows once and shrinks once, its force follows from the memory integrals of the motion; no spring is allocated{}",
-                    if edge.is_some() {
-                        "; a closing edge attaches at geometric touch, an opening one holds by the law of the scene"
-                    } else {
-                        ""
-                    }
-                ),
+                "the bodies remember: m d̈ = −F in steps of high order; the contact grows once and shrinks once, its force follows from the memory integrals of the motion; no spring is allocated",
+            ),
+            Self::Held { .. } => Solver::new(
+                "mass on the continuous bed",
+                "the edge remembers: m d̈ = −F in straight steps of the depth, halved until they agree; the contact is that of a prescribed depth",
             ),
         }
     }
@@ -323,7 +325,7 @@ impl ImpactLaw {
     pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
         match self {
             Self::Elastic(adhesion) => Some(*adhesion),
-            Self::Viscoelastic { .. } => None,
+            Self::Viscoelastic { .. } | Self::Held { .. } => None,
         }
     }
 
@@ -332,7 +334,8 @@ impl ImpactLaw {
     pub fn bodies(&self) -> Bodies<'_> {
         match self {
             Self::Elastic(adhesion) => Bodies::Elastic(*adhesion),
-            Self::Viscoelastic { relaxation, edge } => Bodies::Viscoelastic(relaxation, edge.as_ref()),
+            Self::Viscoelastic { relaxation } => Bodies::Viscoelastic(relaxation, None),
+            Self::Held { relaxation, edge } => Bodies::Viscoelastic(relaxation, Some(edge)),
         }
     }
 }

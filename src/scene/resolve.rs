@@ -194,9 +194,12 @@ fn sliding(friction: Option<&Friction>) -> Option<CappedCoulomb> {
 
 fn impact_plan(shared: Shared, profile: Arc<dyn Profile>, impact: Impact) -> ImpactPlan {
     let adhesion = shared.scene.adhesion.as_ref();
-    let law = match shared.read.relaxation.clone() {
-        None => ImpactLaw::Elastic(elastic(adhesion)),
-        Some(relaxation) => ImpactLaw::Viscoelastic { relaxation, edge: held_edge(adhesion) },
+    let relaxation = shared.read.relaxation.clone();
+    let law = match (relaxation, held_edge(adhesion), pinned(adhesion)) {
+        (None, _, None) => ImpactLaw::Elastic(elastic(adhesion)),
+        (None, _, Some(edge)) => ImpactLaw::Held { relaxation: Arc::new(unrelaxed(&shared)), edge },
+        (Some(relaxation), None, _) => ImpactLaw::Viscoelastic { relaxation },
+        (Some(relaxation), Some(edge), _) => ImpactLaw::Held { relaxation, edge },
     };
     ImpactPlan { profile, law, ball: ball(&shared, &impact), impact, shared }
 }

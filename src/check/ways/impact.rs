@@ -45,7 +45,7 @@ fn driven(accuracy: f64) -> Attempt<Method> {
     let model = || -> Attempt<StruckHalfSpace> {
         let elastic = Relaxation { equilibrium: 1.0, terms: Vec::new(), viscosity: 0.0 };
         let (spectrum, profile) = (Arc::new(Spectrum::new(&elastic)), paraboloid(1.0)?);
-        Ok(StruckHalfSpace { spectrum, profile, attraction: None })
+        Ok(StruckHalfSpace { spectrum, profile })
     };
     let steps = model()?.flight(&IMPACT, accuracy)?.steps();
     Ok(Method::new("bed driven by the mass", Setting::steps(steps), move || {

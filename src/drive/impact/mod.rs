@@ -31,11 +31,11 @@ mod stepped;
 
 pub use driven::{Flight, StruckHalfSpace};
 pub use passage::Passage;
-pub use stepped::SteppedMass;
+pub use stepped::{SteppedMass, Watcher};
 
 use crate::contact::adhesion::equilibrium::BranchError;
 use crate::contact::adhesion::line::Energy;
-use crate::contact::error::BedError;
+use crate::contact::error::{BedError, ContactError};
 
 /// A mass that meets the half-space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,8 +79,25 @@ impl Rebound {
         self.contact_time.is_none()
     }
 
+    /// What runs with twice as long steps, `coarse`, and with these lead to as the steps get short, of an error of second
+    /// order.
+    #[must_use]
+    pub fn extrapolated(&self, coarse: &Self) -> Self {
+        let limit = |fine: f64, coarse: f64| fine + (fine - coarse) / 3.0;
+        let contact_time = self.contact_time.zip(coarse.contact_time).map(|(fine, coarse)| limit(fine, coarse));
+        Self {
+            contact_time: contact_time.or(self.contact_time),
+            greatest_depth: limit(self.greatest_depth, coarse.greatest_depth),
+            greatest_force: limit(self.greatest_force, coarse.greatest_force),
+            restitution: limit(self.restitution, coarse.restitution).max(0.0),
+            lost: limit(self.lost, coarse.lost),
+            error: self.error,
+        }
+    }
+
     /// Largest difference of restitution, and relative ones of contact time, depth and force.
-    fn difference(&self, other: &Self) -> f64 {
+    #[must_use]
+    pub fn difference(&self, other: &Self) -> f64 {
         let relative = |x: f64, y: f64| (x - y).abs() / x.abs().max(y.abs()).max(f64::MIN_POSITIVE);
         let times = self.contact_time.zip(other.contact_time).map_or(0.0, |(x, y)| relative(x, y));
         (self.restitution - other.restitution)
@@ -125,6 +142,9 @@ pub enum ImpactError {
     /// The viscoelastic bed ends.
     #[error(transparent)]
     Bed(#[from] BedError),
+    /// The contact cannot follow.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
     /// The motion takes more steps than there are.
     #[error("the impact comes to no end: the shortest and the longest time of the bed are too far apart for its steps")]
     NoEnd,

@@ -1,6 +1,7 @@
 //! Scenes whose history is one impact.
 
 mod elastic;
+mod held;
 mod oblique;
 mod viscoelastic;
 mod results;
@@ -70,9 +71,8 @@ fn follow(plan: &ImpactPlan, speed: f64, wanted: Option<Wanted>) -> Result<Follo
     let normal = impact::Projectile { mass: plan.impact.mass.si(), speed: speed * plan.impact.incidence().cos() };
     let followed = match &plan.law {
         ImpactLaw::Elastic(adhesion) => elastic::follow(plan, *adhesion, normal, wanted),
-        ImpactLaw::Viscoelastic { relaxation, edge } => {
-            viscoelastic::follow(plan, &viscoelastic::struck(plan, relaxation, edge.as_ref()), normal, wanted)
-        }
+        ImpactLaw::Viscoelastic { relaxation } => viscoelastic::follow(plan, relaxation, normal, wanted),
+        ImpactLaw::Held { relaxation, edge } => held::follow(plan, (relaxation, edge), normal, wanted),
     }?;
     within_bounds(plan, followed.row.rebound.greatest_depth)?;
     Ok(Followed { row: ImpactRow { speed, oblique, ..followed.row }, ..followed })
@@ -119,6 +119,7 @@ fn error_estimate(plan: &ImpactPlan, rows: &[ImpactRow]) -> ErrorEstimate {
             "energy of the direct path; contact time by quadrature, against one of half as many panels"
         }
         ImpactLaw::Viscoelastic { .. } => "steps of high order in time, against a run of sixteen times the tolerance",
+        ImpactLaw::Held { .. } => "straight steps of the depth, their limit against that of steps twice as long",
     };
     ErrorEstimate { relative: tangential.fold(normal, f64::max), basis: basis.to_owned() }
 }

@@ -7,7 +7,6 @@ use crate::drive::impact::{Flight, Projectile, StruckHalfSpace};
 use crate::material::Relaxation;
 use crate::run::record::{Field, FieldRow};
 use crate::run::{SimulationError, Wanted};
-use crate::scene::law::HeldEdge;
 use crate::scene::plan::ImpactPlan;
 use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroUsize;
@@ -16,23 +15,17 @@ use std::sync::Arc;
 /// Radii at which the pressure is given, denser towards the edge.
 const RADII: u32 = 64;
 
-/// What is struck: bodies with E*(t) and an adhesive edge, if any.
-pub fn struck(plan: &ImpactPlan, relaxation: &Relaxation, edge: Option<&HeldEdge>) -> StruckHalfSpace {
-    let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = edge.map(|edge| edge.attraction(&spectrum));
-    StruckHalfSpace { spectrum, profile: plan.profile.clone(), attraction }
-}
-
 /// Follows an impact; records and fields only where `wanted`.
 ///
 /// # Errors
 /// The contact would outgrow the profile, or comes to no end.
 pub fn follow(
     plan: &ImpactPlan,
-    ground: &StruckHalfSpace,
+    relaxation: &Relaxation,
     impact: Projectile,
     wanted: Option<Wanted>,
 ) -> Result<Followed, SimulationError> {
+    let ground = StruckHalfSpace { spectrum: Arc::new(Spectrum::new(relaxation)), profile: plan.profile.clone() };
     let flight = ground.flight(&impact, plan.accuracy()).map_err(failed)?;
     let peak_pressure = flight.peak_pressure();
     let row = ImpactRow { speed: impact.speed, rebound: flight.rebound(), oblique: None, peak_pressure };

@@ -2,7 +2,6 @@
 
 use super::draft::Draft;
 use super::parts::cannot_be_on;
-use crate::contact::adhesion::{EdgeRule, Range};
 use crate::friction::Slip;
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Impact};
@@ -110,23 +109,6 @@ pub(super) fn oblique_under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>)
             adhesion.name
         ),
     )
-}
-
-pub(super) fn impact_with_rate(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    entry.impact?;
-    draft.relaxation()?;
-    match draft.scene.adhesion.as_ref()?.traits().range {
-        Range::Vanishing(Some(EdgeRule::Rate(_))) => {
-            refused(entry, "Impact with an edge: Rate(…) cannot be computed: expected edge: Relaxed or Instantaneous")
-        }
-        Range::Vanishing(Some(EdgeRule::Relaxed | EdgeRule::Instantaneous) | None) | Range::Finite => None,
-    }
-}
-
-pub(super) fn impact_with_closing(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    entry.impact?;
-    draft.scene.adhesion.as_ref()?.traits().closing?;
-    refused(entry, "Impact with closing cannot be computed: expected adhesion without closing")
 }
 
 /// Sliding as it stands in a message.

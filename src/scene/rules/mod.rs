@@ -88,7 +88,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 33] = [
+pub const RULES: [Rule; 31] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
@@ -112,8 +112,6 @@ pub const RULES: [Rule; 33] = [
     Rule::entry(Bodies, history::oblique_of_viscoelastic),
     Rule::entry(Adhesion, history::pull_without_adhesion),
     Rule::entry(Adhesion, history::oblique_under_adhesion),
-    Rule::entry(Adhesion, history::impact_with_rate),
-    Rule::entry(Adhesion, history::impact_with_closing),
     Rule::entry(Friction, history::slide_without_friction),
     Rule::entry(Friction, history::shake_in_gross_sliding),
     Rule::entry(Springs, history::impact_on_springs),

@@ -69,7 +69,7 @@ impl Flight {
             (piece.depth(theta), piece.speed(theta), piece.memory(&self.model.spectrum, theta));
         let place = Kinematics { time, depth, speed, memory: &memory };
         let law = Shrinking::new(&self.model, &self.loading);
-        let answer = law.answer(&place, (piece.touched_at(theta), piece.touched_before(theta)));
+        let answer = law.answer(&place, piece.touched_at(theta));
         let gone = self.model.freed(piece, theta, &stores.modes[number], &law);
         let held = if answer.joined { self.held_energy(&place, answer.touched, answer.radius, stores) } else { 0.0 };
         let force = answer.force;
@@ -131,7 +131,7 @@ impl Flight {
 impl StruckHalfSpace {
     /// Whether the last springs are let go all at the same time.
     fn parts_at_once(&self) -> bool {
-        self.attraction.is_some() || self.profile.flat_radius() > 0.0
+        self.profile.flat_radius() > 0.0
     }
 
     /// ∫₀^a (d − g)² dx [m³].

@@ -3,13 +3,11 @@
 //! A spring touched at t_c has the element loads sᵢ = Hᵢ(t) − e^(−(t−t_c)/τᵢ) Hᵢ(t_c). So while the
 //! contact grows the force is 2E∞N(a) + Σ Sᵢ + 2aηḋ, and while it shrinks, with the spring at the edge
 //! touched at t₁, 2E∞[N(a) + a(d − g(a))] + Σ {e^(−(t−t₁)/τᵢ) Sᵢ(t₁) + 2a sᵢ} + 2aηḋ, everything at t₁
-//! being that of the growing contact. The edge is where its spring is let go: at q = 0, or, held by an
-//! attraction, at q = −√(2πaE_c w) (Ting 1966; Lee & Radok 1960).
+//! being that of the growing contact. The edge is where its spring is let go: at q = 0 (Ting 1966; Lee & Radok 1960).
 
 use super::StruckHalfSpace;
 use super::collocation::Fading;
 use super::piece::{MotionPiece, at};
-use crate::contact::viscoelastic::front::last_hold;
 use crate::numerics::root;
 use crate::shape::Rim;
 
@@ -97,14 +95,9 @@ impl<'p> Shrinking<'p> {
         spectrum.equilibrium() * place.depth + place.memory.iter().sum::<f64>() + spectrum.viscosity() * place.speed
     }
 
-    /// The contact at `place`; `hint` is when the spring at the edge may have been touched, `last` when
-    /// the one at the edge before was.
-    pub fn answer(&self, place: &Kinematics<'_>, (hint, last): (f64, f64)) -> BedResponse {
-        let touched = match &self.model.attraction {
-            None => self.released(place, hint),
-            Some(_) => self.torn(place, last),
-        };
-        touched.map_or_else(BedResponse::default, |touched| self.held(place, touched))
+    /// The contact at `place`; `hint` is when the spring at the edge may have been touched.
+    pub fn answer(&self, place: &Kinematics<'_>, hint: f64) -> BedResponse {
+        self.released(place, hint).map_or_else(BedResponse::default, |touched| self.held(place, touched))
     }
 
     /// When the spring just let go was touched; `None` if all are.
@@ -130,18 +123,6 @@ impl<'p> Shrinking<'p> {
             t = next;
         }
         Some(t)
-    }
-
-    /// The same where an attraction holds the edge: the largest time not above `last` whose spring holds.
-    fn torn(&self, place: &Kinematics<'_>, last: f64) -> Option<f64> {
-        last_hold(&|t| self.margin(place, t), last)
-    }
-
-    /// q + √(2πaE_c w) of the spring touched at the time `t`; negative if it is torn off.
-    fn margin(&self, place: &Kinematics<'_>, t: f64) -> f64 {
-        let seen = self.load(place, t);
-        let a = self.model.profile.edge(seen.height).unwrap_or(0.0);
-        seen.load + self.model.attraction.as_ref().map_or(0.0, |attraction| attraction.strength(a, 0.0))
     }
 
     /// Force with the edge at the spring touched at the time `touched`.

@@ -11,7 +11,6 @@ mod tests;
 
 use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::viscoelastic::Spectrum;
-use crate::contact::viscoelastic::attraction::Attraction;
 use crate::numerics::{extremum, root};
 use crate::shape::Profile;
 use law::{BedResponse, Kinematics, Shrinking};
@@ -25,8 +24,7 @@ use step::{Collocation, SolvedStep};
 /// once and no spring is touched twice. The bed is continuous: the force follows from the memory
 /// integrals of the motion and from when the spring at the edge was touched, without springs to
 /// count. Steps of order nine (Radau), shortened to meet a tolerance, with Maxwell elements that
-/// fade exactly however short their times. An attraction holds the edge as it opens, as in
-/// [`Attraction`]; a closing edge attaches where the bodies touch.
+/// fade exactly however short their times. Bodies that adhere are driven by [`SteppedMass`](super::SteppedMass).
 /// Check: Kelvin–Voigt with δ = (η/E∞)(E∞²Rv/m²)^{1/5} = 0.1 gives e = 0.83272.
 #[derive(Debug, Clone)]
 pub struct StruckHalfSpace {
@@ -34,8 +32,6 @@ pub struct StruckHalfSpace {
     pub spectrum: Arc<Spectrum>,
     /// Profile of the indenter.
     pub profile: Arc<dyn Profile>,
-    /// What holds an opening edge, if anything; without a rate law.
-    pub attraction: Option<Attraction>,
 }
 
 /// The motion of a mass through a viscoelastic contact.
@@ -170,8 +166,11 @@ impl StruckHalfSpace {
         self.spectrum.equilibrium() <= 0.0 && now.speed.abs() + to_come / impact.mass <= least * impact.speed
     }
 
-    /// Depth at which the work against E(0) and the dashpot has used up the kinetic energy.
-    fn depth_scale(&self, impact: &Projectile) -> Result<f64, ImpactError> {
+    /// Depth [m] at which the work against E(0) and the dashpot has used up the kinetic energy.
+    ///
+    /// # Errors
+    /// The contact would outgrow the profile.
+    pub fn depth_scale(&self, impact: &Projectile) -> Result<f64, ImpactError> {
         let stiff = self.spectrum.instantaneous();
         let work = |d: f64| {
             let Some(a) = self.profile.edge(d) else { return f64::MAX };
@@ -213,7 +212,7 @@ impl Flight {
             model: law.model,
             mass: self.impact.mass,
             start: &self.end,
-            span: pace.span.min(0.5 * (pace.limit - self.end.time)),
+            span: pace.span,
             shrinking: Some((law, self.last.touched)),
             negligible: pace.negligible(),
         };
@@ -237,12 +236,7 @@ impl Flight {
 
     /// A step in which the bodies part: whether this is at one of its ends; otherwise it is cut there.
     fn parts(&mut self, law: &Shrinking<'_>, pace: &mut Pace, solved: SolvedStep) -> bool {
-        let Some(part) = self.release(law, &solved.piece) else {
-            // Torn off somewhere in the step: from now on half of the way to its end at most.
-            pace.limit = solved.piece.end();
-            self.parted = solved.piece.span <= pace.blink;
-            return self.parted;
-        };
+        let part = self.release(law, &solved.piece);
         self.parted = (1.0 - part).min(part) * solved.piece.span <= pace.blink;
         if !self.parted {
             pace.cut(&solved, part);
@@ -253,14 +247,14 @@ impl Flight {
         self.parted
     }
 
-    /// Where in a piece without attraction the last spring is let go.
-    fn release(&self, law: &Shrinking<'_>, piece: &MotionPiece) -> Option<f64> {
+    /// Where in a piece the last spring is let go.
+    fn release(&self, law: &Shrinking<'_>, piece: &MotionPiece) -> f64 {
         let load = |theta: f64| {
             let memory = piece.memory(&self.model.spectrum, theta);
             let time = piece.start.time + theta * piece.span;
             law.first(&Kinematics { time, depth: piece.depth(theta), speed: piece.speed(theta), memory: &memory })
         };
-        self.model.attraction.is_none().then(|| crossing(load))
+        crossing(load)
     }
 
     /// What comes of the impact.
@@ -328,8 +322,6 @@ struct Pace {
     span: f64,
     /// Error of the speed that a step may have [m/s].
     tolerance: f64,
-    /// Time by which the bodies have parted [s].
-    limit: f64,
     /// Time that is no matter [s].
     blink: f64,
     /// Steps tried.
@@ -338,7 +330,7 @@ struct Pace {
 
 impl Pace {
     fn new(tolerance: f64, span: f64) -> Self {
-        Self { span, tolerance, limit: f64::INFINITY, blink: 0.0, tries: 0 }
+        Self { span, tolerance, blink: 0.0, tries: 0 }
     }
 
     fn negligible(&self) -> f64 {

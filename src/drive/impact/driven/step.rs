@@ -100,7 +100,7 @@ impl Collocation<'_> {
     ) -> Result<(Polynomial, [BedResponse; NODES]), ImpactError> {
         match &self.shrinking {
             None => self.growing(piece, fadings),
-            Some((law, last)) => {
+            Some((law, _)) => {
                 let mut memory = vec![0.0; fadings.len()];
                 let answers = from_fn(|j| {
                     for (k, (term, fading)) in self.model.spectrum.terms().iter().zip(fadings).enumerate() {
@@ -113,7 +113,7 @@ impl Collocation<'_> {
                         speed: piece.speed(c),
                         memory: &memory,
                     };
-                    law.answer(&place, (piece.touched[j], *last))
+                    law.answer(&place, piece.touched[j])
                 });
                 Ok(([0.0; TERMS], answers))
             }

@@ -1,0 +1,51 @@
+//! Random scenes over the whole matrix, held against the laws that speak of them.
+//!
+//! `cargo run --release -p benches --example random_scenes -- [scenes [from]]`
+
+use rayon::prelude::*;
+use springbed::check::matrix::{Cell, Kept, Law, Variation, Verdict, cells};
+use std::collections::BTreeMap;
+
+/// The scene with the number `number`: a combination that is computed, and other numbers.
+fn scene(cells: &[Cell], number: u64) -> (&Cell, Vec<Kept>) {
+    // Weyl's sequence in each number, so that neighbours are far apart.
+    let part = |irrational: f64| (number as f64 * irrational).fract();
+    let between = |low: f64, high: f64, irrational: f64| 10f64.powf(low + (high - low) * part(irrational));
+    let variation = Variation {
+        depth: between(-1.0, 0.3, 2f64.sqrt()),
+        time: between(-3.0, 3.0, 3f64.sqrt()),
+        work: between(-2.0, 0.5, 5f64.sqrt()),
+    };
+    let cell = &cells[usize::try_from(number).unwrap_or(0) % cells.len()];
+    (cell, cell.laws(&variation, 0.05 + 0.9 * part(7f64.sqrt())))
+}
+
+fn main() {
+    let mut numbers = std::env::args().skip(1).filter_map(|text| text.parse().ok());
+    let scenes: u64 = numbers.next().unwrap_or(1000);
+    let from: u64 = numbers.next().unwrap_or(0);
+    let computed: Vec<Cell> =
+        cells().into_iter().filter(|cell| matches!(cell.verdict, Verdict::Computed { .. })).collect();
+    let found: Vec<(u64, &Cell, Vec<Kept>)> = (from..from + scenes)
+        .into_par_iter()
+        .map(|number| {
+            let (cell, kept) = scene(&computed, number);
+            (number, cell, kept)
+        })
+        .collect();
+    let mut counts: BTreeMap<String, [usize; 2]> = BTreeMap::new();
+    for (number, cell, kept) in &found {
+        for Kept { law, failure } in kept {
+            let count = counts.entry(format!("{law:?}")).or_default();
+            count[usize::from(failure.is_some())] += 1;
+            if let Some(why) = failure {
+                println!("{number}: {:?} {law:?}: {why}", cell.names());
+            }
+        }
+    }
+    println!("{scenes} scenes of {} combinations", computed.len());
+    for law in [Law::Cut, Law::Table, Law::Swap, Law::Elastic, Law::Ledger] {
+        let [kept, broken] = counts.get(&format!("{law:?}")).copied().unwrap_or_default();
+        println!("{law:?}: kept {kept}, broken {broken}");
+    }
+}

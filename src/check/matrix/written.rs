@@ -1,0 +1,380 @@
+//! The scenes of the combinations as they are written, with any numbers.
+//!
+//! # Examples
+//! ```
+//! use springbed::check::matrix::{Variation, cells};
+//!
+//! // Half as deep, ten times as slow, no adhesion to speak of.
+//! let variation = Variation { depth: 0.5, time: 10.0, work: 1e-9 };
+//! let kept = cells()[0].laws(&variation, 0.3);
+//! assert!(kept.iter().all(|kept| kept.failure.is_none()), "{kept:?}");
+//! ```
+
+use crate::input::table::InMemory;
+use crate::scene::plan::Plan;
+use crate::text::{Notation, TextError};
+
+/// A value of one of the parts of a scene.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Choice {
+    /// What it is called in the matrix.
+    pub(super) name: &'static str,
+    /// How a scene writes it.
+    pub(super) text: &'static str,
+}
+
+const fn choice(name: &'static str, text: &'static str) -> Choice {
+    Choice { name, text }
+}
+
+/// Shapes, with a depth and a force that suit them.
+#[derive(Debug, PartialEq)]
+pub(super) struct PressedShape {
+    pub(super) shape: Choice,
+    /// Depth [m] and force [N].
+    depth: f64,
+    force: f64,
+}
+
+pub(super) const SHAPES: [PressedShape; 6] = [
+    PressedShape { shape: choice("ball", "Paraboloid(radius: 5e-3)"), depth: 1e-5, force: 5e-3 },
+    PressedShape {
+        shape: choice("wavy ball", "WavyParaboloid(radius: 2e-2, amplitude: 1e-8, wavelength: 1e-4)"),
+        depth: 1e-5,
+        force: 1e-2,
+    },
+    PressedShape { shape: choice("ellipsoid", "Ellipsoid(radius_x: 5e-3, radius_y: 2e-3)"), depth: 1e-5, force: 5e-3 },
+    PressedShape {
+        shape: choice(
+            "rough line",
+            "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 1e-6, long: 1e-4, short: 2e-6), length: 1e-4, points: 512)",
+        ),
+        depth: 1e-6,
+        force: 1e-4,
+    },
+    PressedShape {
+        shape: choice("plane wave", "PlaneWave(amplitude: 1e-5, wavelength: 1e-4)"),
+        depth: 1e-6,
+        force: 20.0,
+    },
+    PressedShape {
+        shape: choice(
+            "plane section",
+            "PlaneWavy(radius: 5e-3, waves: [(amplitude: 2e-7, wavelength: 8e-4)], datum: 1e-2)",
+        ),
+        depth: 1e-6,
+        force: 500.0,
+    },
+];
+
+const ELASTIC: &str = "Elastic(young: 2e6, poisson: 0.5)";
+const RELAXING: &str = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e5, terms: [(modulus: 5e5, time: 0.1), (modulus: 2e5, time: 3)]))";
+const OTHER: &str = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e6, terms: [(modulus: 2e6, time: 1)]))";
+
+/// Bodies: the first, the second, and whether they relax.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct TwoBodies {
+    pub(super) name: &'static str,
+    texts: [&'static str; 2],
+    relaxes: bool,
+}
+
+pub(super) const BODIES: [TwoBodies; 5] = [
+    TwoBodies { name: "elastic", texts: [ELASTIC, "Rigid"], relaxes: false },
+    TwoBodies { name: "both elastic", texts: [ELASTIC, ELASTIC], relaxes: false },
+    TwoBodies { name: "viscoelastic", texts: [RELAXING, "Rigid"], relaxes: true },
+    TwoBodies { name: "viscoelastic on elastic", texts: [RELAXING, ELASTIC], relaxes: true },
+    TwoBodies { name: "two viscoelastic", texts: [RELAXING, OTHER], relaxes: true },
+];
+
+/// Adhesion, as elastic bodies and as those that relax write it; `None` where it is nothing of its own.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Attracting {
+    pub(super) name: &'static str,
+    elastic: Option<&'static str>,
+    relaxing: Option<&'static str>,
+}
+
+const fn attracting(name: &'static str, elastic: Option<&'static str>, relaxing: Option<&'static str>) -> Attracting {
+    Attracting { name, elastic, relaxing }
+}
+
+const MAUGIS: Option<&str> = Some("adhesion: Maugis(work: WORK, stress: 2e4),");
+
+pub(super) const ADHESIONS: [Attracting; 6] = [
+    attracting("none", Some(""), Some("")),
+    attracting("JKR", Some("adhesion: Jkr(work: WORK),"), Some("adhesion: Jkr(work: WORK, edge: Relaxed),")),
+    attracting("JKR, instantaneous", None, Some("adhesion: Jkr(work: WORK, edge: Instantaneous),")),
+    attracting("JKR, rate", None, Some("adhesion: Jkr(work: WORK, edge: Rate(speed: 1e-4, exponent: 0.5)),")),
+    attracting(
+        "JKR, closing",
+        Some("adhesion: Jkr(work: WORK, closing: CLOSING),"),
+        Some("adhesion: Jkr(work: WORK, closing: CLOSING, edge: Relaxed),"),
+    ),
+    attracting("Maugis", MAUGIS, MAUGIS),
+];
+
+pub(super) const FRICTIONS: [Choice; 4] = [
+    choice("none", ""),
+    choice("Coulomb", "friction: Coulomb(coefficient: 0.3),"),
+    choice("capped", "friction: CoulombOrowan(coefficient: 0.3, shear_limit: 1e4),"),
+    choice("pressure law", "friction: Pressure(shear: 1e4, slope: 0.1),"),
+];
+
+/// How a contact is led; a slide or a shake goes with it where there is friction.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Lead {
+    Depth,
+    Force,
+    Sine,
+    Rows,
+    Retraction,
+    Impact,
+    Oblique,
+}
+
+pub(super) const DRIVES: [(&str, Lead); 7] = [
+    ("depth", Lead::Depth),
+    ("force", Lead::Force),
+    ("sine", Lead::Sine),
+    ("table", Lead::Rows),
+    ("retraction", Lead::Retraction),
+    ("impact", Lead::Impact),
+    ("oblique", Lead::Oblique),
+];
+
+/// Other numbers than those of the matrix, as multiples of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Variation {
+    /// Of depths and forces.
+    pub depth: f64,
+    /// Of times.
+    pub time: f64,
+    /// Of works of adhesion.
+    pub work: f64,
+}
+
+impl Default for Variation {
+    fn default() -> Self {
+        Self { depth: 1.0, time: 1.0, work: 1.0 }
+    }
+}
+
+/// A row of a history in a table: time [s], depth and slide [m].
+pub(super) type Row = [f64; 3];
+
+/// An entry of a history.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Leg {
+    /// A straight way of a depth [m], a force [N] or a slide [m] to `to` in `over` seconds.
+    Ramp { name: &'static str, to: f64, over: f64 },
+    /// A force held for so many seconds.
+    Held(f64),
+    /// A table of so many columns.
+    Rows(Vec<Row>),
+    /// An entry that is not cut.
+    Whole(String),
+}
+
+/// A scene of a combination as it is written.
+#[derive(Debug, Clone)]
+pub(super) struct Written {
+    pub(super) shape: &'static str,
+    pub(super) bodies: [String; 2],
+    pub(super) adhesion: String,
+    pub(super) friction: &'static str,
+    pub(super) history: Vec<Leg>,
+    /// Records of an entry.
+    pub(super) steps: u32,
+}
+
+/// The scene of a combination; `None` where it is no combination of its own.
+pub(super) fn written(
+    [shape, bodies, adhesion, friction, drive]: [usize; 5],
+    variation: &Variation,
+) -> Option<Written> {
+    let (pressed, bodies, adhesion, lead) = (&SHAPES[shape], &BODIES[bodies], &ADHESIONS[adhesion], DRIVES[drive].1);
+    let slides = friction > 0;
+    let adhesion = if bodies.relaxes { adhesion.relaxing } else { adhesion.elastic }?;
+    if (lead == Lead::Oblique && !slides) || (lead == Lead::Impact && slides) {
+        return None;
+    }
+    let work = 0.02 * variation.work;
+    Some(Written {
+        shape: pressed.shape.text,
+        bodies: bodies.texts.map(str::to_owned),
+        adhesion: adhesion.replace("WORK", &format!("{work:e}")).replace("CLOSING", &format!("{:e}", 0.5 * work)),
+        friction: FRICTIONS[friction].text,
+        history: history(lead, pressed, slides, variation),
+        steps: 4,
+    })
+}
+
+fn history(lead: Lead, pressed: &PressedShape, slides: bool, variation: &Variation) -> Vec<Leg> {
+    let (depth, force, over) = (variation.depth * pressed.depth, variation.depth * pressed.force, variation.time);
+    let slide = slides.then_some(Leg::Ramp { name: "Slide", to: 1e-6 * variation.depth, over });
+    let ramp = |name: &'static str, to: f64| Leg::Ramp { name, to, over };
+    let (up, frequency) = (ramp("Indent", depth), 1.0 / over);
+    let legs = |first: Leg, last: Leg| [Some(first), slide.clone(), Some(last)].into_iter().flatten().collect();
+    match lead {
+        Lead::Depth => legs(up, ramp("Indent", 1e-3 * depth)),
+        Lead::Force => legs(ramp("Press", force), Leg::Held(over)),
+        Lead::Sine if slides => {
+            let amplitude = 1e-7 * variation.depth;
+            vec![up, Leg::Whole(format!("Shake(amplitude: {amplitude:e}, frequency: {frequency:e}, cycles: 1)"))]
+        }
+        Lead::Sine => {
+            let amplitude = 1e-3 * depth;
+            vec![up, Leg::Whole(format!("Oscillate(amplitude: {amplitude:e}, frequency: {frequency:e}, cycles: 1)"))]
+        }
+        Lead::Rows => vec![Leg::Rows(rows(depth, slides, variation))],
+        Lead::Retraction => legs(up, Leg::Whole(format!("Retract(speed: {:e})", depth / over))),
+        Lead::Impact => vec![Leg::Whole("Impact(mass: 1e-3, speed: 0.05)".to_owned())],
+        Lead::Oblique => vec![Leg::Whole("Impact(mass: 1e-3, speed: 0.05, angle: \"30 deg\")".to_owned())],
+    }
+}
+
+/// The table of a history: up, along where there is friction, and down.
+fn rows(depth: f64, slides: bool, variation: &Variation) -> Vec<Row> {
+    let slide = if slides { 1e-7 * variation.depth } else { 0.0 };
+    let over = variation.time;
+    vec![[0.0, 0.0, 0.0], [over, depth, 0.0], [2.0 * over, depth, slide], [3.0 * over, 0.5 * depth, slide]]
+}
+
+impl Leg {
+    fn text(&self) -> String {
+        match self {
+            Self::Ramp { name, to, over } => format!("{name}(to: {to:e}, over: {over:e})"),
+            Self::Held(over) => format!("HoldForce(over: {over:e})"),
+            Self::Rows(_) => "Table(\"rows.csv\")".to_owned(),
+            Self::Whole(text) => text.clone(),
+        }
+    }
+}
+
+impl Written {
+    /// The scene as text.
+    pub(super) fn text(&self) -> String {
+        format!(
+            "(shape: {}, bodies: ({}, {}), {} {} steps: {}, accuracy: 1e-3, history: [{}])",
+            self.shape,
+            self.bodies[0],
+            self.bodies[1],
+            self.adhesion,
+            self.friction,
+            self.steps,
+            self.history.iter().map(Leg::text).collect::<Vec<_>>().join(", ")
+        )
+    }
+
+    /// The plan.
+    pub(super) fn plan(&self) -> Result<Plan, Vec<TextError>> {
+        Notation::Ron.plan(&self.text(), &self.tables())
+    }
+
+    fn tables(&self) -> InMemory {
+        let rows = self.history.iter().find_map(|leg| if let Leg::Rows(rows) = leg { Some(rows) } else { None });
+        let Some(rows) = rows else { return InMemory::default() };
+        let column = |k: usize| rows.iter().map(|row| row[k]).collect::<Vec<_>>();
+        let (times, depths, slides) = (column(0), column(1), column(2));
+        let columns: [(&str, &[f64]); 3] = [("time_s", &times), ("indentation_m", &depths), ("slide_m", &slides)];
+        InMemory::default().with("rows.csv", if self.friction.is_empty() { &columns[..2] } else { &columns[..] })
+    }
+
+    /// The same scene with every straight way cut in two, at the part `part` of its time.
+    pub(super) fn cut(&self, part: f64) -> Self {
+        let mut at = [("Indent", 0.0), ("Press", 0.0), ("Slide", 0.0)];
+        let mut legs = Vec::new();
+        for leg in &self.history {
+            match leg {
+                &Leg::Ramp { name, to, over } => {
+                    let mut from = 0.0;
+                    for entry in at.iter_mut().filter(|entry| entry.0 == name) {
+                        from = std::mem::replace(&mut entry.1, to);
+                    }
+                    legs.push(Leg::Ramp { name, to: from + part * (to - from), over: part * over });
+                    legs.push(Leg::Ramp { name, to, over: (1.0 - part) * over });
+                }
+                Leg::Held(over) => legs.extend([Leg::Held(part * over), Leg::Held((1.0 - part) * over)]),
+                Leg::Rows(rows) => {
+                    let between = |pair: &[Row]| {
+                        let at = std::array::from_fn(|k| pair[0][k] + part * (pair[1][k] - pair[0][k]));
+                        [at, pair[1]]
+                    };
+                    let more = rows.windows(2).flat_map(between);
+                    legs.push(Leg::Rows(rows[..1].iter().copied().chain(more).collect()));
+                }
+                Leg::Whole(_) => legs.push(leg.clone()),
+            }
+        }
+        Self { history: legs, ..self.clone() }
+    }
+
+    /// The same scene with so many records of every entry, or rows between those of its table.
+    pub(super) fn finer(self, steps: u32) -> Self {
+        let between = |rows: &[Row]| {
+            let part = |k: u32| f64::from(k) / f64::from(steps);
+            let at = |pair: &[Row], k: u32| std::array::from_fn(|c| pair[0][c] + part(k) * (pair[1][c] - pair[0][c]));
+            let more = rows.windows(2).flat_map(|pair| (1..=steps).map(|k| at(pair, k)).collect::<Vec<_>>());
+            rows[..1].iter().copied().chain(more).collect()
+        };
+        let history = self.history.iter().map(|leg| match leg {
+            Leg::Rows(rows) => Leg::Rows(between(rows)),
+            leg @ (Leg::Ramp { .. } | Leg::Held(_) | Leg::Whole(_)) => leg.clone(),
+        });
+        Self { history: history.collect(), steps, ..self }
+    }
+
+    /// The same scene with the bodies swapped.
+    pub(super) fn swapped(&self) -> Self {
+        let [one, other] = self.bodies.clone();
+        Self { bodies: [other, one], ..self.clone() }
+    }
+
+    /// The same depths as a table; `None` where they are not all prescribed.
+    pub(super) fn in_rows(&self) -> Option<Self> {
+        let mut rows = vec![[0.0; 3]];
+        for leg in &self.history {
+            let &Leg::Ramp { name, to, over } = leg else { return None };
+            let [time, depth, slide] = *rows.last()?;
+            rows.push(match name {
+                "Indent" => [time + over, to, slide],
+                "Slide" => [time + over, depth, to],
+                _ => return None,
+            });
+        }
+        Some(Self { history: vec![Leg::Rows(rows)], ..self.clone() })
+    }
+
+    /// The scene whose bodies have the weight `weight` in their Prony terms, and the elastic scene it has for a limit.
+    pub(super) fn nearly_elastic(&self, weight: f64) -> [Self; 2] {
+        let body = |text: &String| {
+            if text == RELAXING || text == OTHER {
+                format!(
+                    "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e6, terms: [(modulus: {:e}, time: 1)]))",
+                    1e6 * weight
+                )
+            } else {
+                text.clone()
+            }
+        };
+        let relaxing = Self { bodies: [body(&self.bodies[0]), body(&self.bodies[1])], ..self.clone() };
+        let solid = |text: &String| {
+            if text.starts_with("Viscoelastic") { "Elastic(young: 3e6, poisson: 0.5)".to_owned() } else { text.clone() }
+        };
+        let bodies = [solid(&self.bodies[0]), solid(&self.bodies[1])];
+        let adhesion = [", edge: Relaxed", ", edge: Instantaneous"];
+        let adhesion = adhesion.iter().fold(self.adhesion.clone(), |text, edge| text.replace(edge, ""));
+        [relaxing, Self { bodies, adhesion, ..self.clone() }]
+    }
+
+    /// Whether a mass strikes.
+    pub(super) fn strikes(&self) -> bool {
+        self.history.iter().any(|leg| matches!(leg, Leg::Whole(text) if text.starts_with("Impact")))
+    }
+
+    /// Whether one of the bodies relaxes.
+    pub(super) fn relaxes(&self) -> bool {
+        self.bodies.iter().any(|body| body.starts_with("Viscoelastic"))
+    }
+}
