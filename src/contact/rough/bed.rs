@@ -17,7 +17,7 @@ use crate::shape::rough::{RoughError, RoughLine, positive};
 /// A line of gaps g_j over springs of stiffness k = E*Δx pressed by d carries F = k Σ (d − g_j) over g_j < d
 /// (Popov & Heß 2015, ch. 10). Sorted, the springs in contact are the first n, so a state costs one
 /// binary search. Sums grow by positive terms only: F(g_{n+1}) = F(g_n) + k n (g_{n+1} − g_n), no cancellation.
-/// Approximate for surfaces, see [`VALIDITY`].
+/// Approximate for surfaces, see [`VALIDITY`](super::VALIDITY).
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoughBed {
     stiffness: f64,
