@@ -261,10 +261,10 @@ impl<F: Foundation> QuasiStatic<F> {
         Ok(state.joined.then_some(state.balance))
     }
 
-    /// Depth at which the contact with parameter `s` parts if the depth is prescribed.
+    /// Depth at which the contact with parameter `s` parts if the depth is prescribed, all its jumps passed.
     fn parting_depth(&self, s: f64) -> Result<f64, BranchError> {
-        let branches = Branches::new(&self.attraction, Control::Indentation)?;
-        Ok(branches.least_below(s).unwrap_or(0.0))
+        let balance = self.attraction.at(s);
+        Self { s, present: Present { joined: true, balance }, ..self.clone() }.last_depth()
     }
 
     /// Depth [m] at which a slow retraction parts the bodies from the present state.

@@ -188,3 +188,42 @@ proptest! {
         prop_assert!(coarse.0.len() <= right.len() + 1, "{} {}", coarse.0.len(), right.len());
     }
 }
+
+fn lens() -> QuasiStatic {
+    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(LENS.shape()), LENS.modulus), LENS.work))
+}
+
+/// Led by a force and drawn back by the depth it is led back as if the depth had led it there: the waves passed under
+/// one are known to the other.
+#[test]
+fn a_depth_takes_over_from_a_force() {
+    let (mut pressed, mut indented) = (lens(), lens());
+    pressed.press(5e-3).unwrap();
+    indented.indent(pressed.present().balance.indentation).unwrap();
+    for depth in [5e-6, 2e-6, 0.0, -2e-6, -3e-6] {
+        let (one, other) = (pressed.indent(depth).unwrap(), indented.indent(depth).unwrap());
+        let (a, b) = (pressed.present().balance, indented.present().balance);
+        assert!((a.contact_radius / b.contact_radius - 1.0).abs() < 1e-9, "{depth}: {a:?} {b:?}");
+        assert!(one.len() == other.len() && (a.force / b.force - 1.0).abs() < 1e-9, "{depth}: {a:?} {b:?}");
+    }
+    assert!((pressed.last_depth().unwrap() / indented.last_depth().unwrap() - 1.0).abs() < 1e-9);
+}
+
+/// A dead load that parts the bodies does the work of its pull up to the depth at which a slow retraction would part
+/// them, so more is lost than in that retraction.
+#[test]
+fn a_dead_load_loses_more_than_a_retraction() {
+    let mut pulled = lens();
+    pulled.press(5e-3).unwrap();
+    let before = pulled.dissipated();
+    let jumps = pulled.press(-1.0).unwrap();
+    let last = *jumps.last().unwrap();
+    assert!(last.after.is_none() && jumps.iter().all(|jump| jump.dissipated > 0.0), "{jumps:?}");
+    let mut retracted = lens();
+    retracted.press(5e-3).unwrap();
+    retracted.press(last.before.force * (1.0 - 1e-9)).unwrap();
+    let held = retracted.dissipated();
+    retracted.indent(-1e-3).unwrap();
+    let (dead, slow) = (pulled.dissipated() - before, retracted.dissipated() - before);
+    assert!(dead > slow && retracted.dissipated() > held, "{dead:e} {slow:e}");
+}

@@ -180,6 +180,8 @@ impl Branches {
     /// The contact would leave the profile, or cover too many waves.
     pub fn follow(&mut self, curve: &impl Equilibrium, s: f64, target: f64) -> Result<(f64, Vec<Leap>), BranchError> {
         let mut leaps = Vec::new();
+        // Another control may have led here, past waves this one has not seen.
+        self.scan_to(curve, s)?;
         let upwards = s <= curve.start() || curve.value(self.control, s) <= target;
         let end =
             if upwards { self.climb(curve, s, target, &mut leaps)? } else { self.sink(curve, s, target, &mut leaps)? };
@@ -279,12 +281,6 @@ impl Branches {
         self.scan_to(curve, high)?;
         let inside = |turning: &&Turning| turning.s > low && turning.s < high && turning.s > curve.start();
         Ok(self.turning.iter().filter(inside).map(|turning| turning.s).collect())
-    }
-
-    /// The lowest value of Q on the stable branch at or below `s`, where the bodies part or jump.
-    #[must_use]
-    pub fn least_below(&self, s: f64) -> Option<f64> {
-        self.minimum_below(s).map(|bottom| bottom.value)
     }
 
     /// The minimum at or below `s`.
