@@ -8,16 +8,9 @@ use std::collections::BTreeMap;
 
 /// The scene with the number `number`: a combination that is computed, and other numbers.
 fn scene(cells: &[Cell], number: u64) -> (&Cell, Vec<Kept>) {
-    // Weyl's sequence in each number, so that neighbours are far apart.
-    let part = |irrational: f64| (number as f64 * irrational).fract();
-    let between = |low: f64, high: f64, irrational: f64| 10f64.powf(low + (high - low) * part(irrational));
-    let variation = Variation {
-        depth: between(-1.0, 0.3, 2f64.sqrt()),
-        time: between(-3.0, 3.0, 3f64.sqrt()),
-        work: between(-2.0, 0.5, 5f64.sqrt()),
-    };
+    let (variation, part) = Variation::numbered(number);
     let cell = &cells[usize::try_from(number).unwrap_or(0) % cells.len()];
-    (cell, cell.laws(&variation, 0.05 + 0.9 * part(7f64.sqrt())))
+    (cell, cell.laws(&variation, part))
 }
 
 fn main() {

@@ -202,3 +202,26 @@ fn work(one: &Record, two: &Record) -> f64 {
     let (Some(from), Some(to)) = (one.normal.indentation, two.normal.indentation) else { return rubbed };
     0.5 * (one.normal.force + two.normal.force) * (to - from) + rubbed
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Verdict, cells};
+    use super::*;
+    use rayon::prelude::*;
+
+    /// Every seventeenth combination that is computed, each with numbers of its own.
+    #[test]
+    fn the_laws_hold_across_the_matrix() {
+        let computed: Vec<Cell> =
+            cells().into_iter().filter(|cell| matches!(cell.verdict, Verdict::Computed { .. })).collect();
+        let broken = |(number, cell): (usize, &Cell)| {
+            let (variation, part) = Variation::numbered(number as u64);
+            let kept = cell.laws(&variation, part);
+            let failed = kept.into_iter().filter(|kept| kept.failure.is_some());
+            failed.map(|kept| (number, cell.names(), kept)).collect::<Vec<_>>()
+        };
+        let every: Vec<_> = computed.iter().enumerate().step_by(17).collect();
+        let broken: Vec<_> = every.into_par_iter().flat_map_iter(broken).collect();
+        assert!(broken.is_empty(), "{broken:#?}");
+    }
+}

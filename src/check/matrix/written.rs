@@ -160,6 +160,22 @@ impl Default for Variation {
     }
 }
 
+impl Variation {
+    /// The variation with a number, and a part of a way at which to cut; neighbours in number are far apart (Weyl).
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "numbers of scenes are small")]
+    pub fn numbered(number: u64) -> (Self, f64) {
+        let part = |irrational: f64| (number as f64 * irrational).fract();
+        let between = |low: f64, high: f64, irrational: f64| 10f64.powf(low + (high - low) * part(irrational));
+        let variation = Self {
+            depth: between(-1.0, 0.3, 2f64.sqrt()),
+            time: between(-3.0, 3.0, 3f64.sqrt()),
+            work: between(-2.0, 0.5, 5f64.sqrt()),
+        };
+        (variation, 0.05 + 0.9 * part(7f64.sqrt()))
+    }
+}
+
 /// A row of a history in a table: time [s], depth and slide [m].
 pub(super) type Row = [f64; 3];
 
