@@ -13,7 +13,7 @@
 //! ```
 
 use super::Cell;
-use super::written::{Variation, Written};
+use super::written::{ACCURACY, Variation, Written};
 use crate::run::record::{Outcome, Record};
 use crate::run::{self, Wanted};
 
@@ -56,7 +56,6 @@ struct Ends {
     force: f64,
     depth: f64,
     energy: f64,
-    estimate: f64,
 }
 
 impl Ends {
@@ -69,7 +68,6 @@ impl Ends {
             energy: largest(&|record| record.normal.stored.elastic)
                 + largest(&|record| record.normal.stored.surface)
                 + largest(&|record| record.normal.dissipated),
-            estimate: outcome.error_estimate.relative,
         })
     }
 
@@ -112,7 +110,7 @@ impl Cell {
             Ok(whole) => whole,
             Err(why) => return vec![Kept { law: Law::Ledger, failure: Some(format!("{why}: {}", written.text())) }],
         };
-        let exact = self.bound(&whole);
+        let exact = self.bound(&written, &whole);
         let cut = written.cut(part);
         let cut = (cut.history != written.history).then_some((Law::Cut, cut, exact));
         let table = written.in_rows().map(|table| (Law::Table, table, exact));
@@ -125,7 +123,7 @@ impl Cell {
             })
             .collect();
         if written.relaxes() {
-            kept.extend(elastic_limit(&written));
+            kept.extend(elastic_limit(&written, exact));
         }
         if !written.strikes() {
             let fine = written.finer(FINE);
@@ -142,10 +140,16 @@ impl Cell {
         bodies.contains("viscoelastic") && ["JKR", "JKR, rate", "JKR, closing"].contains(&adhesion)
     }
 
-    /// How far two exact ways may end apart: rounding, or what is followed to an accuracy only.
-    fn bound(&self, whole: &Outcome) -> f64 {
-        let rough = self.names()[0] == "rough line";
-        if rough { SAME } else { SAME + 4.0 * whole.error_estimate.relative }
+    /// How far two ways to the same state may end apart: rounding, and where a motion or an edge is followed to an
+    /// accuracy only, that. What a method misses of its shape it misses on both ways.
+    fn bound(&self, written: &Written, whole: &Outcome) -> f64 {
+        let estimate = whole.error_estimate.relative;
+        let followed = match self.names()[0] {
+            "rough line" | "ellipsoid" if written.relaxes() => estimate.min(ACCURACY),
+            "rough line" | "ellipsoid" => 0.0,
+            _ => estimate,
+        };
+        SAME + 4.0 * followed
     }
 }
 
@@ -158,15 +162,14 @@ fn compared(whole: &Outcome, other: &Written, bound: f64) -> Option<String> {
 }
 
 /// Against the elastic scene, where it can be computed.
-fn elastic_limit(written: &Written) -> Option<Kept> {
+fn elastic_limit(written: &Written, exact: f64) -> Option<Kept> {
     let [relaxing, elastic] = written.nearly_elastic(WEIGHT);
     elastic.plan().ok()?;
     relaxing.plan().ok()?;
     let failure = match (outcome(&relaxing), outcome(&elastic)) {
         (Ok(one), Ok(two)) => {
             let (one, two) = (Ends::of(&one)?, Ends::of(&two)?);
-            let bound = 1e3 * WEIGHT + 4.0 * (one.estimate.min(0.1) + two.estimate.min(0.1));
-            two.differ(&one, bound)
+            two.differ(&one, exact + 1e3 * WEIGHT)
         }
         (Err(why), _) | (_, Err(why)) => Some(why),
     };

@@ -143,6 +143,9 @@ pub(super) const DRIVES: [(&str, Lead); 7] = [
     ("oblique", Lead::Oblique),
 ];
 
+/// Relative error the scenes aim at.
+pub(super) const ACCURACY: f64 = 1e-3;
+
 /// Other numbers than those of the matrix, as multiples of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variation {
@@ -272,7 +275,7 @@ impl Written {
     /// The scene as text.
     pub(super) fn text(&self) -> String {
         format!(
-            "(shape: {}, bodies: ({}, {}), {} {} steps: {}, accuracy: 1e-3, history: [{}])",
+            "(shape: {}, bodies: ({}, {}), {} {} steps: {}, accuracy: {ACCURACY:e}, history: [{}])",
             self.shape,
             self.bodies[0],
             self.bodies[1],

@@ -162,8 +162,8 @@ impl AdhesiveRough {
         0.5 * self.ground.stiffness * (springs * (self.depth - mean).powi(2) + scatter)
     }
 
-    /// Stretch of a spring [m], and the energy [J] in it.
-    fn stretch(&self, spring: usize) -> f64 {
+    /// Energy [J] of a spring that is stretched from its gap to the depth.
+    fn strain_energy(&self, spring: usize) -> f64 {
         let stretch = self.ground.gaps[spring] - self.depth;
         0.5 * self.ground.stiffness * stretch * stretch
     }
@@ -180,7 +180,7 @@ impl AdhesiveRough {
         self.held.gaps.add(gap);
         self.held.squares.add(gap * gap);
         self.surface -= given;
-        self.dissipated += given - self.stretch(spring);
+        self.dissipated += given - self.strain_energy(spring);
         self.see_closings(ends);
         Ok(())
     }
@@ -194,7 +194,7 @@ impl AdhesiveRough {
         self.held.gaps.add(-gap);
         self.held.squares.add(-gap * gap);
         self.surface += taken;
-        self.dissipated += self.stretch(spring) - taken;
+        self.dissipated += self.strain_energy(spring) - taken;
         if self.held.springs == 0 {
             (self.held, self.surface) = (Held::default(), 0.0);
         }
