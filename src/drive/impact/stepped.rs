@@ -95,7 +95,12 @@ impl MovingMass<'_> {
         watcher(self.state(self.time + held), self.contact);
         if parted {
             self.contact.follow(&ahead(self.contact, mean, duration - held))?;
-            watcher(self.state(self.time + duration), self.contact);
+            let depth = depth_of(self.contact);
+            // An edge that obeys a rate may hold a little longer on a way cut in two: it has had its time.
+            if self.contact.joined() {
+                self.contact.leave();
+            }
+            watcher(ImpactState { depth, ..self.state(self.time + duration) }, self.contact);
         }
         self.time += duration;
         let force = self.greatest_force();
@@ -241,6 +246,23 @@ mod tests {
         assert!(off < 1e-5 && fine.difference(&exact) < 2e-4 && astray < 5e-5, "{off:e} {astray:e} {fine:?} {exact:?}");
         let slow = Projectile { mass: 1.0, speed: 0.3 };
         assert!(held(&[], 0.3, slow, 100.0).0.sticks());
+    }
+
+    /// An edge that obeys a rate: the last state is one of bodies apart.
+    #[test]
+    fn bodies_that_part_are_apart() {
+        let relaxation = Relaxation { equilibrium: 1.0, terms: vec![(1.0, 0.5), (0.5, 5.0)], viscosity: 0.0 };
+        let spectrum = Arc::new(Spectrum::new(&relaxation));
+        let ball = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
+        for rate in [0.03, 0.3, 3.0] {
+            let attraction = Attraction::with_rate(0.01, &spectrum, (rate, 0.5)).to_accuracy(1e-3);
+            let mut contact = ContinuousContact::new(Memory::new(spectrum.clone(), ball.clone()).with(attraction));
+            let mut last = ImpactState::default();
+            let mass = SteppedMass { impact: Projectile { mass: 1.0, speed: 3.0 }, longest: 0.03 };
+            let seen = mass.watched(&mut contact, &mut |state, _| last = state).unwrap();
+            assert!(!seen.sticks() && last.force.abs() <= 0.0 && last.radius <= 0.0, "{rate}: {last:?}");
+            assert!(last.depth.abs() < seen.greatest_depth, "{last:?}");
+        }
     }
 
     /// Bodies that relax: no energy is lost from sight.
