@@ -1,6 +1,7 @@
 //! Random scenes over the whole matrix, held against the laws that speak of them.
 //!
-//! `cargo run --release -p benches --example random_scenes -- [scenes [from]]`
+//! `cargo run --release -p benches --example random_scenes -- [scenes [from [part]]]`, of the combinations of which one
+//! part bears that name, such as `lying cylinder`.
 
 use rayon::prelude::*;
 use springbed::check::matrix::{Cell, Kept, Law, Variation, Verdict, cells};
@@ -17,8 +18,14 @@ fn main() {
     let mut numbers = std::env::args().skip(1).filter_map(|text| text.parse().ok());
     let scenes: u64 = numbers.next().unwrap_or(1000);
     let from: u64 = numbers.next().unwrap_or(0);
-    let computed: Vec<Cell> =
-        cells().into_iter().filter(|cell| matches!(cell.verdict, Verdict::Computed { .. })).collect();
+    let part = std::env::args().nth(3);
+    let wanted = |cell: &Cell| part.as_deref().is_none_or(|part| cell.names().contains(&part));
+    let is_computed = |cell: &Cell| matches!(cell.verdict, Verdict::Computed { .. });
+    let computed: Vec<Cell> = cells().into_iter().filter(|cell| is_computed(cell) && wanted(cell)).collect();
+    if computed.is_empty() {
+        println!("no combination is computed that has such a part");
+        return;
+    }
     let found: Vec<(u64, &Cell, Vec<Kept>)> = (from..from + scenes)
         .into_par_iter()
         .map(|number| {

@@ -118,7 +118,8 @@ fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
             None => ("everywhere".to_owned(), "at every load"),
             Some(_) => (format!("up to {limit:.3e} m"), "at every load of the scene"),
         };
-        return vec![format!("g(x) grows {where_to}: one round contact, the mapping is exact {loads}")];
+        let contact = if profile.is_plane() { "contact" } else { "round contact" };
+        return vec![format!("g(x) grows {where_to}: one {contact}, the mapping is exact {loads}")];
     };
     let mut lines = vec![format!("g(x) stops growing at x = {fall:.4e} m")];
     if let Some(bound) = reach::second_contact(profile) {

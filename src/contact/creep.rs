@@ -76,11 +76,17 @@ impl Creep {
         depth_of_load(self.profile.as_ref(), 0.5 * sum)
     }
 
-    /// Indentation and contact radius [m]; `None` if the contact would outgrow the profile.
+    /// Indentation and the place at which the bed ends [m]; `None` if the contact would outgrow the profile.
     #[must_use]
     pub fn indented(&self) -> Option<(f64, f64)> {
         let depth = self.indentation()?;
         Some((depth, self.profile.edge(depth).filter(|_| depth > 0.0).unwrap_or(0.0)))
+    }
+
+    /// The shape of the indenter.
+    #[must_use]
+    pub fn profile(&self) -> &dyn Profile {
+        self.profile.as_ref()
     }
 }
 

@@ -21,7 +21,6 @@
 
 use crate::numerics::{quadrature, root};
 use crate::shape::Profile;
-use std::f64::consts::PI;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -105,15 +104,15 @@ pub trait Foundation: Debug + Clone + Send + Sync + 'static {
         2.0 * self.modulus() * self.measure(a)
     }
 
-    /// Δl(a) = √(4πaw/k′(a)) [m], at which an edge with the work of adhesion `work` w [J/m²] parts:
-    /// an edge pulled by Δl releases k′Δl²/4πa of energy per area.
+    /// Δl(a) = √(2A′w/k′(a)) [m], at which an edge with the work of adhesion `work` w [J/m²] parts: an edge pulled by
+    /// Δl releases k′Δl²/2A′ of energy per area, A′ = 2πa under a round contact.
     fn elongation(&self, a: f64, work: f64) -> f64 {
-        (2.0 * PI * a * (work / self.modulus()) / self.density(a)).sqrt()
+        (self.profile().contact_area_slope(a) * (work / self.modulus()) / self.density(a)).sqrt()
     }
 
     /// d ln Δl/d ln a [1].
     fn elongation_growth(&self, a: f64) -> f64 {
-        0.5 * (1.0 - self.density_growth(a))
+        0.5 * (self.profile().contact_area_bend(a) - self.density_growth(a))
     }
 
     /// d ln k/d ln a [1].
@@ -212,6 +211,7 @@ mod tests {
     use crate::contact::springs::SpringBed;
     use crate::input::quantity::Length;
     use crate::shape::Paraboloid;
+    use std::f64::consts::PI;
 
     /// E ∝ zⁿ under a paraboloid of R = 1: s′ = xⁿ and d_e = x²/(1+n) (Heß 2016), the rest from the defaults.
     #[derive(Debug, Clone)]

@@ -21,7 +21,6 @@ use super::adhesion::range::{RangeDisc, attraction};
 use super::foundation::HalfSpace;
 use crate::numerics::quadrature;
 use crate::shape::Profile;
-use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI};
 use std::fmt::{self, Debug, Formatter};
 use std::sync::Arc;
 
@@ -155,18 +154,22 @@ impl Loaded {
         }
     }
 
-    /// Mean pressure F/(πa²) [Pa].
+    /// Mean pressure F/A [Pa], A = πa².
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
-        self.force() / (PI * self.contact_radius * self.contact_radius)
+        self.force() / self.profile.contact_area(self.contact_radius)
     }
 
-    /// Stress intensity K_I = −q(a)/√(πa) [Pa √m] of the edge; zero without adhesion and for attraction of
+    /// Stress intensity K_I = −q(a)√(2/A′) = −q(a)/√(πa) [Pa √m] of the edge; zero without adhesion and for attraction of
     /// finite range, negative under the sharp edge of a punch.
     #[must_use]
     pub fn stress_intensity(&self) -> f64 {
         let a = self.contact_radius;
-        if a <= 0.0 || self.edge_load.abs() <= 0.0 { 0.0 } else { -self.edge_load / (PI * a).sqrt() }
+        if a <= 0.0 || self.edge_load.abs() <= 0.0 {
+            0.0
+        } else {
+            -self.edge_load * (2.0 / self.profile.contact_area_slope(a)).sqrt()
+        }
     }
 
     /// Pressure p(r) [Pa] at the radius `r` [m], compression positive, zero beyond the reach of the bodies.
@@ -180,10 +183,10 @@ impl Loaded {
             return self.drawn(r);
         }
         if let Bed::Remembered(load, _) = &self.bed {
-            return inverse(&|x| load.at(x), &load.ends, r);
+            return self.profile.pressure_of(&|x| load.at(x), &load.ends, r);
         }
         let edge = self.edge_load;
-        let singular = if edge.abs() > 0.0 { FRAC_1_PI * edge / ((a - r) * (a + r)).sqrt() } else { 0.0 };
+        let singular = if edge.abs() > 0.0 { edge * self.profile.edge_pressure(r, a) } else { 0.0 };
         self.regular_pressure(r) + singular + self.drawn(r)
     }
 
@@ -192,7 +195,7 @@ impl Loaded {
     pub fn regular_pressure(&self, r: f64) -> f64 {
         match &self.bed {
             Bed::Elastic(ground, _) => ground.modulus() * self.profile.pressure_integral(r, self.contact_radius),
-            Bed::Remembered(load, _) => inverse(&|x| load.at(x) - self.edge_load, &load.ends, r),
+            Bed::Remembered(load, _) => self.profile.pressure_of(&|x| load.at(x) - self.edge_load, &load.ends, r),
         }
     }
 
@@ -214,39 +217,16 @@ impl Loaded {
         }
         let (ground, ring) = match &self.bed {
             Bed::Elastic(ground, ring) => (ground, ring),
-            Bed::Remembered(_, displacement) => return raised(&|x| displacement.at(x), &displacement.ends, r),
+            Bed::Remembered(_, displacement) => {
+                return self.profile.surface_of(&|x| displacement.at(x), &displacement.ends, r);
+            }
         };
         let drawn = ring.as_ref().map_or(0.0, |(disc, balance)| disc.pulled_up(balance, r));
         let edge = match ring {
             None => self.edge_load / ground.modulus(),
             Some(_) => self.indentation - self.profile.reduced(a),
         };
-        let edge = edge * FRAC_2_PI * (a / r).min(1.0).asin();
+        let edge = edge * self.profile.edge_surface(r, a);
         if a > 0.0 { self.profile.displacement_integral(r, a) + edge + drawn } else { drawn }
     }
-}
-
-/// p(r) [Pa] from q(x) [N/m] alone, by parts: with x² = r² + s²,
-/// π p(r) = q(r)/√(a²−r²) + ∫ (q(r) − q(x))/s² ds. `ends` as of a [`Curve`].
-pub fn inverse(load: &impl Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
-    let Some(&a) = ends.last() else { return 0.0 };
-    if r >= a {
-        return 0.0;
-    }
-    let here = load(r);
-    let to_s = |x: f64| ((x - r) * (x + r)).sqrt();
-    let breaks: Vec<f64> = ends.iter().filter(|&&x| x > r && x < a).map(|&x| to_s(x)).collect();
-    let fall = |s: f64| (here - load(r.hypot(s))) / (s * s);
-    FRAC_1_PI * (here / to_s(a) + quadrature::panels(fall, (0.0, to_s(a)), &breaks))
-}
-
-/// u_z(r) = (2/π) ∫₀^r u(x) dx/√(r²−x²) [m]; x = r sin θ takes the root away.
-///
-/// The transform knows no time: springs let go and still creeping back count with what is left of
-/// their displacement. `ends` as of a [`Curve`].
-pub fn raised(displacement: &impl Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
-    let Some(&last) = ends.last() else { return 0.0 };
-    let angle = |x: f64| if x < r { (x / r).asin() } else { FRAC_PI_2 };
-    let breaks: Vec<f64> = ends.iter().map(|&x| angle(x)).collect();
-    FRAC_2_PI * quadrature::panels(|theta| displacement(r * theta.sin()), (0.0, angle(last)), &breaks)
 }

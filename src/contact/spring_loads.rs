@@ -104,6 +104,9 @@ impl Loading for SpringLoads {
         if r >= a {
             return Some(0.0);
         }
+        if self.profile.is_plane() {
+            return self.loaded().map(|loaded| loaded.pressure(r)).filter(|pressure| pressure.is_finite());
+        }
         // On the axis itself the transform is the limit of a small radius.
         let r = r.max(1e-6 * self.springs.first().map_or(a, |spring| spring.weight));
         let loads = self.springs.iter().map(|spring| (spring.place, spring.load)).filter(|load| load.0 < a);
@@ -121,6 +124,9 @@ impl Loading for SpringLoads {
     fn surface(&self, r: f64) -> Option<f64> {
         if r <= self.contact_radius {
             return Some(self.depth - self.profile.height(r));
+        }
+        if self.profile.is_plane() {
+            return self.loaded().map(|loaded| loaded.surface(r));
         }
         let part = |spring: &SeenSpring| {
             spring.weight * spring.displacement / ((r - spring.place) * (r + spring.place)).sqrt()

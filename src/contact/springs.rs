@@ -24,7 +24,6 @@ use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::contact::spring_loads::{SeenSpring, SpringLoads};
 use crate::shape::{Profile, Rim};
 use ndarray::Array1;
-use std::f64::consts::PI;
 
 /// How the contact radius and the force at the edge are read off the bed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -315,7 +314,7 @@ impl<F: Foundation> SpringBed<F> {
     /// Energy of the closed surface [J].
     #[must_use]
     pub fn surface_energy(&self) -> f64 {
-        -self.work_of_adhesion * PI * self.ground.radius(self.count() * self.spacing).powi(2)
+        -self.work_of_adhesion * self.ground.profile().contact_area(self.ground.radius(self.count() * self.spacing))
     }
 
     /// Work done on the bed so far [J].
@@ -353,6 +352,7 @@ mod tests {
     use crate::input::quantity::Length;
     use crate::shape::Paraboloid;
     use proptest::prelude::*;
+    use std::f64::consts::PI;
     use std::sync::Arc;
 
     fn ground() -> HalfSpace {

@@ -482,12 +482,13 @@ impl Driver {
         }
         let (Remainder::Force(force), Some(spectrum)) = (&self.stage.remainder, contact.memory()) else { return state };
         let creep = force.exact(self.stage.now);
-        let Some((indentation, contact_radius)) = creep.and_then(|creep| creep.indented()) else { return state };
+        let told = |creep: Creep| Some((creep.indented()?, creep));
+        let Some(((indentation, place), creep)) = creep.and_then(told) else { return state };
         Normal {
             indentation: Some(indentation),
             force: force.prescribed(self.stage.now),
-            contact_radius: Some(contact_radius),
-            stiffness: 2.0 * spectrum.instantaneous() * contact_radius,
+            contact_radius: Some(creep.profile().contact_radius(place)),
+            stiffness: 2.0 * spectrum.instantaneous() * place,
             ..state
         }
     }

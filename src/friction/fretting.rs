@@ -20,7 +20,7 @@
 
 use super::turning::{Grip, Pose};
 use crate::shape::{Profile, Rim};
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::FRAC_2_PI;
 use std::sync::Arc;
 
 /// Energy lost to friction by spring, gathered along a history: the fretting map.
@@ -153,7 +153,7 @@ fn pressure(profile: &dyn Profile, r: f64, edge: Option<f64>, depth: f64) -> f64
         Rim::Wall(b) => (depth - profile.reduced(b)).max(0.0),
         Rim::None | Rim::End(_) => 0.0,
     };
-    profile.pressure_integral(r, a) + load / (PI * ((a - r) * (a + r)).sqrt())
+    profile.pressure_integral(r, a) + load * profile.edge_pressure(r, a)
 }
 
 /// (2/π)∫₀^r s(x) dx/√(r²−x²) at the last spring, s linear between springs.
@@ -208,6 +208,7 @@ mod tests {
     use crate::friction::TangentialMemory;
     use crate::input::quantity::Length;
     use crate::shape::Paraboloid;
+    use std::f64::consts::PI;
 
     /// Both maps sum to the energy lost, over a cycle at constant depth and while the depth changes.
     #[test]

@@ -7,7 +7,6 @@
 
 use crate::numerics::quadrature::node_and_weight;
 use crate::shape::{Profile, Rim};
-use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
 use std::sync::LazyLock;
 
@@ -176,7 +175,7 @@ impl LoadCurve {
         }
         let clear = upper.radius - lower.radius <= 0.5 * (lower.radius - r);
         if clear && upper.depth() <= self.wall && self.is_narrow((lower, upper)) {
-            let kernel = |_, x: f64| FRAC_1_PI / ((x - r) * (x + r)).sqrt();
+            let kernel = |_, x: f64| self.profile.edge_pressure(r, x);
             return lower.rise(upper) * self.mean((lower, upper), kernel);
         }
         let inner = if lower.radius > r { self.profile.pressure_integral(r, lower.radius) } else { 0.0 };

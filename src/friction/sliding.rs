@@ -111,8 +111,7 @@ impl Friction {
 /// exceeds p_ad.
 #[must_use]
 pub fn sliding_force(loaded: &Loaded, law: &dyn SlidingLaw) -> f64 {
-    let a = loaded.contact_radius();
-    2.0 * PI * a * a * over_angles(loaded, law, |theta| theta.sin() * theta.cos())
+    over_angles(loaded, law, &|radius| loaded.profile().ring(radius))
 }
 
 /// Tangential displacement u = (2/G*) ∫₀^a τ(p(r)) dr [m] at which a contact slips everywhere; below it the middle sticks.
@@ -122,30 +121,37 @@ pub fn sliding_force(loaded: &Loaded, law: &dyn SlidingLaw) -> f64 {
 /// Check: Coulomb friction has μdE*/G* whatever the shape, a uniform stress 2τa/G*.
 #[must_use]
 pub fn full_slip_displacement(loaded: &Loaded, law: &dyn SlidingLaw, modulus: f64) -> f64 {
-    2.0 * loaded.contact_radius() * over_angles(loaded, law, f64::cos) / modulus
+    over_angles(loaded, law, &|radius| loaded.profile().under_middle(radius)) / modulus
 }
 
-/// ∫ τ(p(a sin θ)) weight(θ) dθ over the quarter circle; a weight that falls like cos θ takes an inverse root away.
-fn over_angles(loaded: &Loaded, law: &dyn SlidingLaw, weight: impl Fn(f64) -> f64) -> f64 {
-    let a = loaded.contact_radius();
+/// Radius, or half width, [m] of a loaded contact.
+fn radius(loaded: &Loaded) -> f64 {
+    loaded.profile().contact_radius(loaded.contact_radius())
+}
+
+/// ∫ τ(p(r)) weight(r) dr over the radius r = a sin θ, the cosine of which takes an inverse root away.
+fn over_angles(loaded: &Loaded, law: &dyn SlidingLaw, weight: &dyn Fn(f64) -> f64) -> f64 {
+    let (place, a, profile) = (loaded.contact_radius(), radius(loaded), loaded.profile());
     let mut ends: Vec<f64> = law.corners().into_iter().flat_map(|p| crossings(loaded, p)).collect();
-    ends.extend(loaded.profile().breaks(a).into_iter().filter(|&x| x < a).map(|x| (x / a).asin()));
+    let inside = profile.breaks(place).into_iter().filter(|&x| x < place);
+    ends.extend(inside.map(|x| (profile.contact_radius(x) / a).asin()));
     ends.push(FRAC_PI_2);
     ends.sort_by(f64::total_cmp);
     let mut from = 0.0;
     let mut sum = 0.0;
     for to in ends {
-        let at = |theta: f64| law.stress(pressure(loaded, theta)) * weight(theta);
+        let at = |theta: f64| law.stress(pressure(loaded, theta)) * weight(a * theta.sin()) * a * theta.cos();
         sum += panel_with_root_ends(|past, left| at(if past < left { from + past } else { to - left }), to - from);
         from = to;
     }
     sum
 }
 
-/// Pressure [Pa] at r = a sin θ, where the root at the edge is a cos θ to all digits.
+/// Pressure [Pa] at r = a sin θ, where the root at the edge is a cos θ to all digits; no load stands at the edge of a
+/// section.
 fn pressure(loaded: &Loaded, theta: f64) -> f64 {
-    let (a, edge) = (loaded.contact_radius(), loaded.edge_load());
-    let regular = loaded.regular_pressure(a * theta.sin());
+    let (a, edge) = (radius(loaded), loaded.edge_load());
+    let regular = loaded.regular_pressure(loaded.profile().place(a * theta.sin()));
     if edge.abs() > 0.0 { regular + edge / (PI * (a * theta.cos())) } else { regular }
 }
 
@@ -159,7 +165,7 @@ fn crossings(loaded: &Loaded, level: f64) -> Vec<f64> {
         let p = pressure(loaded, theta);
         if p.is_finite() { (p - level) * theta.cos() } else { p }
     };
-    let waves = |length: f64| (loaded.contact_radius() / length).clamp(1.0, 64.0).ceil();
+    let waves = |length: f64| (radius(loaded) / length).clamp(1.0, 64.0).ceil();
     let samples = f64::from(SAMPLES) * loaded.profile().feature().map_or(1.0, waves);
     let mut angles: Vec<f64> = Vec::new();
     let (mut k, mut low) = (0.0, 1e-9);

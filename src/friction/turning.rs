@@ -332,7 +332,7 @@ impl TangentialMemory {
         let edge = |r: f64| {
             wall.filter(|wall| r <= wall.radius).map_or(0.0, |wall| {
                 let load = self.grip.tangential_modulus * self.displacement_at(wall.depth());
-                load / (std::f64::consts::PI * ((wall.radius - r) * (wall.radius + r)).sqrt())
+                load * self.curve.profile.edge_pressure(r, wall.radius)
             })
         };
         let pieces = |r: f64| {

@@ -225,6 +225,15 @@ pub struct Pair {
     pub coupling: f64,
 }
 
+impl Pair {
+    /// The same pair in plane strain: a line load moves the surface along itself by the same law whether it presses or
+    /// shears, G* = E* (Johnson 1985, eq. 2.25).
+    #[must_use]
+    pub fn long_across(self) -> Self {
+        Self { tangential: self.normal, ..self }
+    }
+}
+
 /// Moduli of one body against a rigid one; infinite for a rigid body.
 struct Stiffness {
     normal: f64,

@@ -7,6 +7,7 @@ use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
+use crate::contact::lying::LyingContact;
 use crate::contact::model::ContactModel;
 use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact};
 use crate::contact::springs::{SpringBed, reach_for};
@@ -20,8 +21,8 @@ use crate::run::record::ErrorEstimate;
 use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw};
 use crate::scene::plan::{RoughPlan, RoundPlan, Shared};
 use crate::scene::stage::{Path, Stage};
-use crate::shape::Rim;
 use crate::shape::rough::{RoughError, RoughLine};
+use crate::shape::{Profile, Rim};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -40,10 +41,21 @@ pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>
         ContactLaw::Continuous { relaxation, edge } => viscoelastic::continuous(plan, relaxation, edge.as_ref()),
         ContactLaw::ViscoelasticSprings { relaxation, count } => viscoelastic::springs(plan, relaxation, count.get()),
     };
-    let Some(law) = &plan.friction else { return Ok(normal) };
-    let friction = friction(plan, law, bed_radius, wanted);
-    let friction = friction.map_err(|source| SimulationError::Refused(source.to_string()))?;
-    Ok(Box::new(FrictionalContact::new(normal, friction)))
+    let bed: Box<dyn ContactModel> = match &plan.friction {
+        None => normal,
+        Some(law) => {
+            let friction = friction(plan, law, bed_radius, wanted);
+            let friction = friction.map_err(|source| SimulationError::Refused(source.to_string()))?;
+            Box::new(FrictionalContact::new(normal, friction))
+        }
+    };
+    Ok(told(&plan.profile, bed))
+}
+
+/// A contact that tells of itself in the radii of its profile, or in the half widths of a section.
+#[must_use]
+pub fn told(profile: &Arc<dyn Profile>, bed: Box<dyn ContactModel>) -> Box<dyn ContactModel> {
+    if profile.is_plane() { Box::new(LyingContact::new(bed, profile.clone())) } else { bed }
 }
 
 /// The contact of a rough plan with the surface of a seed, bodies just touching.

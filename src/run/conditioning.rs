@@ -22,7 +22,8 @@ pub fn moved_edge(plan: &RoundPlan, work: f64, records: &[Record]) -> f64 {
     let states = records.iter().enumerate().filter(|(at, _)| !jumps(*at)).map(|(_, record)| record);
     let error = |record: &Record| {
         let control = control(record.entry)?;
-        Some((moved(&line, control, record.normal.contact_radius?, plan.pair.normal)? / largest).min(TURNING))
+        let place = plan.profile.place(record.normal.contact_radius?);
+        Some((moved(&line, control, place, plan.pair.normal)? / plan.profile.place(largest)).min(TURNING))
     };
     states.filter_map(error).fold(0.0, f64::max)
 }

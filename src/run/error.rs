@@ -67,7 +67,8 @@ fn direct_error(plan: &RoundPlan, work: f64, records: &[Record]) -> ErrorEstimat
 /// does within one spring, q(a)h against the largest force.
 fn springs_error(plan: &RoundPlan, springs: NonZeroUsize, work: f64, records: &[Record]) -> ErrorEstimate {
     let largest = |of: fn(&Normal) -> f64| records.iter().map(|record| of(&record.normal).abs()).fold(0.0, f64::max);
-    let (a, force) = (largest(|normal| normal.contact_radius.unwrap_or(0.0)), largest(|normal| normal.force));
+    let radius = largest(|normal| normal.contact_radius.unwrap_or(0.0));
+    let (a, force) = (plan.profile.place(radius), largest(|normal| normal.force));
     let count = springs.get() as f64;
     let second = (17.0 / 16.0 * 2.0 / count).powi(2).max(1e-11);
     let width = reach_for(plan.profile.as_ref(), a) / count;

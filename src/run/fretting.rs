@@ -19,7 +19,7 @@ pub fn is_fretting(plan: &RoundPlan) -> bool {
         Path::To(_) => stage.extent == Extent::Row,
         Path::Wave(_) => true,
     };
-    coefficient(plan).is_some() && plan.stages.iter().any(to_and_fro)
+    !plan.profile.is_plane() && coefficient(plan).is_some() && plan.stages.iter().any(to_and_fro)
 }
 
 fn coefficient(plan: &RoundPlan) -> Option<f64> {

@@ -110,7 +110,8 @@ fn steep_waves(rms_slope: f64) -> Option<String> {
 }
 
 fn steep(profile: &dyn Profile, a: f64) -> Option<String> {
-    let slope = (profile.height(a) - profile.height(a * (1.0 - 1e-3))) / (1e-3 * a);
+    let height = |radius: f64| profile.height(profile.place(radius));
+    let slope = (height(a) - height(a * (1.0 - 1e-3))) / (1e-3 * a);
     (a > 0.0 && slope.is_finite() && slope > STEEP).then(|| {
         format!(
             "the indenter's slope reaches {slope:.2} at the edge of the contact: the half-space assumes slopes well below one, expect errors of the order of {:.0} %",

@@ -64,7 +64,8 @@ fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<
     let stages = draft.entries.into_iter().flat_map(|entry| entry.stages).collect();
     match (&read.joined, &read.geometry) {
         (Some(joined), Some(geometry)) if problems.is_empty() => {
-            let shared = Shared { pair: joined.pair, scene, stages, read: read.clone() };
+            let pair = if scene.shape.is_plane() { joined.pair.long_across() } else { joined.pair };
+            let shared = Shared { pair, scene, stages, read: read.clone() };
             Ok(kind(shared, geometry, impact))
         }
         (Some(_) | None, Some(_) | None) => Err(problems),

@@ -123,6 +123,15 @@ fn beyond_base(line: &RoughShape, tables: &dyn Tables) -> Option<Problem> {
     if base.is_rough() {
         return Some(Problem::new("shape.base", "is rough itself: expected a smooth shape"));
     }
+    if base.is_plane() {
+        return Some(Problem::new(
+            "shape.base",
+            format!(
+                "{} is long across, and the line stands for a surface that is alike in all directions: expected a round shape",
+                base.name()
+            ),
+        ));
+    }
     let Ok(profile) = base.profile(tables) else { return None };
     let Rim::End(end) = profile.rim() else { return None };
     (0.5 * line.length.si() > end).then(|| {

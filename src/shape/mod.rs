@@ -17,6 +17,7 @@
 
 mod ellipsoid;
 mod kernel;
+mod lying;
 mod measured;
 mod paraboloid;
 mod plane;
@@ -31,9 +32,10 @@ mod truncated;
 mod wavy;
 
 pub use ellipsoid::Ellipsoid;
+pub use lying::Lying;
 pub use measured::Measured;
 pub use paraboloid::Paraboloid;
-pub use plane::{PlaneRipple, PlaneWave, PlaneWavy};
+pub use plane::{Cylinder, PlaneRipple, PlaneWave, PlaneWavy};
 pub use power::{Cone, Power};
 pub use punch::FlatPunch;
 pub use rough_line::{RoughShape, Seeds};
@@ -48,7 +50,7 @@ use crate::input::table::{TableError, Tables};
 use crate::numerics::quadrature;
 use crate::numerics::root;
 use serde::{Deserialize, Serialize};
-use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2};
+use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI, TAU};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -188,6 +190,85 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
     fn breaks(&self, a: f64) -> Vec<f64> {
         self.kink().map_or_else(Vec::new, |b| kernel::OutsideKink(b).breaks(a))
     }
+
+    /// Whether the contact is that of a section long across, see [`Lying`]: its places x are then not its radii.
+    fn is_plane(&self) -> bool {
+        false
+    }
+
+    /// Radius, or half width of a section, [m] of a contact whose bed ends at the place `x` [m].
+    fn contact_radius(&self, x: f64) -> f64 {
+        x
+    }
+
+    /// Place x in the bed [m] that belongs to the radius, or half width, `radius` [m].
+    fn place(&self, radius: f64) -> f64 {
+        radius
+    }
+
+    /// Area A [m²] of a contact whose bed ends at the place `x` [m].
+    fn contact_area(&self, x: f64) -> f64 {
+        PI * x * x
+    }
+
+    /// A′(x) [m]: an edge pulled by Δl releases the energy E*Δl²/A′ per area.
+    fn contact_area_slope(&self, x: f64) -> f64 {
+        TAU * x
+    }
+
+    /// d ln A′/d ln x [1].
+    fn contact_area_bend(&self, _x: f64) -> f64 {
+        1.0
+    }
+
+    /// dA/dr [m], by which the area grows with the radius, or half width, `radius` [m].
+    fn ring(&self, radius: f64) -> f64 {
+        TAU * radius
+    }
+
+    /// Displacement [1] of the middle of the contact, times the modulus, under a stress of one at the radius `radius`
+    /// [m], per radius: u(0) = (2/E*) ∫p dr.
+    fn under_middle(&self, _radius: f64) -> f64 {
+        2.0
+    }
+
+    /// Pressure [1/m] at the place `r` < `a` under an edge at `a` that carries the line load one.
+    fn edge_pressure(&self, r: f64, a: f64) -> f64 {
+        FRAC_1_PI / ((a - r) * (a + r)).sqrt()
+    }
+
+    /// Displacement [1] of the surface at the place `r` ≥ `a` under an edge at `a` displaced by one.
+    fn edge_surface(&self, r: f64, a: f64) -> f64 {
+        FRAC_2_PI * (a / r).min(1.0).asin()
+    }
+
+    /// Pressure [Pa] at the place `r` under the line load `load` q(x) [N/m]; `ends` are the borders of panels on which
+    /// it is smooth, ascending, and it is zero beyond the last.
+    ///
+    /// By parts, with x² = r² + s²: π p(r) = q(r)/√(a²−r²) + ∫ (q(r) − q(x))/s² ds.
+    fn pressure_of(&self, load: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+        let Some(&a) = ends.last() else { return 0.0 };
+        if r >= a {
+            return 0.0;
+        }
+        let here = load(r);
+        let to_s = |x: f64| ((x - r) * (x + r)).sqrt();
+        let breaks: Vec<f64> = ends.iter().filter(|&&x| x > r && x < a).map(|&x| to_s(x)).collect();
+        let fall = |s: f64| (here - load(r.hypot(s))) / (s * s);
+        FRAC_1_PI * (here / to_s(a) + quadrature::panels(fall, (0.0, to_s(a)), &breaks))
+    }
+
+    /// Displacement [m] of the surface at the place `r` [m] over springs displaced by `displacement` u(x) [m]; `ends` as
+    /// of [`pressure_of`](Self::pressure_of).
+    ///
+    /// u_z(r) = (2/π) ∫₀^r u(x) dx/√(r²−x²); x = r sin θ takes the root away. The transform knows no time: springs let
+    /// go and still creeping back count with what is left of their displacement.
+    fn surface_of(&self, displacement: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+        let Some(&last) = ends.last() else { return 0.0 };
+        let angle = |x: f64| if x < r { (x / r).asin() } else { FRAC_PI_2 };
+        let breaks: Vec<f64> = ends.iter().map(|&x| angle(x)).collect();
+        FRAC_2_PI * quadrature::panels(|theta| displacement(r * theta.sin()), (0.0, angle(last)), &breaks)
+    }
 }
 
 /// g(x) from f′(r) by the integral over θ, which has no singularity.
@@ -237,6 +318,8 @@ pub enum Shape {
     RoughLine(RoughShape),
     /// Heights of a measured or generated surface, a plain matrix or `.npy` [m], and the size of a pixel.
     HeightMap(PathBuf, Length),
+    /// Cylinder lying on its side.
+    Cylinder(Cylinder),
     /// Sinusoidal section, long across: one period.
     PlaneWave(PlaneWave),
     /// Wavy parabolic section, long across.
@@ -246,7 +329,7 @@ pub enum Shape {
 /// What a shape is pressed as.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Family<'s> {
-    /// A profile over a radius.
+    /// A profile over a radius, or over the places of the bed of a [`Lying`] section.
     Round,
     /// A rough line.
     Line(&'s RoughShape),
@@ -296,6 +379,7 @@ impl Shape {
             Self::Ellipsoid(_) => "Ellipsoid",
             Self::Table(_) => "Table",
             Self::RoughLine(_) => "RoughLine",
+            Self::Cylinder(_) => "Cylinder",
             Self::PlaneWave(_) => "PlaneWave",
             Self::PlaneWavy(_) => "PlaneWavy",
             Self::HeightMap(..) => "HeightMap",
@@ -332,6 +416,7 @@ impl Shape {
             | Self::RoundedPunch(_)
             | Self::WavyParaboloid(_)
             | Self::Ellipsoid(_)
+            | Self::Cylinder(_)
             | Self::Table(_) => Family::Round,
             Self::RoughLine(line) => Family::Line(line),
             Self::HeightMap(path, pixel) => Family::Map(path, *pixel),
@@ -349,7 +434,7 @@ impl Shape {
     /// Whether the shape is long across its section.
     #[must_use]
     pub fn is_plane(&self) -> bool {
-        matches!(self.family(), Family::Wave(_) | Family::Wavy(_))
+        matches!(self, Self::Cylinder(_) | Self::PlaneWave(_) | Self::PlaneWavy(_))
     }
 
     /// The profile, ready for evaluation, that of the smooth shape under a roughness; tables are read now.
@@ -370,6 +455,7 @@ impl Shape {
             Self::RoundedPunch(shape) => Arc::new(shape.clone()),
             Self::WavyParaboloid(shape) => Arc::new(shape.clone()),
             Self::Ellipsoid(shape) => Arc::new(shape.effective()?),
+            Self::Cylinder(shape) => Arc::new(Lying::from(shape)),
             Self::Table(path) => Arc::new(Measured::read(path, tables)?),
             Self::RoughLine(line) => match &line.base {
                 Some(base) => base.profile(tables)?,

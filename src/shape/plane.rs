@@ -3,6 +3,24 @@
 use crate::input::quantity::{Amplitude, Length};
 use serde::{Deserialize, Serialize};
 
+/// Cylinder lying on its side: f(x) = x²/2R, long across.
+///
+/// F = πE*Wa²/4R with the half width a and the width W. The displacement of a half-plane grows with the logarithm of the
+/// distance: it is zero at the distance `datum` L, of the order of the size of the body, and the indentation is
+/// d = (a²/2R)(ln(2L/a) + ½). Force and half width do not depend on L; with adhesion, memory and friction
+/// neither do, but where depth or slide are prescribed.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Cylinder {
+    /// Radius R [m].
+    pub radius: Length,
+    /// Distance at which the half-plane is at rest [m].
+    pub datum: Length,
+    /// Width across the section [m]; 1 m if absent, so that forces are forces per length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<Length>,
+}
+
 /// Sinusoidal surface Δ(1 − cos(2πx/λ)), long across; one period of it is computed (Westergaard 1939).
 ///
 /// Forces are those of one period of the given width, indentation counts from the mean plane of the half-plane's surface.
@@ -44,6 +62,14 @@ pub struct PlaneRipple {
     pub amplitude: Amplitude,
     /// Wavelength λ [m].
     pub wavelength: Length,
+}
+
+impl Cylinder {
+    /// Width across the section [m].
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        self.width.map_or(1.0, Length::si)
+    }
 }
 
 impl PlaneWave {

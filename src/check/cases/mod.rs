@@ -17,6 +17,7 @@ mod friction;
 #[cfg(feature = "half-space")]
 mod half_space;
 mod impact;
+mod lying;
 mod rough;
 mod shapes;
 mod viscoelastic;
@@ -37,6 +38,7 @@ pub fn all() -> Vec<Case> {
     let held = [
         elastic::CASES,
         shapes::CASES,
+        lying::CASES,
         adhesive::CASES,
         viscoelastic::CASES,
         friction::CASES,

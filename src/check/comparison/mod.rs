@@ -30,6 +30,7 @@ use super::study::{Method, Thoroughness, measured};
 use super::theory;
 use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
+use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{Plan, SceneSettings};
 
 /// Pixels on the side of the half-space grid.
@@ -88,10 +89,10 @@ pub enum ComparisonError {
 pub fn compare(plan: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
     let plan = plan.with(SceneSettings { springs: None, ..plan.settings() }).map_err(SimulationError::from)?;
     let outcome = run::run(&plan, Wanted::NOTHING)?;
-    if let Plan::Plane(section) = &plan {
+    if plan.scene.shape.is_plane() && follows_from_force(&plan) {
         let force = largest_force(&plan, &outcome);
         return if force > 0.0 {
-            Ok(plane::contest(section, force)?.judged(done))
+            Ok(plane::contest(&plan, force)?.judged(done))
         } else {
             Err(ComparisonError::NoContact)
         };
@@ -104,6 +105,11 @@ pub fn compare(plan: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, Comparison
     let stiffness = comparison.state.stiffness_n_per_m.unwrap_or(0.0);
     comparison.notes.extend(theory::in_words(&plan, force, stiffness));
     Ok(comparison)
+}
+
+/// Whether the state of a section under a force is that of the plain elastic contact.
+fn follows_from_force(plan: &Plan) -> bool {
+    matches!(plan, Plan::Plane(_)) || matches!(plan.direct(), Some(ElasticAdhesion::None))
 }
 
 /// The record of the largest force.

@@ -5,15 +5,14 @@ use crate::check::case::Attempt;
 use crate::check::row::{Computed, Found, Setting};
 use crate::check::study::Method;
 use crate::run::{self, SimulationError, Wanted};
-use crate::scene::plan::{Plan, PlanePlan, SceneSettings};
+use crate::scene::plan::{Plan, SceneSettings};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 /// The methods under the largest force of a plane scene.
-pub(super) fn contest(plan: &PlanePlan, force: f64) -> Result<Contest, SimulationError> {
+pub(super) fn contest(plan: &Plan, force: f64) -> Result<Contest, SimulationError> {
     // The state under the force by the closed form, in one record.
-    let whole = Plan::Plane(plan.clone());
-    let one = Arc::new(whole.with(SceneSettings { steps: NonZeroUsize::new(1), ..whole.settings() })?);
+    let one = Arc::new(plan.with(SceneSettings { steps: NonZeroUsize::new(1), ..plan.settings() })?);
     let direct = Method::new("direct", Setting::FREE, move || {
         let (plan, pressure) = (one.clone(), pressure(&one)?);
         Ok(move || direct(&plan, force, pressure))
@@ -46,7 +45,7 @@ fn direct(plan: &Plan, force: f64, peak_pressure_pa: Option<f64>) -> Attempt<Com
 /// No half-plane in strips.
 #[cfg(not(feature = "half-space"))]
 mod strips {
-    pub(super) fn methods(_: &super::PlanePlan, _: f64) -> Vec<(String, super::Method)> {
+    pub(super) fn methods(_: &super::Plan, _: f64) -> Vec<(String, super::Method)> {
         Vec::new()
     }
 }
@@ -54,10 +53,9 @@ mod strips {
 /// The half-plane in strips.
 #[cfg(feature = "half-space")]
 mod strips {
-    use super::{Attempt, Computed, Found, Method, PlanePlan, Setting};
+    use super::{Attempt, Computed, Found, Method, Plan, Setting};
     use crate::halfspace::{PlaneBoundary, PlaneProblem, Prescribed, Settings, solve_plane};
-    use crate::scene::plan::Section;
-    use crate::shape::{PlaneWave, PlaneWavy};
+    use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Shape};
     use ndarray::Array1;
     use std::f64::consts::PI;
 
@@ -65,7 +63,7 @@ mod strips {
     const STRIPS: [usize; 6] = [128, 512, 2048, 8192, 32768, 131_072];
 
     /// The half-plane on all numbers of strips, and what it is called where it is right.
-    pub(super) fn methods(plan: &PlanePlan, force: f64) -> Vec<(String, Method)> {
+    pub(super) fn methods(plan: &Plan, force: f64) -> Vec<(String, Method)> {
         let method =
             |strips| Method::of("half-plane", Setting::grid(strips), plan, move |plan| solved(plan, force, strips));
         STRIPS.map(|strips| (format!("half-plane on {strips} strips, the finest"), method(strips))).into()
@@ -88,6 +86,11 @@ mod strips {
         PressedSection { boundary: PlaneBoundary::Periodic, window, width, heights }
     }
 
+    fn lying(cylinder: &Cylinder, modulus: f64, force: f64) -> PressedSection {
+        let Cylinder { radius, datum, width } = cylinder.clone();
+        wavy(&PlaneWavy { radius, waves: Vec::new(), datum, width }, modulus, force)
+    }
+
     fn wavy(wavy: &PlaneWavy, modulus: f64, force: f64) -> PressedSection {
         let (radius, width, datum) = (wavy.radius.si(), wavy.width(), wavy.datum.si());
         let hertz = 2.0 * (force / width * radius / (PI * modulus)).sqrt();
@@ -98,11 +101,13 @@ mod strips {
         PressedSection { boundary: PlaneBoundary::Free { datum }, window: window.min(datum), width, heights }
     }
 
-    fn solved(plan: &PlanePlan, force: f64, strips: usize) -> Attempt<Computed> {
+    fn solved(plan: &Plan, force: f64, strips: usize) -> Attempt<Computed> {
         let modulus = plan.pair.normal;
-        let pressed = match &plan.section {
-            Section::Wave { wave: shape, .. } => wave(shape),
-            Section::Wavy(shape) => wavy(shape, modulus, force),
+        let pressed = match &plan.scene.shape {
+            Shape::PlaneWave(shape) => wave(shape),
+            Shape::PlaneWavy(shape) => wavy(shape, modulus, force),
+            Shape::Cylinder(shape) => lying(shape, modulus, force),
+            other => return Err(format!("{} is not long across", other.name()).into()),
         };
         let step = pressed.window / strips as f64;
         let place = |i: usize| (i as f64 - (strips / 2) as f64) * step;

@@ -111,7 +111,7 @@ impl Scenario {
                 let normal = contact.state();
                 Found {
                     force_n: Some(normal.force),
-                    contact_radius_m: normal.contact_radius,
+                    contact_radius_m: normal.contact_radius.map(|place| contact_radius(&self.plan, place)),
                     peak_pressure_pa: self
                         .peak_at
                         .and_then(|r| Some(contact.loaded().pressure(r)).filter(|p| p.is_finite())),
@@ -132,13 +132,13 @@ impl Scenario {
 
     fn bed(&self, springs: usize, depth: f64) -> Attempt<Found> {
         let (ground, adhesion) = elastic(&self.plan)?;
-        let reach = reach_for(ground.profile(), self.most.contact_radius_m.unwrap_or(0.0));
+        let reach = reach_for(ground.profile(), ground.profile().place(self.most.contact_radius_m.unwrap_or(0.0)));
         let work = adhesion.work_at_edge().ok_or("springs carry no attraction at a distance")?;
         let mut bed = SpringBed::new(ground, springs, reach, work);
         bed.indent(depth);
         Ok(Found {
             force_n: Some(bed.force()),
-            contact_radius_m: Some(bed.contact_radius()),
+            contact_radius_m: Some(contact_radius(&self.plan, bed.contact_radius())),
             peak_pressure_pa: self.peak_at.and_then(|r| bed.spring_loads().pressure(r)),
             ..self.most
         })
@@ -157,7 +157,8 @@ impl Scenario {
     /// The half-space on all grids, if it can compute the state, and what it is called where it is right.
     #[cfg(feature = "half-space")]
     fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
-        let Some(depth) = self.depth.filter(|_| !self.plan.adheres()) else { return Vec::new() };
+        let round = !self.plan.adheres() && !self.plan.scene.shape.is_plane();
+        let Some(depth) = self.depth.filter(|_| round) else { return Vec::new() };
         let method = |grid| Method::of("half-space", Setting::grid(grid), self, move |own| own.pixels(grid, depth));
         super::GRIDS.map(|grid| (format!("half-space on {grid}² pixels, the finest grid"), method(grid))).into()
     }
@@ -169,6 +170,11 @@ impl Scenario {
         let peak_pressure_pa = solved.found.peak_pressure_pa.filter(|_| self.peak_at.is_some());
         Ok(Computed { found: Found { peak_pressure_pa, ..solved.found }, ..solved })
     }
+}
+
+/// The radius or half width [m] of a contact whose bed ends at a place [m].
+fn contact_radius(plan: &Plan, place: f64) -> f64 {
+    plan.profile().map_or(place, |profile| profile.contact_radius(place))
 }
 
 /// The state of the largest force after the whole history.

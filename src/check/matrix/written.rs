@@ -36,7 +36,7 @@ pub(super) struct PressedShape {
     force: f64,
 }
 
-pub(super) const SHAPES: [PressedShape; 6] = [
+pub(super) const SHAPES: [PressedShape; 7] = [
     PressedShape { shape: choice("ball", "Paraboloid(radius: 5e-3)"), depth: 1e-5, force: 5e-3 },
     PressedShape {
         shape: choice("wavy ball", "WavyParaboloid(radius: 2e-2, amplitude: 1e-8, wavelength: 1e-4)"),
@@ -44,6 +44,11 @@ pub(super) const SHAPES: [PressedShape; 6] = [
         force: 1e-2,
     },
     PressedShape { shape: choice("ellipsoid", "Ellipsoid(radius_x: 5e-3, radius_y: 2e-3)"), depth: 1e-5, force: 5e-3 },
+    PressedShape {
+        shape: choice("lying cylinder", "Cylinder(radius: 5e-3, datum: 1e-2, width: 1e-2)"),
+        depth: 1e-5,
+        force: 0.1,
+    },
     PressedShape {
         shape: choice(
             "rough line",

@@ -18,7 +18,6 @@
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use crate::contact::foundation::{Foundation, HalfSpace};
-use std::f64::consts::PI;
 
 /// Equilibrium of a contact whose edge carries the work of adhesion w, w = 0 included.
 ///
@@ -37,7 +36,7 @@ pub struct EdgeLine<F = HalfSpace> {
 pub struct Energy {
     /// Elastic energy, U = E*∫(d−g)² dx over the contact.
     pub elastic: f64,
-    /// Energy of the surfaces, −wπa² for attraction of vanishing range.
+    /// Energy of the surfaces, −wA for attraction of vanishing range, A = πa².
     pub surface: f64,
 }
 
@@ -97,7 +96,7 @@ impl<F: Foundation> EdgeLine<F> {
     #[must_use]
     pub fn energy(&self, a: f64, d: f64) -> Energy {
         let elastic = self.ground.energy(a, d - self.ground.depth(a));
-        Energy { elastic, surface: -self.work * PI * a * a }
+        Energy { elastic, surface: -self.work * self.ground.profile().contact_area(a) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What holds the edge of an adhesive contact.
 //!
-//! An edge spring holds as long as |q| ≤ √(2πa E_c w) when pulled, and a free one joins as soon as the
+//! An edge spring at which the area grows by A′ = 2πa holds as long as |q| ≤ √(2πa E_c w) when pulled, and a free one joins as soon as the
 //! tip is nearer to it than Δl = √(2πa w/E_c): one limit for both directions, √(2πaw/E_c) in lengths.
 //! Joining and leaving move the spring by E_c alone, so that each costs or gives exactly w. What E_c and w are is
 //! a choice: the relaxed modulus E∞ with w (a process zone long against the relaxation: the Maxwell elements keep
@@ -10,7 +10,6 @@
 
 use super::Spectrum;
 use super::spring::Free;
-use std::f64::consts::TAU;
 
 /// What holds an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,17 +85,18 @@ impl Attraction {
         self.accuracy
     }
 
-    /// Line load √(2πa E_c w_eff) [N/m] that an edge at `a`, opening at the speed `v`, withstands.
+    /// Line load √(A′E_c w_eff) [N/m] that an edge withstands that opens at the speed `v`; `slope` is A′ = 2πa [m], by
+    /// which the area grows with the bed.
     #[must_use]
-    pub fn strength(&self, a: f64, v: f64) -> f64 {
+    pub fn strength(&self, slope: f64, v: f64) -> f64 {
         let enhanced = self.rate.map_or(1.0, |(speed, exponent)| 1.0 + (v / speed).powf(exponent));
-        (TAU * a * self.modulus * self.work * enhanced).sqrt()
+        (slope * self.modulus * self.work * enhanced).sqrt()
     }
 
-    /// Distance √(2πa w/E_c) [m] over which an edge at `a` draws the next spring to it.
+    /// Distance √(A′w/E_c) [m] over which an edge draws the next spring to it; `slope` is A′ = 2πa [m].
     #[must_use]
-    pub fn reach(&self, a: f64) -> f64 {
-        if self.closing > 0.0 { (TAU * a * self.closing / self.modulus).sqrt() } else { 0.0 }
+    pub fn reach(&self, slope: f64) -> f64 {
+        if self.closing > 0.0 { (slope * self.closing / self.modulus).sqrt() } else { 0.0 }
     }
 
     /// A spring of the displacement `from`, its elements' loads `s`, moved by E_c alone to `to`.

@@ -8,6 +8,7 @@ use super::Spectrum;
 use super::attraction::Attraction;
 use super::spring::{Motion, Spring};
 use crate::numerics::{extremum, root};
+use crate::shape::Profile;
 
 /// What the edge does next.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,6 +64,8 @@ pub(super) struct Front<'b> {
     pub attraction: Option<&'b Attraction>,
     /// The spring at the distance x from the axis, at the edge the one that may go that way.
     pub see: &'b dyn Fn(Way, f64) -> SightedSpring,
+    /// The shape of the indenter.
+    pub profile: &'b dyn Profile,
     /// Contact radius [m].
     pub edge: f64,
     /// Largest radius there may be [m].
@@ -183,9 +186,10 @@ impl Front<'_> {
     fn candidate(&self, way: Way, x: f64) -> EdgeSpring {
         let SightedSpring { spring, height, doubt } = (self.see)(way, x);
         let seen = Motion { start: self.motion.start - height, ..self.motion };
+        let slope = || self.profile.contact_area_slope(x);
         let limit = self.attraction.map_or(0.0, |attraction| match spring {
-            Spring::Pressed(_) => attraction.strength(x, 0.0),
-            Spring::Free(_) => attraction.reach(x),
+            Spring::Pressed(_) => attraction.strength(slope(), 0.0),
+            Spring::Free(_) => attraction.reach(slope()),
         });
         EdgeSpring { spring, doubt, seen, lengths: self.motion.start.abs() + height, limit }
     }
@@ -431,7 +435,9 @@ impl Front<'_> {
     fn opened(&self, a: f64, now: f64, until: f64, stride: f64) -> f64 {
         let margin = |x: f64| {
             let candidate = self.candidate(Way::Opening, x);
-            let strength = self.attraction.map_or(0.0, |law| law.strength(x, (a - x) / (until - now)));
+            let way = self.profile.contact_radius(a) - self.profile.contact_radius(x);
+            let slope = self.profile.contact_area_slope(x);
+            let strength = self.attraction.map_or(0.0, |law| law.strength(slope, way / (until - now)));
             strength - candidate.limit - candidate.urge(self.spectrum, until)
         };
         let near = a - 1.5 * stride;

@@ -15,7 +15,6 @@ use super::spring::{Motion, Piece, Spring};
 use crate::contact::error::BedError;
 use crate::contact::model::Straight;
 use crate::shape::{Profile, Rim};
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// Bed without discretization in space or time.
@@ -189,6 +188,7 @@ impl Memory {
         Front {
             spectrum: &self.spectrum,
             attraction: self.attraction.as_ref(),
+            profile: self.profile.as_ref(),
             see,
             edge: self.radius(),
             limit: match self.profile.rim() {
@@ -402,11 +402,11 @@ impl Memory {
         Ledger { work: self.work, stored, dissipated: self.work - stored }
     }
 
-    /// Energy −πa²w of the closed surfaces [J].
+    /// Energy −wA of the closed surfaces [J], A = πa².
     #[must_use]
     pub fn surface_energy(&self) -> f64 {
         let work = self.attraction.as_ref().map_or(0.0, Attraction::work);
-        -work * PI * self.radius().powi(2)
+        -work * self.profile.contact_area(self.radius())
     }
 
     /// Line load q(x) [N/m] at the distance `x` from the axis.

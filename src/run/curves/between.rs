@@ -56,11 +56,11 @@ fn line(plan: &Plan) -> Option<EdgeLine> {
 }
 
 fn at(line: &EdgeLine, radius: f64, like: &Record) -> Record {
-    let state = line.at(radius);
+    let state = line.at(line.ground().profile().place(radius));
     let normal = Normal {
         indentation: Some(state.indentation),
         force: state.force,
-        contact_radius: Some(state.contact_radius),
+        contact_radius: Some(radius),
         ..like.normal
     };
     Record { normal, ..*like }

@@ -140,8 +140,8 @@ pub fn short_slides(plan: &RoundPlan, records: &[Record]) -> Vec<String> {
 
 /// The load of the elastic contact of a record; `None` where the bodies are apart.
 fn loaded(plan: &RoundPlan, record: &Record) -> Option<Loaded> {
-    let radius = record.normal.contact_radius.filter(|&a| a > 0.0)?;
     let ground = plan.ground();
+    let radius = ground.profile().place(record.normal.contact_radius.filter(|&a| a > 0.0)?);
     let edge_load = match (ground.profile().rim(), plan.contact.bodies().adheres()) {
         (Rim::Wall(_), _) | (_, true) => {
             ground.modulus() * (record.normal.indentation? - ground.profile().reduced(radius))

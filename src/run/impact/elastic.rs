@@ -5,6 +5,7 @@ use super::{Followed, RECORDS, failed};
 use crate::contact::direct::QuasiStatic;
 use crate::contact::model::Loading;
 use crate::drive::impact::{Passage, Projectile};
+use crate::run::compose::told;
 use crate::run::{SimulationError, Wanted, direct, fields};
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::ImpactPlan;
@@ -32,7 +33,8 @@ pub fn follow(
     let moments = if wanted.is_some() { passage.moments(records) } else { Vec::new() };
     let time = moments.iter().max_by(|x, y| x.depth.total_cmp(&y.depth)).map_or(0.0, |moment| moment.time);
     let field = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.fields));
-    let field = field.and_then(|contact| fields::field(contact, "greatest depth".to_owned(), time));
+    let field = field.map(|contact| told(&plan.profile, Box::new(contact.clone())));
+    let field = field.and_then(|contact| fields::field(contact.as_ref(), "greatest depth".to_owned(), time));
     let loaded = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses)).map(QuasiStatic::loaded);
     let radius = deepest.as_ref().map_or(0.0, |contact| contact.loaded().contact_radius());
     Ok(Followed { row, moments, radius, field, loaded, bytes: passage.bytes() })

@@ -9,6 +9,7 @@ use crate::contact::viscoelastic::continuous::ContinuousContact;
 use crate::contact::viscoelastic::memory::Memory;
 use crate::drive::impact::{ImpactError, ImpactState, Projectile, Rebound, SteppedMass, StruckHalfSpace};
 use crate::material::Relaxation;
+use crate::run::compose::told;
 use crate::run::{SimulationError, Wanted, fields};
 use crate::scene::law::HeldEdge;
 use crate::scene::plan::ImpactPlan;
@@ -75,6 +76,7 @@ pub fn follow(
     let count = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { moments(&last.states, count) } else { Vec::new() };
     let field = deepest.filter(|_| wanted.is_some_and(|wanted| wanted.fields));
+    let field = field.map(|(time, contact)| (time, told(&plan.profile, contact.copy())));
     let field = field.and_then(|(time, contact)| fields::field(contact.as_ref(), "greatest depth".to_owned(), *time));
     let loaded = loading.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses));
     let loaded = loaded.and_then(|loading| loading.loaded());

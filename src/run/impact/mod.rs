@@ -26,7 +26,7 @@ const RECORDS: usize = 200;
 struct Followed {
     row: ImpactRow,
     moments: Vec<ImpactState>,
-    /// Contact radius at the greatest depth [m], which no record need hit.
+    /// Where the bed ends at the greatest depth [m], which no record need hit.
     radius: f64,
     field: Option<Field>,
     loaded: Option<Loaded>,
@@ -53,8 +53,9 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
     let shown = followed.iter().position(|one| one.row.speed >= fastest).unwrap_or(0);
     let shown = followed.swap_remove(shown);
     let records = records(plan, &shown.moments);
+    let deepest_radius = plan.profile.contact_radius(shown.radius);
     let outcome = Outcome {
-        results: results::named(plan, (&rows, &records), shown.radius, shown.field.as_ref()),
+        results: results::named(plan, (&rows, &records), deepest_radius, shown.field.as_ref()),
         records,
         fields: shown.field.into_iter().collect(),
         tables: std::iter::once(table::impacts(&rows)).chain(table::incidence(&incidence)).collect(),
@@ -62,7 +63,8 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
         warnings: Vec::new(),
         plan: Parts { state_bytes: shown.bytes, ..plan.parts() },
     };
-    Ok(Solved { outcome, loaded: shown.loaded })
+    // Stresses below the surface are those of a round contact.
+    Ok(Solved { outcome, loaded: shown.loaded.filter(|_| !plan.profile.is_plane()) })
 }
 
 /// Follows the impact at one speed; records and fields only where `wanted`.
@@ -101,7 +103,7 @@ fn records(plan: &ImpactPlan, moments: &[ImpactState]) -> Vec<Record> {
         normal: Normal {
             indentation: Some(moment.depth),
             force: moment.force,
-            contact_radius: Some(moment.radius),
+            contact_radius: Some(plan.profile.contact_radius(moment.radius)),
             stiffness: 2.0 * plan.pair.normal * moment.radius,
             stored: moment.stored,
             dissipated: moment.dissipated,

@@ -8,6 +8,7 @@ use crate::material::Relaxation;
 use crate::run::record::{Field, FieldRow};
 use crate::run::{SimulationError, Wanted};
 use crate::scene::plan::ImpactPlan;
+use crate::shape::Profile;
 use std::f64::consts::FRAC_PI_2;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -31,19 +32,20 @@ pub fn follow(
     let row = ImpactRow { speed: impact.speed, rebound: flight.rebound(), oblique: None, peak_pressure };
     let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { flight.moments(records) } else { Vec::new() };
-    let field = wanted.is_some_and(|wanted| wanted.fields).then(|| field(&flight)).flatten();
+    let field = wanted.is_some_and(|wanted| wanted.fields).then(|| field(&flight, plan.profile.as_ref())).flatten();
     let loaded = wanted.filter(|wanted| wanted.stresses).and_then(|_| flight.loaded());
     let radius = flight.deepest_radius();
     Ok(Followed { row, moments, radius, field, loaded, bytes: flight.bytes() })
 }
 
 /// The pressure at the greatest depth.
-fn field(flight: &Flight) -> Option<Field> {
+fn field(flight: &Flight, profile: &dyn Profile) -> Option<Field> {
     flight.peak_pressure()?;
-    let (time, a) = (flight.turn(), flight.deepest_radius());
+    let (time, a) = (flight.turn(), profile.contact_radius(flight.deepest_radius()));
     let row = |k: u32| {
         let radius = a * (FRAC_PI_2 * f64::from(k) / f64::from(RADII)).sin();
-        FieldRow { radius, pressure: Some(flight.pressure(time, radius)), displacement: None, shear: None }
+        let pressure = Some(flight.pressure(time, profile.place(radius)));
+        FieldRow { radius, pressure, displacement: None, shear: None }
     };
     let rows = (0..=RADII).map(row).collect();
     Some(Field { label: "greatest depth".to_owned(), time, contact_radius: a, stress_intensity: None, rows })

@@ -1,7 +1,7 @@
 //! Entries of the history against the other parts, and against each other.
 
 use super::draft::Draft;
-use super::parts::cannot_be_on;
+use super::parts::{cannot_be_on, is_without_bed};
 use crate::friction::Slip;
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Impact};
@@ -22,7 +22,7 @@ pub(super) fn impact_on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opt
 }
 
 pub(super) fn slide_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    if !draft.scene.shape.is_plane() || entry.impact.is_some() || !entry.slides() {
+    if !is_without_bed(&draft.scene.shape) || entry.impact.is_some() || !entry.slides() {
         return None;
     }
     refused(

@@ -95,6 +95,8 @@ pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let Range::Finite = adhesion.range else { return None };
     let why = if let Rim::Wall(_) = profile.rim() {
         "the side of the punch leaves the attraction no gap of growing width"
+    } else if profile.is_plane() {
+        "an attraction of finite range is known around a round contact, not beside a strip"
     } else if profile.feature().is_some() {
         "the slope of this profile rises and falls, so it could be attracted in several rings"
     } else {
@@ -165,6 +167,23 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
                 "{one} with {other} adhesion cannot be computed: expected Jkr(…) with Pressure(shear: …, slope: 0), or no adhesion"
             ),
         ),
+    }
+}
+
+/// How shear peels an edge is known of round contacts.
+pub(super) fn peeling_on_section(draft: &Draft<'_>) -> Option<Problem> {
+    let (friction, profile) = (draft.friction_of_history()?, draft.profile?);
+    draft.scene.adhesion.as_ref()?;
+    match friction.slip() {
+        Slip::Gross if profile.is_plane() => refused(
+            "friction",
+            format!(
+                "{} with adhesion cannot be computed on a {}, for how shear peels is known of round contacts: expected no adhesion, or no friction",
+                friction.name(),
+                draft.scene.shape.name()
+            ),
+        ),
+        Slip::Gross | Slip::Local(_) => None,
     }
 }
 
@@ -268,8 +287,13 @@ pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     cannot_be_on(draft, "springs", "a number of springs")
 }
 
+/// Whether the shape is a section known by a closed form or a series of its own, not by a bed.
+pub(super) fn is_without_bed(shape: &Shape) -> bool {
+    matches!(shape.family(), Family::Wave(_) | Family::Wavy(_))
+}
+
 pub(super) fn viscoelastic_on_plane(draft: &Draft<'_>) -> Vec<Problem> {
-    if !draft.scene.shape.is_plane() {
+    if !is_without_bed(&draft.scene.shape) {
         return Vec::new();
     }
     let bodies = [("bodies.0", &draft.scene.bodies.0), ("bodies.1", &draft.scene.bodies.1)];

@@ -1,6 +1,7 @@
 //! Figures against the parts they show.
 
 use super::draft::Draft;
+use super::parts::is_without_bed;
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::{Plot, Scene};
@@ -18,7 +19,8 @@ pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
 /// What the scene lacks for a figure.
 fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     let scene = draft.scene;
-    let of_plane = scene.shape.is_plane().then(|| lacks_of_plane(plot)).flatten();
+    let of_plane = is_without_bed(&scene.shape).then(|| lacks_of_plane(plot)).flatten();
+    let of_plane = of_plane.or_else(|| scene.shape.is_plane().then(|| lacks_of_section(plot)).flatten());
     if of_plane.is_some() {
         return of_plane;
     }
@@ -55,21 +57,33 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     (!there).then_some(what)
 }
 
+const STRESS_OF_PLANE: &str =
+    "the stress below a plane contact is not computed: expected Force, Radius, Pressure or Energy";
+
 /// What a plane contact lacks for a figure, whatever else the scene has.
 fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
     match plot {
         Plot::Force | Plot::Energy | Plot::Radius | Plot::Pressure | Plot::Moduli | Plot::Area | Plot::Restitution => {
             None
         }
-        Plot::Stress => {
-            Some("the stress below a plane contact is not computed: expected Force, Radius, Pressure or Energy")
-        }
+        Plot::Stress => Some(STRESS_OF_PLANE),
         Plot::Shape => {
             Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")
         }
         Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Coefficient => Some(
             "of the friction of a plane contact the force of gross sliding is a result, and no more: expected Force, Radius, Pressure or Energy",
         ),
+    }
+}
+
+/// What the bed of a section lacks.
+fn lacks_of_section(plot: Plot) -> Option<&'static str> {
+    match plot {
+        Plot::Stress => Some(STRESS_OF_PLANE),
+        Plot::Fretting => {
+            Some("where a lying contact loses its energy is not mapped: expected Friction, Stick or Shear")
+        }
+        _ => None,
     }
 }
 

@@ -64,7 +64,7 @@ fn specimen(profile: impl Profile + 'static, a: f64, jumps: &[f64], slope: impl 
 
 /// One of each, in and out of every kink.
 fn specimens() -> Vec<Specimen> {
-    let k = std::f64::consts::TAU / 0.25;
+    let k = TAU / 0.25;
     let mut all = vec![
         specimen(paraboloid(2.0), 0.7, &[], |r| r / 2.0),
         specimen(sphere(1.0), 0.05, &[], |r| r / (1.0 - r * r).sqrt()),
@@ -194,7 +194,7 @@ fn pressure_adds_up_to_the_force() {
             // A node that falls on the kink itself meets a logarithmic infinity of no weight.
             if pressure.is_finite() { pressure * r * a * theta.cos() } else { 0.0 }
         };
-        let force = 2.0 * std::f64::consts::PI * quadrature::panels(ring, (0.0, FRAC_PI_2), &angles);
+        let force = 2.0 * PI * quadrature::panels(ring, (0.0, FRAC_PI_2), &angles);
         near(force, 2.0 * profile.load_integral(a), 1e-11);
     }
 }

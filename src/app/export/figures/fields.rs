@@ -6,12 +6,16 @@ use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::run::record::{Field, FieldRow, Outcome};
 use crate::scene::plan::Plan;
 
+/// The radius or, in a plane contact, the place.
+pub(super) fn across(plan: &Plan) -> Axis {
+    Axis::linear(if plan.scene.shape.is_plane() { "place x" } else { "radius r" }, "m").from(0.0)
+}
+
 /// Pressure profiles over the radius or, in a plane contact, the place; at most four: the largest contact and the last ones.
 pub fn pressure(plan: &Plan, outcome: &Outcome) -> Panel {
-    let across = if plan.scene.shape.is_plane() { "place x" } else { "radius r" };
     let shown = shown(&outcome.fields);
     let pressures = Pressures::of(&shown);
-    let panel = Panel::new(Axis::linear(across, "m").from(0.0), pressures.axis());
+    let panel = Panel::new(across(plan), pressures.axis());
     let panel = shown.iter().fold(panel, |panel, field| panel.with(curve(field)));
     let edge = shown.first().map(|field| field.contact_radius).filter(|&a| a > 0.0);
     let panel = edge.into_iter().fold(panel, |panel, a| panel.guide(Guide::vertical(a, "a")));

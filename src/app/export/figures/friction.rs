@@ -1,7 +1,7 @@
 //! Tangential loops, stick and slip, shear stress, fretting, sliding friction against load.
 
 use super::curve::{axis_of, marked, of_records, panel};
-use super::fields::shown;
+use super::fields::{across, shown};
 use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Points, Series};
 use crate::contact::state::Tangential;
 use crate::friction::sliding::SlidingPoint;
@@ -56,7 +56,7 @@ pub fn stress(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     let rubs = |field: &&&Field| field.rows.iter().any(|row| row.shear.is_some_and(|tau| tau.abs() > 0.0));
     let all = shown(&outcome.fields);
     let fields: Vec<&&Field> = all.iter().filter(rubs).take(3).collect();
-    let panel = Panel::new(Axis::linear("radius r", "m").from(0.0), Axis::linear("shear stress τ", "Pa"));
+    let panel = Panel::new(across(plan), Axis::linear("shear stress τ", "Pa"));
     let curve = |field: &Field, reach: f64, of: &dyn Fn(&FieldRow) -> Option<f64>| -> Points {
         let inside = field.rows.iter().filter(|row| row.radius <= reach * field.contact_radius);
         inside.map(|row| Some((row.radius, of(row)?))).collect()

@@ -2,7 +2,7 @@
 
 use super::Flight;
 use super::piece::MotionPiece;
-use crate::contact::loaded::{Curve, Loaded, inverse};
+use crate::contact::loaded::{Curve, Loaded};
 
 /// Times at which the pressure is looked at.
 const LOOKS: u32 = 12;
@@ -46,7 +46,7 @@ impl Flight {
     #[must_use]
     pub fn pressure(&self, t: f64, r: f64) -> f64 {
         let Some((load, ends)) = self.loads(t) else { return 0.0 };
-        inverse(&load, &ends, r)
+        self.model.profile.pressure_of(&load, &ends, r)
     }
 
     /// The contact at the greatest depth, under its load.

@@ -1,0 +1,174 @@
+//! A contact long across its section, told in its own half width.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::direct::QuasiStatic;
+//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::lying::LyingContact;
+//! use springbed::contact::model::ContactModel;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::{Cylinder, Lying, Profile};
+//! use std::sync::Arc;
+//!
+//! // R = E* = 1, at rest at a distance of 1 m: pressed until a = 0.1 m it carries πE*a²/4R per length, and
+//! // E*a/2R in the middle.
+//! let one = Length::new(1.0)?;
+//! let profile = Arc::new(Lying::from(&Cylinder { radius: one, datum: one, width: None }));
+//! let bed = QuasiStatic::new(EdgeLine::new(HalfSpace::new(profile.clone(), 1.0), 0.0));
+//! let mut contact = LyingContact::new(Box::new(bed), profile);
+//! contact.press(&springbed::contact::model::Pull {
+//!     force: 0.0025 * std::f64::consts::PI, slide: 0.0, sliding_speed: 0.0, duration: 1.0,
+//! });
+//! let state = contact.state();
+//! assert!((state.contact_radius.unwrap() - 0.1).abs() < 1e-14);
+//! assert!((state.indentation.unwrap() / (0.005 * (20f64.ln() + 0.5)) - 1.0).abs() < 1e-13);
+//! assert!((contact.loading().unwrap().pressure(0.0).unwrap() - 0.05).abs() < 1e-14);
+//! # Ok::<(), springbed::input::quantity::QuantityError>(())
+//! ```
+
+use super::creep::Creep;
+use super::error::ContactError;
+use super::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
+use super::state::{Normal, Tangential};
+use crate::material::Spectrum;
+use crate::shape::Profile;
+use std::sync::Arc;
+
+/// The bed of a section, whose places are turned into half widths as they are told.
+///
+/// Within, every contact radius is a place of the bed (see [`Lying`](crate::shape::Lying)); so is that of a
+/// [`Glance`], which drives compare with itself alone.
+pub struct LyingContact {
+    bed: Box<dyn ContactModel>,
+    profile: Arc<dyn Profile>,
+}
+
+impl LyingContact {
+    /// The contact `bed` under a section's `profile`.
+    #[must_use]
+    pub fn new(bed: Box<dyn ContactModel>, profile: Arc<dyn Profile>) -> Self {
+        Self { bed, profile }
+    }
+
+    fn told(&self, normal: Normal) -> Normal {
+        Normal { contact_radius: normal.contact_radius.map(|place| self.profile.contact_radius(place)), ..normal }
+    }
+
+    fn told_tangential(&self, tangential: Tangential) -> Tangential {
+        Tangential { stick_radius: self.profile.contact_radius(tangential.stick_radius), ..tangential }
+    }
+
+    fn told_event(&self, event: &Event) -> Event {
+        let tangential = event.tangential.map(|tangential| self.told_tangential(tangential));
+        Event { before: self.told(event.before), after: self.told(event.after), tangential, ..*event }
+    }
+
+    fn told_events(&self, events: &[Event]) -> Vec<Event> {
+        events.iter().map(|event| self.told_event(event)).collect()
+    }
+}
+
+impl ContactModel for LyingContact {
+    fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
+        let events = self.bed.follow(piece)?;
+        Ok(self.told_events(&events))
+    }
+
+    fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
+        self.bed.look(piece)
+    }
+
+    fn state(&self) -> Normal {
+        self.told(self.bed.state())
+    }
+
+    fn joined(&self) -> bool {
+        self.bed.joined()
+    }
+
+    fn loading(&self) -> Option<Box<dyn Loading + '_>> {
+        let bed = self.bed.loading()?;
+        Some(Box::new(LyingLoading { bed, profile: self.profile.as_ref() }))
+    }
+
+    fn copy(&self) -> Box<dyn ContactModel> {
+        Box::new(Self::new(self.bed.copy(), self.profile.clone()))
+    }
+
+    fn tangential(&self) -> Option<Tangential> {
+        self.bed.tangential().map(|tangential| self.told_tangential(tangential))
+    }
+
+    fn sheared(&self) -> Normal {
+        self.told(self.bed.sheared())
+    }
+
+    fn settle(&mut self) -> Result<(), ContactError> {
+        self.bed.settle()
+    }
+
+    fn path(&self) -> &[Pose] {
+        self.bed.path()
+    }
+
+    fn memory(&self) -> Option<Arc<Spectrum>> {
+        self.bed.memory()
+    }
+
+    fn effort(&self) -> Effort {
+        self.bed.effort()
+    }
+
+    fn press(&mut self, pull: &Pull) -> Option<Result<Vec<Event>, ContactError>> {
+        let events = self.bed.press(pull)?;
+        Some(events.map(|events| self.told_events(&events)))
+    }
+
+    fn last_depth(&self) -> Option<Result<f64, ContactError>> {
+        self.bed.last_depth()
+    }
+
+    fn parting(&self, piece: &Straight) -> Result<Option<f64>, ContactError> {
+        self.bed.parting(piece)
+    }
+
+    fn creep(&self) -> Option<Creep> {
+        self.bed.creep()
+    }
+
+    fn leave(&mut self) {
+        self.bed.leave();
+    }
+}
+
+/// The load of a section over the distance from its middle.
+struct LyingLoading<'c> {
+    bed: Box<dyn Loading + 'c>,
+    profile: &'c dyn Profile,
+}
+
+impl Loading for LyingLoading<'_> {
+    fn contact_radius(&self) -> f64 {
+        self.profile.contact_radius(self.bed.contact_radius())
+    }
+
+    fn pressure(&self, r: f64) -> Option<f64> {
+        self.bed.pressure(self.profile.place(r))
+    }
+
+    /// Not told from the place on at which a strip has no stiffness: there the half-plane has long been at rest.
+    fn surface(&self, r: f64) -> Option<f64> {
+        let place = self.profile.place(r);
+        if place.is_finite() { self.bed.surface(place) } else { None }
+    }
+
+    fn stress_intensity(&self) -> Option<f64> {
+        self.bed.stress_intensity()
+    }
+
+    fn shear(&self, radii: &[f64]) -> Vec<Option<f64>> {
+        let places: Vec<f64> = radii.iter().map(|&radius| self.profile.place(radius)).collect();
+        self.bed.shear(&places)
+    }
+}
