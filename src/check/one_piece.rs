@@ -18,7 +18,7 @@
 
 use super::theory::{Connection, PlaneContact, WavyParabola, Westergaard, exact_ranges};
 use crate::run::record::Outcome;
-use crate::scene::plan::{Plan, PlanePlan, Section};
+use crate::scene::plan::Plan;
 use crate::scene::reach;
 use crate::scene::stage::Stage;
 use crate::shape::{PlaneWave, PlaneWavy, Profile, Shape};
@@ -40,11 +40,13 @@ pub fn in_words(plan: &Plan, outcome: &Outcome) -> Vec<String> {
         Plan::Rough(_) => {
             return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
         }
-        Plan::Plane(PlanePlan { section: Section::Wave { wave, .. }, .. }) => return vec![flattened(plan, wave)],
-        Plan::Plane(PlanePlan { section: Section::Wavy(wavy), .. }) => return sealed(plan, wavy, outcome),
+        Plan::Plane(plane) => return sealed(plan, &plane.section, outcome),
         Plan::Round(round) => round.profile.as_ref(),
         Plan::Impact(impact) => impact.profile.as_ref(),
     };
+    if let Shape::PlaneWave(wave) = &plan.scene.shape {
+        return vec![flattened(plan, wave)];
+    }
     let radii = outcome.records.iter().filter_map(|record| record.normal.contact_radius);
     let limit = limit(profile, radii.fold(0.0, f64::max));
     let mut lines = round(profile, plan.pair.normal, limit);

@@ -215,7 +215,7 @@ impl<F: Foundation> QuasiStatic<F> {
     /// alone says d and F to few digits; both follow from each other at a given radius to rounding.
     /// Without adhesion ∂F/∂a = 2E*(d − g) vanishes at the edge.
     fn prescribed(&self, control: Control, s: f64, to: f64) -> Balance {
-        let ends = matches!(self.profile().rim(), Rim::End(_));
+        let ends = !matches!(self.profile().rim(), Rim::None);
         let steep = |line: &EdgeLine<F>| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
         match (&self.attraction, control) {
             (ElasticAttraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
@@ -236,7 +236,9 @@ impl<F: Foundation> QuasiStatic<F> {
             Control::Indentation => to,
             Control::Force => line.indentation_under_wall(s, to),
         };
-        Ok(Present { joined: true, balance: line.under_wall(s, d) })
+        let balance = line.under_wall(s, d);
+        let force = if control == Control::Force { to } else { balance.force };
+        Ok(Present { joined: true, balance: Balance { force, ..balance } })
     }
 
     fn jump(&self, control: Control, leap: &Leap) -> Result<Jump, BranchError> {

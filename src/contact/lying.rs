@@ -32,7 +32,7 @@ use super::error::ContactError;
 use super::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
 use super::state::{Normal, Tangential};
 use crate::material::Spectrum;
-use crate::shape::Profile;
+use crate::shape::{Profile, Rim};
 use std::sync::Arc;
 
 /// The bed of a section, whose places are turned into half widths as they are told.
@@ -52,7 +52,11 @@ impl LyingContact {
     }
 
     fn told(&self, normal: Normal) -> Normal {
-        Normal { contact_radius: normal.contact_radius.map(|place| self.profile.contact_radius(place)), ..normal }
+        // A closed wave gives no more.
+        let closed = normal.contact_radius.is_some_and(|place| is_closed(self.profile.as_ref(), place));
+        let stiffness = if closed { f64::INFINITY } else { normal.stiffness };
+        let contact_radius = normal.contact_radius.map(|place| self.profile.contact_radius(place));
+        Normal { contact_radius, stiffness, ..normal }
     }
 
     fn told_tangential(&self, tangential: Tangential) -> Tangential {
@@ -142,6 +146,14 @@ impl ContactModel for LyingContact {
     }
 }
 
+/// Places beyond this part of a closed bed are as good as its end: y = 1e-8 where the bed ends at 1e-12.
+const LAST: f64 = 1e-4;
+
+/// Whether nothing is open any more of a contact whose bed ends at a place [m].
+fn is_closed(profile: &dyn Profile, place: f64) -> bool {
+    matches!(profile.rim(), Rim::Wall(end) if place >= end)
+}
+
 /// The load of a section over the distance from its middle.
 struct LyingLoading<'c> {
     bed: Box<dyn Loading + 'c>,
@@ -153,8 +165,10 @@ impl Loading for LyingLoading<'_> {
         self.profile.contact_radius(self.bed.contact_radius())
     }
 
+    /// Of a closed wave it is smooth, and what is a hundredth of a thousandth of the wave away stands for the last place.
     fn pressure(&self, r: f64) -> Option<f64> {
-        self.bed.pressure(self.profile.place(r))
+        let (place, end) = (self.profile.place(r), self.bed.contact_radius());
+        self.bed.pressure(if is_closed(self.profile, end) { place.min(LAST * end) } else { place })
     }
 
     /// Not told from the place on at which a strip has no stiffness: there the half-plane has long been at rest.
@@ -164,7 +178,7 @@ impl Loading for LyingLoading<'_> {
     }
 
     fn stress_intensity(&self) -> Option<f64> {
-        self.bed.stress_intensity()
+        self.bed.stress_intensity().filter(|_| !is_closed(self.profile, self.bed.contact_radius()))
     }
 
     fn shear(&self, radii: &[f64]) -> Vec<Option<f64>> {

@@ -147,11 +147,14 @@ fn over_angles(loaded: &Loaded, law: &dyn SlidingLaw, weight: &dyn Fn(f64) -> f6
     sum
 }
 
-/// Pressure [Pa] at r = a sin θ, where the root at the edge is a cos θ to all digits; no load stands at the edge of a
-/// section.
+/// Pressure [Pa] at r = a sin θ, where the root at the edge of a round contact is a cos θ to all digits.
 fn pressure(loaded: &Loaded, theta: f64) -> f64 {
     let (a, edge) = (radius(loaded), loaded.edge_load());
-    let regular = loaded.regular_pressure(loaded.profile().place(a * theta.sin()));
+    let place = loaded.profile().place(a * theta.sin());
+    if loaded.profile().is_plane() {
+        return loaded.pressure(place);
+    }
+    let regular = loaded.regular_pressure(place);
     if edge.abs() > 0.0 { regular + edge / (PI * (a * theta.cos())) } else { regular }
 }
 

@@ -33,6 +33,7 @@ mod impact;
 pub mod table;
 pub mod unit;
 mod warnings;
+mod wave;
 mod viscoelastic;
 
 pub use crate::contact::error::ContactError;
@@ -164,6 +165,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));
+    results.extend(wave::results(plan, &run.records));
     let outcome = Outcome {
         error_estimate: error::estimate(plan, &run),
         plan: parts(plan, &run),
@@ -175,6 +177,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
             .cloned()
             .chain(viscoelastic::remark(&run))
             .chain(sliding::short_slides(plan, &run.records))
+            .chain(wave::remark(plan, &run.records))
             .collect(),
         records: run.records,
         fields: run.fields,

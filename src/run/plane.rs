@@ -1,53 +1,21 @@
-//! Plane shapes: a wave on the half-plane in closed form, a wavy parabola by its Chebyshev series.
+//! Wavy sections on the half-plane, by their Chebyshev series.
 
 use super::follow::follow;
 use super::results::{self, Pressures};
 use super::{SimulationError, Wanted};
 use crate::contact::model::ContactModel;
-use crate::contact::plane::{WaveContact, WavyContact, Westergaard};
+use crate::contact::plane::WavyContact;
 use crate::run::named::{Finding, Named};
 use crate::run::record::{ErrorEstimate, Outcome, Record};
 use crate::run::unit::Unit;
-use crate::scene::plan::{CappedCoulomb, PlanePlan, Section};
-use crate::shape::{PlaneWave, PlaneWavy};
+use crate::scene::plan::PlanePlan;
 
-/// Runs a scene with a plane shape.
+/// Runs a scene with a wavy section.
 pub(super) fn run(plan: &PlanePlan, wanted: Wanted) -> Result<Outcome, SimulationError> {
-    match &plan.section {
-        Section::Wave { wave, sliding } => run_wave(plan, wave, *sliding, wanted),
-        Section::Wavy(wavy) => run_wavy(plan, wavy, wanted),
-    }
-}
-
-fn run_wave(
-    plan: &PlanePlan,
-    shape: &PlaneWave,
-    sliding: Option<CappedCoulomb>,
-    wanted: Wanted,
-) -> Result<Outcome, SimulationError> {
-    let (amplitude, wavelength) = (shape.amplitude.si(), shape.wavelength.si());
-    let wave = Westergaard { modulus: plan.pair.normal, amplitude, wavelength };
-    let contact = WaveContact::new(wave, shape.width());
-    let area = contact.area();
-    let (mut outcome, _) = outcome(plan, Box::new(contact), wanted)?;
-    let largest = outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::max) / area;
-    let mut add = |quantity, unit, value| outcome.results.push(Named::number(quantity, unit, value));
-    add("largest_mean_pressure", Unit::PASCAL, largest);
-    add("full_contact_pressure", Unit::PASCAL, wave.full_contact_pressure());
-    add("rms_slope", Unit::ONE, wave.rms_slope());
-    if let Some(CappedCoulomb { coefficient, cap }) = sliding {
-        let sliding = wave.sliding(largest, (coefficient, cap));
-        add("gross_sliding_force", Unit::NEWTON, sliding.mean_shear * area);
-        add("capped_half_width", Unit::METRE, sliding.capped_half_width);
-    }
-    Ok(outcome)
-}
-
-fn run_wavy(plan: &PlanePlan, shape: &PlaneWavy, wanted: Wanted) -> Result<Outcome, SimulationError> {
-    let contact = WavyContact::new(shape.clone(), plan.pair.normal);
+    let contact = WavyContact::new(plan.section.clone(), plan.pair.normal);
     let (mut outcome, broken) = outcome(plan, Box::new(contact), wanted)?;
     outcome.results.push(Named::answer("in_one_piece", broken.is_none()));
-    outcome.results.push(Named::number("rms_slope", Unit::ONE, shape.rms_slope()));
+    outcome.results.push(Named::number("rms_slope", Unit::ONE, plan.section.rms_slope()));
     if let Some(force) = broken {
         outcome.warnings.push(format!(
             "under {force:.4e} N the contact is not in one piece, as under other forces that are missing here: it leaks"
@@ -86,7 +54,7 @@ fn outcome(
         tables: Vec::new(),
         error_estimate: ErrorEstimate {
             relative: 1e-11,
-            basis: "closed form or Chebyshev series of the half-plane: rounding".to_owned(),
+            basis: "Chebyshev series of the half-plane: rounding".to_owned(),
         },
         warnings: run.notes,
         plan: plan.parts(),

@@ -31,7 +31,7 @@ fn round(plan: &Plan, profile: &dyn Profile, records: &[Record], loaded: Option<
     let radii = records.iter().filter_map(|record| record.normal.contact_radius);
     let Some(a) = radii.max_by(f64::total_cmp) else { return Vec::new() };
     let shape =
-        [steep(profile, a), not_a_ball(plan, a), not_two_balls(plan, a), two_radii(plan), connected(profile, a)];
+        [steep(plan, profile, a), not_a_ball(plan, a), not_two_balls(plan, a), two_radii(plan), connected(profile, a)];
     let found = shape.into_iter().chain([tabor(plan), coupled(plan)]);
     let found: Vec<String> = found.flatten().collect();
     found.into_iter().chain(loaded.into_iter().flat_map(|loaded| first_yield(plan, loaded))).collect()
@@ -109,7 +109,10 @@ fn steep_waves(rms_slope: f64) -> Option<String> {
     })
 }
 
-fn steep(profile: &dyn Profile, a: f64) -> Option<String> {
+fn steep(shared: &Shared, profile: &dyn Profile, a: f64) -> Option<String> {
+    if let Shape::PlaneWave(wave) = &shared.scene.shape {
+        return steep_waves(wave.rms_slope());
+    }
     let height = |radius: f64| profile.height(profile.place(radius));
     let slope = (height(a) - height(a * (1.0 - 1e-3))) / (1e-3 * a);
     (a > 0.0 && slope.is_finite() && slope > STEEP).then(|| {

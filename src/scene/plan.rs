@@ -19,7 +19,6 @@
 //! ```
 
 use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
-use super::parts::Solver;
 use super::read::Read;
 use super::surface::Surface;
 use crate::contact::foundation::HalfSpace;
@@ -31,8 +30,7 @@ use crate::material::{Pair, Relaxation};
 use crate::scene::Scene;
 use crate::scene::history::Impact;
 use crate::scene::stage::Stage;
-use crate::shape::{PlaneWave, PlaneWavy, Profile};
-use std::f64::consts::{PI, SQRT_2};
+use crate::shape::{PlaneWavy, Profile};
 use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -118,62 +116,7 @@ pub struct PlanePlan {
     /// What all plans have.
     pub shared: Shared,
     /// The section.
-    pub section: Section,
-}
-
-/// A section, long across.
-#[derive(Debug, Clone)]
-pub enum Section {
-    /// One period of a wave.
-    Wave {
-        /// The wave.
-        wave: PlaneWave,
-        /// Coefficient and cap of the friction it slides under, if any.
-        sliding: Option<CappedCoulomb>,
-    },
-    /// A wavy parabola.
-    Wavy(PlaneWavy),
-}
-
-/// Coulomb friction with a cap on the shear stress.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CappedCoulomb {
-    /// Coefficient of friction μ.
-    pub coefficient: f64,
-    /// Largest shear stress [Pa].
-    pub cap: f64,
-}
-
-impl Section {
-    /// The solver.
-    #[must_use]
-    pub fn solver(&self) -> Solver {
-        match self {
-            Self::Wave { .. } => Solver::new("Westergaard", "one period of a wave on the half-plane has a closed form"),
-            Self::Wavy(_) => Solver::new(
-                "Chebyshev series",
-                "a contact in one piece on the half-plane: pressure and ends from the series of the slope",
-            ),
-        }
-    }
-
-    /// Root mean square slope.
-    #[must_use]
-    pub fn rms_slope(&self) -> f64 {
-        match self {
-            Self::Wave { wave, .. } => SQRT_2 * PI * wave.amplitude.si() / wave.wavelength.si(),
-            Self::Wavy(wavy) => wavy.rms_slope(),
-        }
-    }
-
-    /// Whether friction has a result.
-    #[must_use]
-    pub fn slides(&self) -> bool {
-        match self {
-            Self::Wave { sliding, .. } => sliding.is_some(),
-            Self::Wavy(_) => false,
-        }
-    }
+    pub section: PlaneWavy,
 }
 
 /// A rough contact.

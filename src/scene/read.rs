@@ -7,7 +7,7 @@ use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{self, Joined, Relaxation};
 use crate::scene::history::{Entry, MotionTable};
-use crate::shape::{Family, PlaneWave, PlaneWavy, Profile, RoughShape, Shape};
+use crate::shape::{Family, PlaneWavy, Profile, RoughShape, Shape};
 use std::sync::Arc;
 
 /// The parts of a scene with their tables read; a part is missing where it cannot be read.
@@ -40,7 +40,6 @@ pub(super) enum Geometry {
     Round(Arc<dyn Profile>),
     /// Roughness, on a smooth profile if not on a flat.
     Rough(Arc<Surface>, Option<Arc<dyn Profile>>),
-    Wave(PlaneWave),
     Wavy(PlaneWavy),
 }
 
@@ -51,7 +50,6 @@ impl Geometry {
             Family::Round => Self::Round(profile(shape, tables)?),
             Family::Line(line) => rough(surface::of_line(line, tables)?, base(line, tables)?),
             Family::Map(path, pixel) => rough(surface::of_map(path, pixel, tables)?, None),
-            Family::Wave(wave) => Self::Wave(wave.clone()),
             Family::Wavy(wavy) => Self::Wavy(wavy.clone()),
         })
     }
@@ -61,7 +59,7 @@ impl Geometry {
         match self {
             Self::Round(profile) => Some(profile.as_ref()),
             Self::Rough(_, base) => base.as_deref(),
-            Self::Wave(_) | Self::Wavy(_) => None,
+            Self::Wavy(_) => None,
         }
     }
 }

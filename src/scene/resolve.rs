@@ -1,7 +1,7 @@
 //! From a scene as written to the decision who computes it.
 
 use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount};
-use super::plan::{CappedCoulomb, ImpactPlan, Plan, PlanePlan, RoughPlan, RoundPlan, SceneSettings, Section, Shared};
+use super::plan::{ImpactPlan, Plan, PlanePlan, RoughPlan, RoundPlan, SceneSettings, Shared};
 use super::read::{Geometry, Read};
 use super::rules::{self, Draft};
 use super::{Scene, limits, reach};
@@ -84,17 +84,16 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
         (Geometry::Round(profile), Some(impact)) => Plan::Impact(impact_plan(shared, profile.clone(), impact)),
         (Geometry::Round(profile), None) => Plan::Round(round(shared, profile.clone())),
         (Geometry::Rough(surface, base), _) => {
-            let coefficient = sliding(shared.scene.friction.as_ref()).map(|law| law.coefficient);
+            let coefficient = match &shared.scene.friction {
+                Some(Friction::Coulomb(law)) => Some(law.coefficient.si()),
+                Some(Friction::CoulombOrowan(_) | Friction::Pressure(_)) | None => None,
+            };
             let relaxation = shared.read.relaxation.clone();
             let works = shared.scene.adhesion.as_ref().map(works);
             let (surface, base) = (surface.clone(), base.clone());
             Plan::Rough(RoughPlan { surface, base, relaxation, works, coefficient, shared })
         }
-        (Geometry::Wave(wave), _) => {
-            let section = Section::Wave { wave: wave.clone(), sliding: sliding(shared.scene.friction.as_ref()) };
-            Plan::Plane(PlanePlan { section, shared })
-        }
-        (Geometry::Wavy(wavy), _) => Plan::Plane(PlanePlan { section: Section::Wavy(wavy.clone()), shared }),
+        (Geometry::Wavy(section), _) => Plan::Plane(PlanePlan { section: section.clone(), shared }),
     }
 }
 
@@ -180,16 +179,6 @@ fn gross(shared: &Shared, friction: &Friction) -> FrictionLaw {
     match &shared.scene.adhesion {
         None => FrictionLaw::Sliding(interface),
         Some(adhesion) => FrictionLaw::Peeling { interface, work: adhesion.traits().work },
-    }
-}
-
-fn sliding(friction: Option<&Friction>) -> Option<CappedCoulomb> {
-    match friction? {
-        Friction::Coulomb(law) => Some(CappedCoulomb { coefficient: law.coefficient.si(), cap: f64::MAX }),
-        Friction::CoulombOrowan(law) => {
-            Some(CappedCoulomb { coefficient: law.coefficient.si(), cap: law.shear_limit.si() })
-        }
-        Friction::Pressure(_) => None,
     }
 }
 

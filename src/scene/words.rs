@@ -54,9 +54,12 @@ impl PlanePlan {
     /// The plan in words.
     #[must_use]
     pub fn parts(&self) -> Parts {
-        let (mut used, mut left_out) = (vec!["half-plane"], vec!["one-dimensional profile g(x)", "springs"]);
-        (if self.section.slides() { &mut used } else { &mut left_out }).push("gross sliding");
-        Parts { state_bytes: size_of::<PlaneContact>(), ..Parts::new(self.section.solver(), used, left_out) }
+        let solver = Solver::new(
+            "Chebyshev series",
+            "a contact in one piece on the half-plane: pressure and ends from the series of the slope",
+        );
+        let left_out = vec!["one-dimensional profile g(x)", "springs", "gross sliding"];
+        Parts { state_bytes: size_of::<PlaneContact>(), ..Parts::new(solver, vec!["half-plane"], left_out) }
     }
 }
 

@@ -29,8 +29,10 @@ pub struct Lying {
     periodic: bool,
 }
 
-/// S² up to which a cylinder is followed, X = 0.45 L: its contact is to be small against L.
+/// The least y of a cylinder, X = 0.45 L: its contact is to be small against L.
 const WIDEST: f64 = 3.0;
+/// The least y of a wave: what stays open is then 3e-7 of its length, and the contact counts as full.
+const CLOSED: f64 = 1e-12;
 /// Beyond this y nothing is left of e^(−y).
 const NOTHING: f64 = 700.0;
 
@@ -57,6 +59,11 @@ impl Lying {
     /// x [m] from y.
     fn at_exponent(&self, y: f64) -> f64 {
         FRAC_PI_2 * self.width / y
+    }
+
+    /// Whether a wave lies flat under a bed that ends at the place `x`.
+    fn is_closed(&self, x: f64) -> bool {
+        self.periodic && self.exponent(x) <= CLOSED * (1.0 + 1e-9)
     }
 
     /// S at the place `x`.
@@ -87,9 +94,12 @@ impl Profile for Lying {
         2.0 * self.height * (-self.exponent(r)).exp()
     }
 
+    /// Of a wave it reaches h where the contact is closed and not before: a force is lost by the root of the last
+    /// rounding of a depth.
     fn reduced(&self, x: f64) -> f64 {
         let y = self.exponent(x);
-        if y < NOTHING { self.height * (1.0 + y) * (-y).exp() } else { 0.0 }
+        let most = if self.periodic && !self.is_closed(x) { 1.0 - f64::EPSILON } else { 1.0 };
+        if y < NOTHING { self.height * ((1.0 + y) * (-y).exp()).min(most) } else { 0.0 }
     }
 
     fn reduced_slope(&self, x: f64) -> f64 {
@@ -123,9 +133,9 @@ impl Profile for Lying {
         if d <= 0.0 {
             return Some(0.0);
         }
-        let log = (self.height / d).ln();
-        if log <= 0.0 {
-            return None;
+        let (end, log) = (self.rim().radius(), (self.height / d).ln());
+        if d >= self.reduced(end) {
+            return Some(end).filter(|_| self.periodic || d <= self.reduced(end));
         }
         let mut y = log + (1.0 + log + (2.0 * log).sqrt()).ln();
         for _ in 0..MOST_STEPS {
@@ -135,11 +145,11 @@ impl Profile for Lying {
                 break;
             }
         }
-        Some(self.at_exponent(y)).filter(|&a| a <= self.rim().radius())
+        Some(self.at_exponent(y).min(end))
     }
 
     fn rim(&self) -> Rim {
-        if self.periodic { Rim::None } else { Rim::End(self.at_exponent(WIDEST)) }
+        if self.periodic { Rim::Wall(self.at_exponent(CLOSED)) } else { Rim::End(self.at_exponent(WIDEST)) }
     }
 
     /// Where S² = e^(−20).
@@ -150,7 +160,9 @@ impl Profile for Lying {
     fn breaks(&self, a: f64) -> Vec<f64> {
         // e^(−y) falls by e² from panel to panel.
         let y = self.exponent(a);
-        let mut breaks: Vec<f64> = (1..=20).map(|k| self.at_exponent(y + 2.0 * f64::from(k))).collect();
+        let near_closed = std::iter::successors(Some(4.0 * y), |y| Some(4.0 * y)).take_while(|y| *y < 1.0);
+        let mut breaks: Vec<f64> = near_closed.map(|y| self.at_exponent(y)).collect();
+        breaks.extend((1..=20).map(|k| self.at_exponent(y + 2.0 * f64::from(k))));
         breaks.reverse();
         breaks
     }
@@ -160,14 +172,22 @@ impl Profile for Lying {
     }
 
     fn contact_radius(&self, x: f64) -> f64 {
-        let share = self.share(x);
-        2.0 * self.reach * if self.periodic { share.asin() } else { share }
+        match self.share(x) {
+            share if !self.periodic => 2.0 * self.reach * share,
+            _ if self.is_closed(x) => PI * self.reach,
+            share => 2.0 * self.reach * share.asin(),
+        }
     }
 
     fn place(&self, radius: f64) -> f64 {
         let half = 0.5 * radius / self.reach;
-        let share = if self.periodic { half.sin() } else { half };
-        if share < 1.0 { self.at_exponent(-2.0 * share.ln()) } else { f64::INFINITY }
+        let share = if self.periodic { half.sin().abs() } else { half };
+        match self.rim() {
+            Rim::Wall(end) if share >= 1.0 => end,
+            _ if share >= 1.0 => f64::INFINITY,
+            Rim::Wall(end) => self.at_exponent(-2.0 * share.ln()).min(end),
+            Rim::End(_) | Rim::None => self.at_exponent(-2.0 * share.ln()),
+        }
     }
 
     fn contact_area(&self, x: f64) -> f64 {

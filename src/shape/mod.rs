@@ -335,9 +335,7 @@ pub enum Family<'s> {
     Line(&'s RoughShape),
     /// Heights of a surface and the size of a pixel.
     Map(&'s Path, Length),
-    /// One period of a wave, long across.
-    Wave(&'s PlaneWave),
-    /// A wavy section, long across.
+    /// A wavy section, long across, whose contact may fall into pieces.
     Wavy(&'s PlaneWavy),
 }
 
@@ -417,10 +415,10 @@ impl Shape {
             | Self::WavyParaboloid(_)
             | Self::Ellipsoid(_)
             | Self::Cylinder(_)
+            | Self::PlaneWave(_)
             | Self::Table(_) => Family::Round,
             Self::RoughLine(line) => Family::Line(line),
             Self::HeightMap(path, pixel) => Family::Map(path, *pixel),
-            Self::PlaneWave(wave) => Family::Wave(wave),
             Self::PlaneWavy(wavy) => Family::Wavy(wavy),
         }
     }
@@ -456,12 +454,13 @@ impl Shape {
             Self::WavyParaboloid(shape) => Arc::new(shape.clone()),
             Self::Ellipsoid(shape) => Arc::new(shape.effective()?),
             Self::Cylinder(shape) => Arc::new(Lying::from(shape)),
+            Self::PlaneWave(shape) => Arc::new(Lying::from(shape)),
             Self::Table(path) => Arc::new(Measured::read(path, tables)?),
             Self::RoughLine(line) => match &line.base {
                 Some(base) => base.profile(tables)?,
                 None => return Err(ShapeError::NoProfile(self.name())),
             },
-            Self::PlaneWave(_) | Self::PlaneWavy(_) | Self::HeightMap(..) => {
+            Self::PlaneWavy(_) | Self::HeightMap(..) => {
                 return Err(ShapeError::NoProfile(self.name()));
             }
         })

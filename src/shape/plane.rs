@@ -2,6 +2,7 @@
 
 use crate::input::quantity::{Amplitude, Length};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::{PI, SQRT_2};
 
 /// Cylinder lying on its side: f(x) = x²/2R, long across.
 ///
@@ -77,6 +78,12 @@ impl PlaneWave {
     #[must_use]
     pub fn width(&self) -> f64 {
         self.width.map_or(1.0, Length::si)
+    }
+
+    /// Root mean square slope √2 πΔ/λ.
+    #[must_use]
+    pub fn rms_slope(&self) -> f64 {
+        SQRT_2 * PI * self.amplitude.si() / self.wavelength.si()
     }
 }
 

@@ -1,11 +1,12 @@
-//! A lying cylinder, run as whole scenes: R = E* = W = 1, the half-plane at rest at the distance 1.
+//! A lying cylinder and a wave, run as whole scenes: E* = W = 1, R = 1 with the half-plane at rest at the distance 1, or
+//! Δ = 0.01 and λ = 1.
 
 use crate::check::case::{Attempt, Case, Pairs, Proof};
 use crate::check::sketch::{Sketch, beside, relaxing, result, si};
 use crate::check::ting::TingTriangle;
 use crate::material::Relaxation;
-use crate::numerics::quadrature;
-use crate::shape::{Cylinder, Shape};
+use crate::numerics::{extremum, quadrature};
+use crate::shape::{Cylinder, PlaneWave, Shape};
 use std::f64::consts::PI;
 
 const CLOSED: &str = "closed forms in the half width, a few dozen roundings; the place of an edge in the bed counts ln(2L/a) times in it";
@@ -36,7 +37,80 @@ pub(super) const CASES: &[Case] = &[
     Case::new("cylinder/ting's triangle", Proof::Rounding, 1e-10, SUMS)
         .weak("one term; force and half width after the turn")
         .by(triangle),
+    Case::new("wave/jkr under a force", Proof::Rounding, 1e-12, CLOSED)
+        .weak("one force, after the jump into contact; depth, half width and energies")
+        .by(adhesive_wave),
+    Case::new(
+        "wave/jkr closes",
+        Proof::Rounding,
+        1e-11,
+        "the top of a curve by its slope, another by comparison of values",
+    )
+    .weak("the force from which on no open contact is in equilibrium")
+    .by(closing_wave),
+    Case::new("wave/partial slip", Proof::Rounding, 1e-11, CLOSED)
+        .weak("one slide, to half of the contact")
+        .by(slipping_wave),
+    Case::new("wave/slow relaxation", Proof::Order, 2e-6, "one part in 10⁶ of the relaxation is left")
+        .weak("approaches the elastic wave only")
+        .by(relaxed_wave),
 ];
+
+const RISE: f64 = 0.01;
+
+fn wave() -> Attempt<Shape> {
+    Ok(Shape::PlaneWave(PlaneWave { amplitude: si(RISE)?, wavelength: si(1.0)?, width: None }))
+}
+
+/// Westergaard: p̄ = πΔ sin²(πa), d = Δt(1 − ln t) with t = sin²(πa).
+fn share(a: f64) -> f64 {
+    (PI * a).sin().powi(2)
+}
+
+fn wave_depth(a: f64) -> f64 {
+    RISE * share(a) * (1.0 - share(a).ln())
+}
+
+/// The strips that are pulled up at the edge: √(2E*wλ tan(πa)) (Johnson 1995).
+fn pulled(a: f64, w: f64) -> f64 {
+    (2.0 * w * (PI * a).tan()).sqrt()
+}
+
+fn adhesive_wave() -> Attempt<Pairs> {
+    let (a, w) = (0.2, 1e-5);
+    let outcome = Sketch::of(wave()).jkr(w, None).press(PI * RISE * share(a) - pulled(a, w), 1.0).fields()?;
+    let right = [
+        ("final_contact_radius_m", a),
+        ("final_indentation_m", wave_depth(a) + pulled(a, w) * share(a).ln() / PI),
+        ("largest_stress_intensity_pa_sqrt_m", (2.0 * w).sqrt()),
+        ("final_stored_surface_j", -2.0 * a * w),
+    ];
+    beside(&outcome, &right)
+}
+
+/// The force at which the contact jumps to a closed one is the greatest of any open one.
+fn closing_wave() -> Attempt<Pairs> {
+    let w = 1e-4;
+    let open = |a: f64| PI * RISE * share(a) - pulled(a, w);
+    let right = extremum::greatest(open, 0.2, 0.49).value;
+    let outcome = Sketch::of(wave()).jkr(w, None).press(PI * RISE, 1.0).run()?;
+    let closes = outcome.records.windows(2).find(|pair| pair[1].normal.stiffness.is_infinite());
+    let before = closes.map(|pair| pair[0].normal.force).ok_or("the wave does not close")?;
+    Ok(vec![(before, right), (outcome.records.last().map_or(0.0, |last| last.normal.stored.surface), -w)])
+}
+
+fn slipping_wave() -> Attempt<Pairs> {
+    let (a, c, mu) = (0.3, 0.15, 0.3);
+    let sketch = Sketch::of(wave()).coulomb(mu).press(PI * RISE * share(a), 1.0);
+    let outcome = sketch.slide(mu * (wave_depth(a) - wave_depth(c))).run()?;
+    let right = mu * PI * RISE * (share(a) - share(c));
+    beside(&outcome, &[("final_stick_radius_m", c), ("final_tangential_force_n", right)])
+}
+
+fn relaxed_wave() -> Attempt<Pairs> {
+    let sketch = Sketch::of(wave()).body(relaxing(&soft())).indent(wave_depth(0.3), 1.0).hold(8.0);
+    beside(&sketch.run()?, &[("final_force_n", PI * RISE * share(0.3)), ("final_contact_radius_m", 0.3)])
+}
 
 fn cylinder() -> Attempt<Shape> {
     Ok(Shape::Cylinder(Cylinder { radius: si(1.0)?, datum: si(1.0)?, width: None }))

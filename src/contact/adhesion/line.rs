@@ -100,6 +100,9 @@ impl<F: Foundation> EdgeLine<F> {
     }
 }
 
+/// Decades below the scale of a section in which its strips have a width that a number can tell.
+const FIRST_STRIPS: f64 = 1.5;
+
 impl<F: Foundation> Equilibrium for EdgeLine<F> {
     fn value(&self, control: Control, a: f64) -> f64 {
         let elongation = self.elongation(a);
@@ -136,6 +139,10 @@ impl<F: Foundation> Equilibrium for EdgeLine<F> {
     fn search(&self) -> Search {
         match (self.ground.feature(), self.ground.kink()) {
             _ if self.work <= 0.0 => Search::Nowhere,
+            // The strips of a wave: pulled in, and again where they all but meet.
+            _ if self.ground.profile().is_plane() && self.end().is_finite() => {
+                Search::Decades(FIRST_STRIPS, (self.end() / self.scale()).log10())
+            }
             (Some(length), _) => Search::Spaced(length),
             (None, Some(kink)) => Search::About(kink),
             (None, None) => Search::Once,

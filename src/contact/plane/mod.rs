@@ -1,4 +1,4 @@
-//! Plane contacts of a half-plane: a wave, and a wavy parabola while its contact is in one piece.
+//! Plane contacts of a half-plane: a wave in closed form, and a wavy parabola while its contact is in one piece.
 //!
 //! # Examples
 //! ```
@@ -12,11 +12,9 @@
 //! ```
 
 mod connectivity;
-mod wave;
 mod wavy;
 mod westergaard;
 
 pub use connectivity::{Connection, PlaneContact, WavyParabola, flat_punch_load, single_harmonic_load};
-pub use wave::WaveContact;
 pub use wavy::WavyContact;
 pub use westergaard::{GrossSliding, Westergaard};

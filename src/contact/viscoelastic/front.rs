@@ -398,7 +398,7 @@ impl Front<'_> {
 
     /// The way of an edge that opens by the rate law, until it stands still: radii and times.
     ///
-    /// Implicit steps, halves and whole extrapolated, as short as their difference asks for.
+    /// Implicit steps, halves and whole extrapolated, as short as the difference of their contact radii asks for.
     fn path(&self) -> Vec<(f64, f64)> {
         let duration = self.motion.duration;
         let (shortest, accuracy) = (1e-12 * duration, self.attraction.map_or(0.0, Attraction::accuracy));
@@ -411,7 +411,8 @@ impl Front<'_> {
             let middle = self.opened(a, now, half, 0.5 * (a - whole));
             let halves = self.opened(middle, half, until, a - middle);
             stride = a - whole;
-            let error = (whole - halves).abs() / self.edge;
+            let radius = |place: f64| self.profile.contact_radius(place);
+            let error = (radius(whole) - radius(halves)).abs() / radius(self.edge);
             if error > accuracy && until - now > shortest {
                 step = (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
                 continue;

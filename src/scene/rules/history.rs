@@ -28,7 +28,7 @@ pub(super) fn slide_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opti
     refused(
         entry,
         format!(
-            "cannot be computed on {}: expected none: the force of gross sliding is a result of the friction alone",
+            "cannot be computed on {}: expected none: a series of the half-plane knows no friction",
             draft.scene.shape.name()
         ),
     )
@@ -41,7 +41,7 @@ pub(super) fn depth_of_wavy(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Optio
             entry,
             format!("cannot be computed on {}: expected Press(…) or HoldForce(…)", draft.scene.shape.name()),
         ),
-        Family::Round | Family::Line(_) | Family::Map(..) | Family::Wave(_) | Family::Wavy(_) => None,
+        Family::Round | Family::Line(_) | Family::Map(..) | Family::Wavy(_) => None,
     }
 }
 

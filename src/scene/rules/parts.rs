@@ -216,7 +216,7 @@ pub(super) fn not_round(shape: &Shape) -> Option<String> {
     match shape.family() {
         Family::Round => None,
         Family::Line(_) | Family::Map(..) => Some(format!("the rough shape {}", shape.name())),
-        Family::Wave(_) | Family::Wavy(_) => Some(shape.name().to_owned()),
+        Family::Wavy(_) => Some(shape.name().to_owned()),
     }
 }
 
@@ -242,7 +242,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 ),
             );
         }
-        (Family::Round | Family::Wave(_) | Family::Wavy(_), _) => "",
+        (Family::Round | Family::Wavy(_), _) => "",
     };
     cannot_be_on(draft, "adhesion", &format!("{}{of}", adhesion.name))
 }
@@ -251,8 +251,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
 pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let friction = draft.scene.friction.as_ref()?;
     match (draft.scene.shape.family(), friction) {
-        (Family::Wave(_), Friction::Coulomb(_) | Friction::CoulombOrowan(_))
-        | (Family::Line(_) | Family::Map(..), Friction::Coulomb(_)) => None,
+        (Family::Line(_) | Family::Map(..), Friction::Coulomb(_)) => None,
         (Family::Line(_) | Family::Map(..), Friction::CoulombOrowan(_) | Friction::Pressure(_)) => refused(
             "friction",
             format!(
@@ -261,9 +260,7 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 not_round(&draft.scene.shape).unwrap_or_default()
             ),
         ),
-        (Family::Wave(_), Friction::Pressure(_)) | (Family::Round | Family::Wavy(_), _) => {
-            cannot_be_on(draft, "friction", friction.name())
-        }
+        (Family::Round | Family::Wavy(_), _) => cannot_be_on(draft, "friction", friction.name()),
     }
 }
 
@@ -278,7 +275,7 @@ pub(super) fn rough_friction_of_viscoelastic(draft: &Draft<'_>) -> Option<Proble
                 friction.name()
             ),
         ),
-        Family::Round | Family::Wave(_) | Family::Wavy(_) => None,
+        Family::Round | Family::Wavy(_) => None,
     }
 }
 
@@ -287,9 +284,9 @@ pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     cannot_be_on(draft, "springs", "a number of springs")
 }
 
-/// Whether the shape is a section known by a closed form or a series of its own, not by a bed.
+/// Whether the shape is a section known by a series of its own, not by a bed.
 pub(super) fn is_without_bed(shape: &Shape) -> bool {
-    matches!(shape.family(), Family::Wave(_) | Family::Wavy(_))
+    matches!(shape.family(), Family::Wavy(_))
 }
 
 pub(super) fn viscoelastic_on_plane(draft: &Draft<'_>) -> Vec<Problem> {

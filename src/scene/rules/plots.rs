@@ -70,9 +70,9 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
         Plot::Shape => {
             Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")
         }
-        Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Coefficient => Some(
-            "of the friction of a plane contact the force of gross sliding is a result, and no more: expected Force, Radius, Pressure or Energy",
-        ),
+        Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Coefficient => {
+            Some("a series of the half-plane knows no friction: expected Force, Radius, Pressure or Energy")
+        }
     }
 }
 

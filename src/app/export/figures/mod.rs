@@ -14,7 +14,7 @@ use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::Plot;
 use crate::scene::plan::{ImpactPlan, Plan, RoundPlan};
-use crate::shape::Rim;
+use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
 
@@ -34,7 +34,7 @@ pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
 /// What suits a scene that asks for nothing.
 fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match plan {
-        Plan::Round(RoundPlan { friction: Some(law), .. }) => friction::suiting(law, outcome),
+        Plan::Round(RoundPlan { friction: Some(law), .. }) if slides(outcome) => friction::suiting(law, outcome),
         Plan::Round(round) => {
             let pressure = (!outcome.fields.is_empty()).then_some(Plot::Pressure);
             let shape = (!matches!(round.profile.rim(), Rim::Wall(_))).then_some(Plot::Shape);
@@ -47,6 +47,21 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
         },
         Plan::Plane(_) => vec![Plot::Force, Plot::Radius, Plot::Pressure],
         Plan::Rough(rough) => rough::suiting(rough),
+    }
+}
+
+/// Whether a body slides in the records of an outcome.
+fn slides(outcome: &Outcome) -> bool {
+    outcome.records.iter().filter_map(|record| record.tangential).any(|state| state.slide.abs() > 0.0)
+}
+
+/// Force over depth: per length of a section without a width.
+fn force_of(plan: &Plan) -> &'static Column<Record> {
+    match &plan.scene.shape {
+        Shape::Cylinder(Cylinder { width: None, .. })
+        | Shape::PlaneWave(PlaneWave { width: None, .. })
+        | Shape::PlaneWavy(PlaneWavy { width: None, .. }) => &LINE_FORCE,
+        _ => &FORCE,
     }
 }
 
@@ -101,12 +116,12 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = over_time.into_iter().filter(|_| rough.relaxation.is_some());
             rough::force(rough, outcome).into_iter().chain(over_time).collect()
         }
-        Plan::Plane(_) => vec![against_depth(&LINE_FORCE)],
-        Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(&FORCE)]).collect(),
-        Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(&FORCE)],
+        Plan::Plane(_) => vec![against_depth(force_of(plan))],
+        Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(force_of(plan))]).collect(),
+        Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(force_of(plan))],
         Plan::Round(_) => {
             let over_time = [FORCE, INDENTATION].map(|column| against_time(records, &column));
-            [against_depth(&FORCE)].into_iter().chain(over_time).chain(last_loop(plan, records)).collect()
+            [against_depth(force_of(plan))].into_iter().chain(over_time).chain(last_loop(plan, records)).collect()
         }
     }
 }
