@@ -111,10 +111,18 @@ impl ViscoelasticBed {
         if layout.height.iter().any(|height| height.is_nan()) {
             return Err(FrictionError::BeyondRadius { radius });
         }
+        Ok(Self::on(layout, spectrum, grip))
+    }
+
+    /// A bed of the springs of `layout`, such as those of a rough line sorted by height, never touched.
+    ///
+    /// The moduli of `grip` count by their ratio only.
+    #[must_use]
+    pub fn on(layout: Layout, spectrum: Arc<Spectrum>, grip: Grip) -> Self {
         let rest = Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] };
         let springs = vec![(Spring::untouched(&spectrum), SpringGrip::Free(rest)); layout.len()];
         let (coefficient, reach) = (grip.coefficient, grip.reach());
-        Ok(Self { spectrum, layout, coefficient, reach, depth: 0.0, speeds: (0.0, 0.0), springs, dissipated: 0.0 })
+        Self { spectrum, layout, coefficient, reach, depth: 0.0, speeds: (0.0, 0.0), springs, dissipated: 0.0 }
     }
 
     /// Moves at the normal speed `speed` and the tangential speed `slide` [m/s] for `duration` [s].

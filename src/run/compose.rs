@@ -58,24 +58,60 @@ pub fn told(profile: &Arc<dyn Profile>, bed: Box<dyn ContactModel>) -> Box<dyn C
     if profile.is_plane() { Box::new(LyingContact::new(bed, profile.clone())) } else { bed }
 }
 
+/// The normal contact of a rough plan.
+pub enum RoughNormal {
+    /// Of elastic bodies.
+    Elastic(RoughContact),
+    /// Of elastic bodies that adhere.
+    Adhesive(AdhesiveRough),
+    /// Of bodies that relax.
+    Relaxing(Box<RelaxingRough>),
+}
+
+/// The normal contact of a rough plan with the surface of a seed, bodies just touching.
+///
+/// # Errors
+/// The surface cannot be made.
+pub fn rough_normal(plan: &RoughPlan, seed: u64) -> Result<RoughNormal, RoughError> {
+    let (line, points, base) = (RoughLine::new(&plan.surface.rings, seed), plan.surface.points, plan.base.as_deref());
+    Ok(match (&plan.relaxation, plan.works) {
+        (Some(relaxation), _) => {
+            let spectrum = Arc::new(Spectrum::new(relaxation));
+            RoughNormal::Relaxing(Box::new(RelaxingRough::new(&line, points, spectrum, base)?))
+        }
+        (None, Some(works)) => RoughNormal::Adhesive(AdhesiveRough::new(&line, points, plan.pair.normal, base, works)?),
+        (None, None) => RoughNormal::Elastic(RoughContact::new(&line, points, plan.pair.normal, base)?),
+    })
+}
+
 /// The contact of a rough plan with the surface of a seed, bodies just touching.
 ///
 /// # Errors
 /// The surface cannot be made.
 pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, RoughError> {
-    let (line, points, base) = (RoughLine::new(&plan.surface.rings, seed), plan.surface.points, plan.base.as_deref());
-    if let Some(relaxation) = &plan.relaxation {
-        let spectrum = Arc::new(Spectrum::new(relaxation));
-        return Ok(Box::new(RelaxingRough::new(&line, points, spectrum, base)?));
-    }
-    if let Some(works) = plan.works {
-        return Ok(Box::new(AdhesiveRough::new(&line, points, plan.pair.normal, base, works)?));
-    }
-    let normal = RoughContact::new(&line, points, plan.pair.normal, base)?;
-    let Some(coefficient) = plan.coefficient else { return Ok(Box::new(normal)) };
-    let width = line.length() / points as f64;
-    let friction = CoulombSprings::sorted(normal.bed().heights(), plan.grip(coefficient), width);
-    Ok(Box::new(FrictionalContact::new(Box::new(normal), Box::new(friction.accurate_to(friction_accuracy(plan))))))
+    let Some(coefficient) = plan.coefficient else {
+        return Ok(match rough_normal(plan, seed)? {
+            RoughNormal::Elastic(normal) => Box::new(normal),
+            RoughNormal::Adhesive(normal) => Box::new(normal),
+            RoughNormal::Relaxing(normal) => normal,
+        });
+    };
+    let grip = plan.grip(coefficient);
+    Ok(match rough_normal(plan, seed)? {
+        RoughNormal::Elastic(normal) => {
+            let width = plan.surface.length() / plan.surface.points as f64;
+            let friction = CoulombSprings::sorted(normal.bed().heights(), grip, width);
+            let friction = friction.accurate_to(friction_accuracy(plan));
+            Box::new(FrictionalContact::new(Box::new(normal), Box::new(friction)))
+        }
+        RoughNormal::Relaxing(normal) => {
+            let bed = ViscoelasticBed::on(normal.layout().clone(), normal.shared_spectrum(), grip);
+            let friction = ViscoelasticFriction::new(bed, grip.tangential_modulus);
+            Box::new(FrictionalContact::new(normal, Box::new(friction)))
+        }
+        // Friction of patches that adhere is refused.
+        RoughNormal::Adhesive(normal) => Box::new(normal),
+    })
 }
 
 /// The direct path on a ground, bodies just touching.

@@ -263,3 +263,22 @@ fn a_rough_line_slides() {
     assert!(column(&records, "stick_radius_m").iter().all(|radius| radius.is_nan()), "a rough contact has no radius");
     assert!(said.contains("friction dissipated"), "{said}");
 }
+
+/// Rubber on a rough surface, slid: full slip carries μF while F relaxes.
+#[test]
+fn a_rough_rubber_slides() {
+    let rubber = "Viscoelastic(poisson: 0.5, shear: (equilibrium: \"1 MPa\", terms: [(modulus: \"9 MPa\", time: 1)]))";
+    let scene = format!(
+        "(shape: RoughLine({SPECTRUM} length: \"100 um\", points: 4096), bodies: ({rubber}, Rigid), friction: Coulomb(coefficient: 0.3),
+        history: [Indent(to: \"2 um\", over: 0.1), Slide(to: \"20 um\", over: 1)])"
+    );
+    let (folder, said) = run(&scene, None, &[]);
+    let records = table(folder.path(), ".csv");
+    let (normal, tangential) = (column(&records, "force_n"), column(&records, "tangential_force_n"));
+    let last = normal.len() - 1;
+    assert!(normal[last] < 0.7 * normal[last - 90], "{normal:?}");
+    for k in last - 50..=last {
+        assert!((tangential[k] / (0.3 * normal[k]) - 1.0).abs() < 1e-12, "{k}");
+    }
+    assert!(said.contains("friction dissipated"), "{said}");
+}

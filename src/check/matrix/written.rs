@@ -401,4 +401,9 @@ impl Written {
     pub(super) fn relaxes(&self) -> bool {
         self.bodies.iter().any(|body| body.starts_with("Viscoelastic"))
     }
+
+    /// Whether there is friction.
+    pub(super) fn rubs(&self) -> bool {
+        !self.friction.is_empty()
+    }
 }

@@ -61,6 +61,18 @@ impl RelaxingRough {
         let (ends, width) = (LineEnds::of(line, points, base, bed.first_touch())?, line.length() / number(points));
         Ok(Self { bed: Lazy::new(spectrum, Layout::sorted(bed.heights(), width)), width, ends })
     }
+
+    /// Where its springs stand, sorted by the depths at which they are touched.
+    #[must_use]
+    pub fn layout(&self) -> &Layout {
+        self.bed.layout()
+    }
+
+    /// What its springs are made of.
+    #[must_use]
+    pub fn shared_spectrum(&self) -> Arc<Spectrum> {
+        self.bed.shared_spectrum()
+    }
 }
 
 impl ContactModel for RelaxingRough {
@@ -105,7 +117,7 @@ impl ContactModel for RelaxingRough {
     }
 
     fn memory(&self) -> Option<Arc<Spectrum>> {
-        Some(self.bed.shared_spectrum())
+        Some(self.shared_spectrum())
     }
 
     fn effort(&self) -> Effort {

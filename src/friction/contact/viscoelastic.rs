@@ -57,3 +57,155 @@ impl TangentialContact for ViscoelasticFriction {
         Effort { bytes: self.bed.bytes(), springs: self.bed.springs(), force_error: None }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::model::{ContactModel, Pose, Straight};
+    use crate::contact::rough::{RelaxingRough, RoughContact};
+    use crate::friction::contact::{CoulombSprings, FrictionalContact};
+    use crate::friction::{Grip, TangentialMemory};
+    use crate::input::quantity::Length;
+    use crate::material::{Relaxation, Spectrum};
+    use crate::shape::Paraboloid;
+    use crate::shape::rough::{Rings, RoughLine, RoughnessSpectrum};
+    use std::sync::Arc;
+
+    const GRIP: Grip = Grip { normal_modulus: 2.5, tangential_modulus: 2.0, coefficient: 0.3 };
+
+    fn line(height: f64) -> RoughLine {
+        let spectrum = RoughnessSpectrum::table(&[(6.4, height * height), (64.0, 1e-3 * height * height)]).unwrap();
+        RoughLine::new(&Rings::of(&spectrum, 1.0, 1000).unwrap(), 7)
+    }
+
+    /// The line on bodies that relax, with friction.
+    fn rubbing(line: &RoughLine, terms: &[(f64, f64)], base: Option<&Paraboloid>) -> FrictionalContact {
+        let relaxation = Relaxation { equilibrium: 2.5, terms: terms.to_vec(), viscosity: 0.0 };
+        let spectrum = Arc::new(Spectrum::new(&relaxation));
+        let base = base.map(|base| base as &dyn crate::shape::Profile);
+        let normal = RelaxingRough::new(line, 1000, spectrum.clone(), base).unwrap();
+        let bed = ViscoelasticBed::on(normal.layout().clone(), spectrum, GRIP);
+        FrictionalContact::new(Box::new(normal), Box::new(ViscoelasticFriction::new(bed, GRIP.tangential_modulus)))
+    }
+
+    fn go(contact: &mut FrictionalContact, from: Pose, to: Pose, over: f64) {
+        let piece = Straight { slide: to.slide, ..Straight::between(from.indentation, to.indentation, over) };
+        contact.follow(&piece).unwrap();
+        contact.settle().unwrap();
+    }
+
+    /// Poses in depths of the line.
+    fn poses(depth: f64) -> Vec<Pose> {
+        let pose = |(down, along): &(f64, f64)| Pose { indentation: down * depth, slide: along * depth };
+        [(1.0, 0.0), (1.0, 0.2), (1.4, 0.3), (0.9, 0.1), (0.9, -0.4), (1.2, -0.3), (0.2, 0.0), (1.0, 0.1)]
+            .iter()
+            .map(pose)
+            .collect()
+    }
+
+    /// Springs that do not relax are those of the elastic bed, through stick, slip and touch anew. Bound: rounding of a
+    /// thousand springs, of the largest force.
+    #[test]
+    fn without_terms_a_rough_line_rubs_as_an_elastic_one() {
+        let line = line(1e-6);
+        let elastic = RoughContact::new(&line, 1000, 2.5, None).unwrap();
+        let depth = elastic.bed().heights()[700];
+        let most = elastic.bed().at_indentation(elastic.bed().first_touch() + 1.4 * depth).force;
+        let springs = CoulombSprings::sorted(elastic.bed().heights(), GRIP, 1e-3);
+        let mut two = FrictionalContact::new(Box::new(elastic), Box::new(springs));
+        let (mut one, mut from) = (rubbing(&line, &[], None), Pose::default());
+        for to in poses(depth) {
+            go(&mut one, from, to, 1.0);
+            go(&mut two, from, to, 1.0);
+            let (seen, right) = (one.tangential().unwrap(), two.tangential().unwrap());
+            assert!((seen.force - right.force).abs() <= 1e-12 * most, "{to:?}: {} {}", seen.force, right.force);
+            let lost = seen.dissipated.unwrap() - right.dissipated.unwrap();
+            assert!(lost.abs() <= 1e-12 * most * depth, "{to:?}: {lost:e}");
+            from = to;
+        }
+    }
+
+    /// Gross sliding carries μF while F relaxes, to rounding; once it has relaxed friction takes μF over the way of the
+    /// indenter, for no spring creeps any more, to e^(−20) of what is left of the slowest term.
+    #[test]
+    fn gross_sliding_on_rough_rubber_follows_the_normal_force() {
+        let line = line(1e-6);
+        let depth = RoughContact::new(&line, 1000, 1.0, None).unwrap().bed().heights()[700];
+        let mut contact = rubbing(&line, &[(3.0, 0.4), (2.0, 5.0)], None);
+        let mut at = Pose { indentation: depth, slide: 0.0 };
+        go(&mut contact, Pose::default(), at, 0.1);
+        for k in 1..=40 {
+            let to = Pose { slide: 0.1 * depth * f64::from(k), ..at };
+            go(&mut contact, at, to, 0.02);
+            at = to;
+            let (force, friction) = (contact.state().force, contact.tangential().unwrap().force);
+            assert!(k < 20 || (friction / (0.3 * force) - 1.0).abs() < 1e-12, "{k}");
+        }
+        let lost = |contact: &FrictionalContact| contact.tangential().unwrap().dissipated.unwrap();
+        let last = Pose { slide: 5.0 * depth, ..at };
+        go(&mut contact, at, last, 100.0);
+        let (before, to) = (lost(&contact), Pose { slide: 6.0 * depth, ..at });
+        go(&mut contact, last, to, 0.1);
+        let (taken, right) = (lost(&contact) - before, 0.3 * contact.state().force * depth);
+        assert!((taken / right - 1.0).abs() < 1e-7, "{taken:e} {right:e}");
+    }
+
+    /// Pieces cut in three are the same pieces.
+    #[test]
+    fn cuts_do_not_matter_on_rough_rubber() {
+        let line = line(1e-6);
+        let depth = RoughContact::new(&line, 1000, 1.0, None).unwrap().bed().heights()[700];
+        let terms = [(3.0, 0.4), (2.0, 5.0)];
+        let (mut whole, mut cut) = (rubbing(&line, &terms, None), rubbing(&line, &terms, None));
+        let mut from = Pose::default();
+        let mut most: f64 = 0.0;
+        for to in poses(depth) {
+            go(&mut whole, from, to, 1.0);
+            let mut behind = from;
+            for part in [0.3, 0.55, 1.0] {
+                let between = |from: f64, to: f64| if part < 1.0 { from + part * (to - from) } else { to };
+                let there = Pose {
+                    indentation: between(from.indentation, to.indentation),
+                    slide: between(from.slide, to.slide),
+                };
+                go(
+                    &mut cut,
+                    behind,
+                    there,
+                    if part < 0.5 {
+                        0.3
+                    } else if part < 1.0 {
+                        0.25
+                    } else {
+                        0.45
+                    },
+                );
+                behind = there;
+            }
+            let (one, two) = (whole.tangential().unwrap(), cut.tangential().unwrap());
+            most = most.max(whole.state().force);
+            assert!((one.force - two.force).abs() <= 1e-10 * most, "{to:?}: {} {}", one.force, two.force);
+            let lost = one.dissipated.unwrap() - two.dissipated.unwrap();
+            assert!(lost.abs() <= 1e-10 * most * depth, "{to:?}: {lost:e}");
+            from = to;
+        }
+    }
+
+    /// Roughness that vanishes on a ball that does not relax is Cattaneo's and Mindlin's contact, to the order of the
+    /// springs, (a/Δx)⁻¹ = 1e-2 of what slips last.
+    #[test]
+    fn vanishing_roughness_is_the_rubbing_ball() {
+        let ball = Paraboloid { radius: Length::new(1.0).unwrap() };
+        let mut contact = rubbing(&line(1e-15), &[], Some(&ball));
+        let mut memory = TangentialMemory::new(Arc::new(ball.clone()), GRIP);
+        let mut from = Pose::default();
+        for (down, along) in [(0.01, 0.0), (0.01, 1e-3), (0.01, -1e-3), (0.012, 5e-4)] {
+            let to = Pose { indentation: down, slide: along };
+            go(&mut contact, from, to, 1.0);
+            memory.advance(to).unwrap();
+            let (seen, right) = (contact.tangential().unwrap().force, memory.state().tangential_force);
+            assert!((seen - right).abs() < 1e-2 * 0.3 * contact.state().force, "{to:?}: {seen} {right}");
+            from = to;
+        }
+    }
+}

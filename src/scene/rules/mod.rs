@@ -88,7 +88,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 32] = [
+pub const RULES: [Rule; 31] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
@@ -96,7 +96,6 @@ pub const RULES: [Rule; 32] = [
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
     Rule::once(Friction, Bodies, parts::gross_sliding_of_viscoelastic),
     Rule::once(Friction, Shape, parts::peeling_on_section),
-    Rule::once(Friction, Bodies, parts::rough_friction_of_viscoelastic),
     Rule::once(Friction, Adhesion, parts::friction_under_adhesion),
     Rule::once(Friction, Adhesion, parts::friction_with_closing),
     Rule::once(Springs, Adhesion, parts::springs_under_adhesion),

@@ -264,21 +264,6 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     }
 }
 
-/// Of bodies that relax a rough line knows the normal contact.
-pub(super) fn rough_friction_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
-    let (friction, _) = (draft.scene.friction.as_ref()?, draft.relaxation()?);
-    match draft.scene.shape.family() {
-        Family::Line(_) | Family::Map(..) => refused(
-            "friction",
-            format!(
-                "{} with a Viscoelastic body cannot be computed on a rough shape: expected Elastic bodies, or no friction",
-                friction.name()
-            ),
-        ),
-        Family::Round | Family::Wavy(_) => None,
-    }
-}
-
 pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     draft.scene.springs?;
     cannot_be_on(draft, "springs", "a number of springs")
