@@ -37,7 +37,7 @@ const RANGES: usize = 4;
 #[must_use]
 pub fn in_words(plan: &Plan, outcome: &Outcome) -> Vec<String> {
     let profile = match plan {
-        Plan::Rough(_) => {
+        Plan::Rough(_) | Plan::RoughImpact(_) => {
             return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
         }
         Plan::Plane(plane) => return sealed(plan, &plane.section, outcome),

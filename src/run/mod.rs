@@ -114,6 +114,7 @@ pub fn tables(plan: &Plan) -> &'static [&'static str] {
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble"],
+        Plan::RoughImpact(_) => &["ensemble", "impacts"],
     }
 }
 
@@ -136,6 +137,7 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
         Plan::Impact(plan) => impact::run(plan, kept),
         Plan::Plane(plan) => plane::run(plan, wanted).map(Solved::without_load),
         Plan::Rough(plan) => rough::run(plan, done).map(Solved::without_load),
+        Plan::RoughImpact(plan) => impact::rough::run(plan, done).map(Solved::without_load),
     }?;
     let pressure = fields::pressure_table(&outcome.fields, &outcome.records);
     let stresses = loaded.as_ref().filter(|_| wanted.stresses).map(|loaded| fields::stresses(plan, loaded));

@@ -11,23 +11,14 @@ use crate::contact::rough::VALIDITY;
 use crate::contact::state::Normal;
 use crate::scene::plan::RoughPlan;
 use crate::scene::surface::Surface;
-use crate::shape::rough::Scatter;
+use crate::shape::rough::{RoughError, Scatter};
 use rayon::prelude::*;
 
 /// Runs a scene with a rough shape, all members of its ensemble in parallel; `done` is told the share behind.
 pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
     let surface = &plan.surface;
     let count = surface.seeds.len();
-    let seeds = [&surface.seeds[..], &like(&surface.seeds)].concat();
-    let behind = std::sync::atomic::AtomicUsize::new(0);
-    let member = |&seed: &u64| {
-        let member = member(plan, seed);
-        let behind = behind.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
-        done(behind as f64 / seeds.len() as f64);
-        member
-    };
-    let members: Vec<Result<_, SimulationError>> = seeds.par_iter().map(member).collect();
-    let members = members.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let members = members(surface, done, |seed| member(plan, seed))?;
     let (all, pulls): (Vec<_>, Vec<_>) = members.into_iter().map(|member| (member.records, member.pulls)).unzip();
     let members = &all[..count];
     let ensemble = Ensemble::of(members);
@@ -47,8 +38,31 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
     })
 }
 
+/// What `member` finds for the seeds of a surface, and for those of surfaces like a single one.
+pub(super) fn members<M: Send>(
+    surface: &Surface,
+    done: &(dyn Fn(f64) + Sync),
+    member: impl Fn(u64) -> Result<M, SimulationError> + Sync,
+) -> Result<Vec<M>, SimulationError> {
+    let seeds = [&surface.seeds[..], &like(&surface.seeds)].concat();
+    let behind = std::sync::atomic::AtomicUsize::new(0);
+    let member = |&seed: &u64| {
+        let member = member(seed);
+        let behind = behind.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+        done(behind as f64 / seeds.len() as f64);
+        member
+    };
+    let members: Vec<Result<M, SimulationError>> = seeds.par_iter().map(member).collect();
+    members.into_iter().collect()
+}
+
+/// A surface that cannot be made.
+pub(super) fn without_surface(seed: u64, error: &RoughError) -> SimulationError {
+    SimulationError::Refused(format!("shape, seed {seed}: {error}"))
+}
+
 /// What the method is good for.
-fn remarks(plan: &RoughPlan) -> Vec<String> {
+pub(super) fn remarks(plan: &RoughPlan) -> Vec<String> {
     let adheres =
         "adhesion holds the patches of the line as it holds round contacts (Heß): nothing exact stands beside it";
     let adheres = plan.works.map(|_| adheres.to_owned());
@@ -81,8 +95,7 @@ impl Pulls {
 }
 
 fn member(plan: &RoughPlan, seed: u64) -> Result<Member, SimulationError> {
-    let contact = compose::rough(plan, seed);
-    let contact = contact.map_err(|error| SimulationError::Refused(format!("shape, seed {seed}: {error}")))?;
+    let contact = compose::rough(plan, seed).map_err(|error| without_surface(seed, &error))?;
     let run = follow(plan, contact, Wanted { instants: false, ..Wanted::NOTHING })?;
     let pulls = Pulls::of(run.jumps());
     Ok(Member { records: run.records, pulls })
@@ -110,16 +123,14 @@ fn pulled(pulls: &[Pulls], last: Option<&Record>) -> Vec<Named> {
 fn named(surface: &Surface, records: &[Record], ensemble: Option<&Ensemble>) -> Vec<Named> {
     let largest = |of: fn(&Record) -> f64| records.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
     let depth = |record: &Record| record.normal.indentation.unwrap_or(f64::NEG_INFINITY);
-    let roughness = surface.roughness();
     let mut results = vec![
         Named::number("largest_force", Unit::NEWTON, largest(|record| record.normal.force)),
         Named::number("largest_indentation", Unit::METRE, largest(depth)),
         Named::number("largest_stiffness", Unit::NEWTON_PER_METRE, largest(|record| record.normal.stiffness)),
         Named::number("largest_stored_elastic", Unit::JOULE, largest(|record| record.normal.stored.elastic)),
-        Named::number("rms_height", Unit::METRE, roughness.rms_height),
-        Named::number("rms_slope", Unit::ONE, roughness.rms_slope),
-        Named::number("rms_curvature", Unit::PER_METRE, roughness.rms_curvature),
     ];
+    let (of_surface, peak_to_valley) = of_surface(surface);
+    results.extend(of_surface);
     let rubs = records.iter().any(|record| record.tangential.is_some());
     if let Some(last) = records.last().filter(|last| rubs || last.normal.dissipated > 0.0) {
         results.push(Named::number("dissipated", Unit::JOULE, last.normal.dissipated));
@@ -129,9 +140,20 @@ fn named(surface: &Surface, records: &[Record], ensemble: Option<&Ensemble>) -> 
         results.push(Named::number("largest_tangential_force", Unit::NEWTON, largest(tangential)));
         results.push(Named::number("friction_dissipated", Unit::JOULE, last.dissipated.unwrap_or(0.0)));
     }
-    results.extend(roughness.peak_to_valley.map(|height| Named::number("peak_to_valley", Unit::METRE, height)));
+    results.extend(peak_to_valley);
     results.extend(ensemble.iter().flat_map(|ensemble| ensemble.results()));
     results
+}
+
+/// The roughness itself: height, slope and curvature; the peak to valley height of a map.
+pub(super) fn of_surface(surface: &Surface) -> ([Named; 3], Option<Named>) {
+    let roughness = surface.roughness();
+    let squares = [
+        Named::number("rms_height", Unit::METRE, roughness.rms_height),
+        Named::number("rms_slope", Unit::ONE, roughness.rms_slope),
+        Named::number("rms_curvature", Unit::PER_METRE, roughness.rms_curvature),
+    ];
+    (squares, roughness.peak_to_valley.map(|height| Named::number("peak_to_valley", Unit::METRE, height)))
 }
 
 /// Surfaces like a single one, by which its scatter is known: few, for each costs as much.
@@ -149,7 +171,7 @@ fn like(seeds: &[u64]) -> Vec<u64> {
 
 /// The error of the method, or of `count` surfaces that stand for all their like: three standard deviations of the
 /// depth, force or stiffness of `all` surfaces computed, of a mean those of the mean.
-fn estimate(all: &[Vec<Record>], count: usize) -> ErrorEstimate {
+pub(super) fn estimate(all: &[Vec<Record>], count: usize) -> ErrorEstimate {
     let scatter = 3.0 * Ensemble::of(all).map_or(0.0, |all| all.relative_deviation()) / (count as f64).sqrt();
     if scatter > BESIDE_HALF_SPACE {
         let basis = format!(

@@ -4,7 +4,7 @@ use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
 use crate::contact::loaded::Loaded;
 use crate::material::Body;
-use crate::scene::plan::{Plan, Shared};
+use crate::scene::plan::{Plan, RoughImpactPlan, RoughPlan, Shared};
 use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -23,7 +23,10 @@ pub fn of(plan: &Plan, records: &[Record], loaded: Option<&Loaded>) -> Vec<Strin
         Plan::Round(of) => round(plan, of.ground().profile(), records, loaded),
         Plan::Impact(of) => round(plan, of.ground().profile(), records, loaded),
         Plan::Plane(plan) => steep_waves(plan.section.rms_slope()).into_iter().collect(),
-        Plan::Rough(plan) => steep_waves(plan.surface.roughness().rms_slope).into_iter().collect(),
+        Plan::Rough(RoughPlan { surface, .. })
+        | Plan::RoughImpact(RoughImpactPlan { rough: RoughPlan { surface, .. }, .. }) => {
+            steep_waves(surface.roughness().rms_slope).into_iter().collect()
+        }
     }
 }
 

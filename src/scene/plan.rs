@@ -46,8 +46,10 @@ pub enum Plan {
     Impact(ImpactPlan),
     /// A contact long across its section.
     Plane(PlanePlan),
-    /// A rough contact.
+    /// A rough contact led through a history.
     Rough(RoughPlan),
+    /// The impact of a rough body.
+    RoughImpact(RoughImpactPlan),
 }
 
 /// What all plans have.
@@ -136,6 +138,15 @@ pub struct RoughPlan {
     pub coefficient: Option<f64>,
 }
 
+/// The impact of a rough body.
+#[derive(Debug, Clone)]
+pub struct RoughImpactPlan {
+    /// What is struck.
+    pub rough: RoughPlan,
+    /// The impact.
+    pub impact: Impact,
+}
+
 impl RoughPlan {
     /// One-dimensional profile [m] under the roughness at `x` [m].
     #[must_use]
@@ -187,7 +198,7 @@ impl Plan {
         match self {
             Self::Round(plan) => history(plan),
             Self::Impact(plan) => impact(plan),
-            Self::Plane(_) | Self::Rough(_) => None,
+            Self::Plane(_) | Self::Rough(_) | Self::RoughImpact(_) => None,
         }
     }
 
@@ -195,6 +206,16 @@ impl Plan {
     #[must_use]
     pub fn round(&self) -> Option<&RoundPlan> {
         self.of_round(Some, |_| None)
+    }
+
+    /// The plan of a rough contact, led through a history or in an impact, if it is one.
+    #[must_use]
+    pub fn rough(&self) -> Option<&RoughPlan> {
+        match self {
+            Self::Rough(plan) => Some(plan),
+            Self::RoughImpact(plan) => Some(&plan.rough),
+            Self::Round(_) | Self::Impact(_) | Self::Plane(_) => None,
+        }
     }
 
     /// What the indenter is pressed into, if it is round.
@@ -212,9 +233,9 @@ impl Plan {
     /// E*(t) of bodies that relax.
     #[must_use]
     pub fn relaxation(&self) -> Option<&Relaxation> {
-        match self {
-            Self::Rough(plan) => plan.relaxation.as_deref(),
-            Self::Round(_) | Self::Impact(_) | Self::Plane(_) => self.bodies()?.relaxation().map(Arc::as_ref),
+        match self.rough() {
+            Some(rough) => rough.relaxation.as_deref(),
+            None => self.bodies()?.relaxation().map(Arc::as_ref),
         }
     }
 
@@ -227,9 +248,9 @@ impl Plan {
     /// Whether the bodies adhere.
     #[must_use]
     pub fn adheres(&self) -> bool {
-        match self {
-            Self::Rough(plan) => plan.works.is_some(),
-            Self::Round(_) | Self::Impact(_) | Self::Plane(_) => self.bodies().is_some_and(Bodies::adheres),
+        match self.rough() {
+            Some(rough) => rough.works.is_some(),
+            None => self.bodies().is_some_and(Bodies::adheres),
         }
     }
 
@@ -260,16 +281,14 @@ impl Plan {
             Self::Impact(plan) => Some(plan.profile.as_ref()),
             Self::Plane(_) => None,
             Self::Rough(plan) => plan.base.as_deref(),
+            Self::RoughImpact(plan) => plan.rough.base.as_deref(),
         }
     }
 
     /// The roughness, if there is one.
     #[must_use]
     pub fn surface(&self) -> Option<&Surface> {
-        match self {
-            Self::Rough(plan) => Some(&plan.surface),
-            Self::Round(_) | Self::Impact(_) | Self::Plane(_) => None,
-        }
+        Some(&self.rough()?.surface)
     }
 }
 
@@ -282,6 +301,7 @@ impl Deref for Plan {
             Self::Impact(plan) => &plan.shared,
             Self::Plane(plan) => &plan.shared,
             Self::Rough(plan) => &plan.shared,
+            Self::RoughImpact(plan) => &plan.rough.shared,
         }
     }
 }
@@ -299,3 +319,11 @@ macro_rules! shares {
 }
 
 shares!(RoundPlan, ImpactPlan, PlanePlan, RoughPlan);
+
+impl Deref for RoughImpactPlan {
+    type Target = Shared;
+
+    fn deref(&self) -> &Shared {
+        &self.rough.shared
+    }
+}

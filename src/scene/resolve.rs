@@ -1,9 +1,10 @@
 //! From a scene as written to the decision who computes it.
 
 use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount};
-use super::plan::{ImpactPlan, Plan, PlanePlan, RoughPlan, RoundPlan, SceneSettings, Shared};
+use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared};
 use super::read::{Geometry, Read};
 use super::rules::{self, Draft};
+use super::surface::Surface;
 use super::{Scene, limits, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::contact::rough::EdgeWorks;
@@ -83,15 +84,16 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
     match (geometry, impact) {
         (Geometry::Round(profile), Some(impact)) => Plan::Impact(impact_plan(shared, profile.clone(), impact)),
         (Geometry::Round(profile), None) => Plan::Round(round(shared, profile.clone())),
-        (Geometry::Rough(surface, base), _) => {
+        (Geometry::Rough(surface, base), None) => {
             let coefficient = match &shared.scene.friction {
                 Some(Friction::Coulomb(law)) => Some(law.coefficient.si()),
                 Some(Friction::CoulombOrowan(_) | Friction::Pressure(_)) | None => None,
             };
-            let relaxation = shared.read.relaxation.clone();
-            let works = shared.scene.adhesion.as_ref().map(works);
-            let (surface, base) = (surface.clone(), base.clone());
-            Plan::Rough(RoughPlan { surface, base, relaxation, works, coefficient, shared })
+            Plan::Rough(RoughPlan { coefficient, ..rough(shared, (surface, base.as_ref())) })
+        }
+        // On a mass that comes straight in friction does not act.
+        (Geometry::Rough(surface, base), Some(impact)) => {
+            Plan::RoughImpact(RoughImpactPlan { rough: rough(shared, (surface, base.as_ref())), impact })
         }
         (Geometry::Wavy(section), _) => Plan::Plane(PlanePlan { section: section.clone(), shared }),
     }
@@ -110,6 +112,18 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     };
     let friction = scene.friction.as_ref().map(|friction| tangential(&shared, friction));
     RoundPlan { profile, contact, friction, shared }
+}
+
+/// A rough contact without friction.
+fn rough(shared: Shared, (surface, base): (&Arc<Surface>, Option<&Arc<dyn Profile>>)) -> RoughPlan {
+    RoughPlan {
+        surface: surface.clone(),
+        base: base.cloned(),
+        relaxation: shared.read.relaxation.clone(),
+        works: shared.scene.adhesion.as_ref().map(works),
+        coefficient: None,
+        shared,
+    }
 }
 
 fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {

@@ -2,7 +2,7 @@
 
 use super::law::FrictionLaw;
 use super::parts::{Component, Parts, Solver};
-use super::plan::{ImpactPlan, Plan, PlanePlan, RoughPlan, RoundPlan};
+use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use crate::contact::direct::QuasiStatic;
 use crate::contact::plane::PlaneContact;
 use crate::friction::TangentialMemory;
@@ -16,6 +16,7 @@ impl Plan {
             Self::Impact(plan) => plan.parts(),
             Self::Plane(plan) => plan.parts(),
             Self::Rough(plan) => plan.parts(),
+            Self::RoughImpact(plan) => plan.parts(),
         }
     }
 }
@@ -92,5 +93,28 @@ impl RoughPlan {
         (if self.surface.seeds.len() > 1 { &mut used } else { &mut left_out }).push("ensemble");
         // Gaps, forces and energies of the members that run at a time are no more than those of all.
         Parts { springs, state_bytes: 24 * springs, ..Parts::new(solver, used, left_out) }
+    }
+}
+
+impl RoughImpactPlan {
+    /// The plan in words.
+    #[must_use]
+    pub fn parts(&self) -> Parts {
+        let parts = self.rough.parts();
+        let (solver, driven) = match (&self.rough.relaxation, self.rough.works) {
+            (Some(_), _) => (
+                "mass on the rough viscoelastic bed",
+                "the springs remember: m d̈ = −F in straight steps of the depth, halved until they agree",
+            ),
+            (None, Some(_)) => (
+                "harmonic motions on the rough adhesive bed",
+                "between two springs that close or open the mass swings freely: speeds from the energy, times in closed form, no step is taken",
+            ),
+            (None, None) => (
+                "harmonic motions on the rough bed",
+                "between the touch of two springs the mass swings freely: speeds from the energy, times in closed form, no step is taken",
+            ),
+        };
+        Parts { solver, reason: format!("{}; {driven}", parts.reason), ..parts }
     }
 }

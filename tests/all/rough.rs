@@ -264,6 +264,46 @@ fn a_rough_line_slides() {
     assert!(said.contains("friction dissipated"), "{said}");
 }
 
+/// A mass on rough surfaces: all speed is given back by elastic bodies, some kept by rubber and by adhesion; the same
+/// files as of any impact, of an ensemble with the scatter of its results.
+#[test]
+fn rough_bodies_strike() {
+    let of = |more: &str, bodies: &str, adhesion: &str, speed: &str| {
+        let scene = format!(
+            "(shape: RoughLine({SPECTRUM} length: \"100 um\", points: 4096 {more}), bodies: ({bodies}, Rigid), {adhesion}
+            accuracy: 1e-4, history: [Impact(mass: 1e-9, speed: {speed})], steps: 50)"
+        );
+        run(&scene, None, &[])
+    };
+    let elastic = "Elastic(young: \"3 MPa\", poisson: 0.5)";
+    let (folder, said) = of("", elastic, "", "\"0.1 m/s\"");
+    assert!(said.contains("approximate") && !said.contains("contact radius"), "{said}");
+    let (records, impacts) = (table(folder.path(), ".csv"), table(folder.path(), ".impacts.csv"));
+    assert!((column(&impacts, "restitution")[0] - 1.0).abs() <= 0.0 && !impacts.contains("pressure"), "{impacts}");
+    assert!((column(&impacts, "lost_j")[0]).abs() <= 0.0);
+    // The way out mirrors the way in.
+    let (force, depth) = (column(&records, "force_n"), column(&records, "indentation_m"));
+    assert_eq!(force.len(), 51);
+    let (most, deepest) = (column(&impacts, "largest_force_n")[0], column(&impacts, "greatest_depth_m")[0]);
+    assert!((force[25] / most - 1.0).abs() < 1e-12 && (depth[25] / deepest - 1.0).abs() < 1e-12);
+    assert!((0..=50).all(|k| (force[k] - force[50 - k]).abs() < 1e-9 * most && depth[k] < deepest * (1.0 + 1e-12)));
+
+    let rubber = "Viscoelastic(poisson: 0.5, shear: (equilibrium: \"0.5 MPa\", terms: [(modulus: \"0.5 MPa\", time: \"1 ms\")]))";
+    for (bodies, adhesion) in [(rubber, ""), (elastic, "adhesion: Jkr(work: 0.01, closing: 0.005),")] {
+        let (folder, said) = of(", seeds: 4", bodies, adhesion, "[\"0.1 m/s\", \"0.3 m/s\"]");
+        assert!(said.contains("members"), "{said}");
+        let impacts = table(folder.path(), ".impacts.csv");
+        let (restitution, scatter) = (column(&impacts, "restitution"), column(&impacts, "restitution_deviation"));
+        assert!(restitution.iter().chain(&scatter).all(|part| *part > 0.0 && *part < 0.999), "{impacts}");
+        assert_eq!((restitution.len(), column(&table(folder.path(), ".ensemble.csv"), "time_s").len() > 50), (2, true));
+    }
+    let (one, _) = of(", seeds: 4", rubber, "", "\"0.1 m/s\"");
+    let json = table(one.path(), ".json");
+    for name in ["restitution", "restitution_deviation", "contact_time_deviation_s", "sticking_members", "rms_slope"] {
+        assert!(json.contains(&format!("\"{name}\"")), "{name}: {json}");
+    }
+}
+
 /// Rubber on a rough surface, slid: full slip carries μF while F relaxes.
 #[test]
 fn a_rough_rubber_slides() {

@@ -99,7 +99,7 @@ pub fn compare(plan: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, Comparison
     }
     let most =
         largest(&outcome.records).filter(|record| record.normal.force > 0.0).ok_or(ComparisonError::NoContact)?;
-    let Plan::Rough(rough) = &plan else { return Ok(round::contest(plan, most).judged(done)) };
+    let Some(rough) = plan.rough() else { return Ok(round::contest(plan, most).judged(done)) };
     let force = most.normal.force;
     let mut comparison = rough::contest(rough.clone(), force).judged(done);
     let stiffness = comparison.state.stiffness_n_per_m.unwrap_or(0.0);

@@ -14,7 +14,7 @@ const HARDNESS: f64 = 2.8;
 /// Empty without roughness. The area theories ask for a nominally flat surface and no adhesion; else they say nothing.
 #[must_use]
 pub fn in_words(plan: &Plan, force: f64, stiffness: f64) -> Vec<String> {
-    let Plan::Rough(rough) = plan else { return Vec::new() };
+    let Some(rough) = plan.rough() else { return Vec::new() };
     let (surface, roughness, modulus) = (&rough.surface, rough.surface.roughness(), plan.pair.normal);
     let mut lines = Vec::new();
     if rough.base.is_none() && rough.works.is_none() && force > 0.0 {

@@ -143,6 +143,38 @@ impl AdhesiveRough {
         self.patches.all().count()
     }
 
+    /// Depth [m] at which the next spring closes on the way down; infinite where all hold.
+    #[must_use]
+    pub fn closes_next(&mut self) -> f64 {
+        self.next_closing().map_or(f64::INFINITY, |turn| turn.depth.max(self.depth))
+    }
+
+    /// Depth [m] at which the next spring opens on the way up; minus infinite where none holds.
+    #[must_use]
+    pub fn opens_next(&mut self) -> f64 {
+        self.next_opening().map_or(f64::NEG_INFINITY, |turn| turn.depth.min(self.depth))
+    }
+
+    /// Moves on to where the next springs close, and lets them.
+    ///
+    /// # Errors
+    /// The contact would reach the ends of the line.
+    pub fn let_close(&mut self) -> Result<(), ContactError> {
+        let depth = self.closes_next();
+        if depth.is_finite() {
+            self.go_down(Goal::Depth(depth))?;
+        }
+        Ok(())
+    }
+
+    /// Moves back to where the next spring opens, and lets it.
+    pub fn let_open(&mut self) {
+        if let Some(turn) = self.next_opening() {
+            self.depth = turn.depth.min(self.depth);
+            self.open(turn);
+        }
+    }
+
     /// F = E*Δx Σ (d − g) over the springs that hold [N].
     fn force(&self) -> f64 {
         if self.held.springs == 0 {

@@ -123,6 +123,28 @@ impl RoughBed {
         self.state(touched, gap + (force - carried).max(0.0) / (self.stiffness * number(touched)))
     }
 
+    /// The state that has taken the energy U [J] since first touch; at U ≤ 0 the bed is at first touch.
+    #[must_use]
+    pub fn at_energy(&self, energy: f64) -> BedState {
+        let touched = self.energies.partition_point(|&u| u < energy).max(1);
+        let (gap, carried, taken) = (self.gaps[touched - 1], self.forces[touched - 1], self.energies[touched - 1]);
+        // U = U₀ + F₀x + ½Kx², free of cancellation.
+        let (rest, stiffness) = ((energy - taken).max(0.0), self.stiffness * number(touched));
+        let fast = carried + (carried * carried + 2.0 * stiffness * rest).sqrt();
+        self.state(touched, if fast > 0.0 { gap + 2.0 * rest / fast } else { gap })
+    }
+
+    /// The states in which the springs are just touched, one by one; their stiffness is that with the spring.
+    pub fn touches(&self) -> impl DoubleEndedIterator<Item = BedState> + ExactSizeIterator {
+        let ends = self.gaps.iter().zip(&self.forces).zip(&self.energies).enumerate();
+        ends.map(|(before, ((&indentation, &force), &energy))| BedState {
+            indentation,
+            force,
+            stiffness: self.stiffness * number(before + 1),
+            energy,
+        })
+    }
+
     /// State with the first `touched` springs in contact.
     fn state(&self, touched: usize, indentation: f64) -> BedState {
         let Some(last) = touched.checked_sub(1) else {
@@ -211,6 +233,20 @@ mod tests {
             let state = bed.at_force(force);
             prop_assert!((state.force / force - 1.0).abs() < 1e-12);
             prop_assert!((bed.at_indentation(state.indentation).force / force - 1.0).abs() < 1e-9);
+        }
+
+        /// The depth that takes an energy is found again, at the touch of a spring too.
+        #[test]
+        fn an_energy_is_found_again(gaps in gaps(), f in 1i32..600) {
+            let bed = RoughBed::new(&gaps, 1e3).unwrap();
+            let energy = 1e-14 * 10f64.powf(0.02 * f64::from(f));
+            let state = bed.at_energy(energy);
+            prop_assert!((state.energy / energy - 1.0).abs() < 1e-13);
+            for touch in bed.touches() {
+                let found = bed.at_energy(touch.energy);
+                prop_assert!((found.indentation - touch.indentation).abs() <= 1e-14 * touch.indentation);
+                prop_assert!((found.energy - touch.energy).abs() <= 1e-14 * touch.energy);
+            }
         }
     }
 }

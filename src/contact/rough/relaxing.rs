@@ -73,6 +73,17 @@ impl RelaxingRough {
     pub fn shared_spectrum(&self) -> Arc<Spectrum> {
         self.bed.shared_spectrum()
     }
+
+    /// Depth [m] that a mass of the kinetic energy `energy` [J] and the speed `speed` [m/s] does not pass on the way in
+    /// if nothing relaxes: the lesser of those at which the springs at E(0) alone, or the dashpots alone, take it.
+    ///
+    /// # Errors
+    /// As of [`RoughBed::new`].
+    pub fn stopped_at(&self, energy: f64, speed: f64) -> Result<f64, RoughError> {
+        let (spectrum, springs) = (self.bed.spectrum(), RoughBed::new(&self.layout().height, self.width)?);
+        let elastic = springs.at_energy(energy / spectrum.instantaneous()).indentation;
+        Ok(springs.at_force(energy / (spectrum.viscosity() * speed)).indentation.min(elastic))
+    }
 }
 
 impl ContactModel for RelaxingRough {

@@ -1,8 +1,9 @@
 //! Impact of a mass on an elastic, adhesive or viscoelastic half-space.
 //!
 //! The mass is free, m d̈ = −F, and the contact follows it without inertia of its own. Of elastic
-//! bodies energy alone gives the motion, jump by jump ([`Passage`]); a viscoelastic body remembers,
-//! and its bed is driven step by step ([`StruckHalfSpace`]). Any other contact is driven in straight pieces ([`SteppedMass`]).
+//! bodies energy alone gives the motion, jump by jump ([`Passage`]), on a rough line from spring to spring ([`SpringPassage`]); a
+//! viscoelastic body remembers, and its bed is driven step by step ([`StruckHalfSpace`]). Any other contact is driven in
+//! straight pieces ([`SteppedMass`]).
 //!
 //! # Examples
 //! ```
@@ -27,10 +28,12 @@
 
 mod driven;
 mod passage;
+mod springs;
 mod stepped;
 
 pub use driven::{Flight, StruckHalfSpace};
 pub use passage::Passage;
+pub use springs::SpringPassage;
 pub use stepped::{SteppedMass, Watcher};
 
 use crate::contact::adhesion::equilibrium::BranchError;

@@ -5,6 +5,8 @@ mod held;
 mod oblique;
 mod viscoelastic;
 mod results;
+pub mod rough;
+mod steps;
 mod table;
 
 use super::{SimulationError, Solved, Wanted};

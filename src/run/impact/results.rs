@@ -1,11 +1,16 @@
 //! Named results of impacts.
 
-use super::table::{AFTER, ImpactRow, LOST};
+use super::table::{
+    AFTER, CONTACT_TIME, GREATEST_DEPTH, ImpactRow, LARGEST_FORCE, LOSS, LOST, REBOUND_SPEED, RESTITUTION, over,
+};
+use crate::drive::impact::Rebound;
 use crate::friction::oblique::{BallRebound, Regime};
 use crate::run::named::Named;
 use crate::run::record::{Field, Record};
+use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::plan::ImpactPlan;
+use crate::shape::rough::Scatter;
 
 /// The results of a scene, in a fixed order; records, the contact radius at the greatest depth [m] and pressure are
 /// those of the fastest impact.
@@ -27,10 +32,19 @@ pub fn named(
     if let Some(intensity) = field.and_then(|field| field.stress_intensity) {
         add("largest_stress_intensity", Unit::PASCAL_ROOT_METRE, intensity);
     }
-    if plan.law.bodies().adheres() {
+    let adheres = plan.law.bodies().adheres();
+    if adheres {
         let least = records.iter().map(|record| record.normal.force).fold(0.0, f64::min);
         add("pull_off_force", Unit::NEWTON, least);
     }
+    results.extend(of_records(records, adheres));
+    results
+}
+
+/// Work and losses of the impact of the records, and its last state.
+fn of_records(records: &[Record], adheres: bool) -> Vec<Named> {
+    let mut results = Vec::new();
+    let mut add = |quantity, unit, value| results.push(Named::number(quantity, unit, value));
     if let (Some(first), Some(last)) = (records.first(), records.last()) {
         let (before, after) = (first.normal.stored.stored(), last.normal.stored.stored());
         add("work", Unit::JOULE, after - before + last.normal.dissipated);
@@ -39,7 +53,7 @@ pub fn named(
         add("final_indentation", Unit::METRE, last.normal.indentation.unwrap_or(0.0));
         add("final_force", Unit::NEWTON, last.normal.force);
         add("final_stored_elastic", Unit::JOULE, last.normal.stored.elastic);
-        if plan.law.bodies().adheres() {
+        if adheres {
             add("final_stored_surface", Unit::JOULE, last.normal.stored.surface);
         }
     }
@@ -79,6 +93,62 @@ fn lasted(rebound: &BallRebound, regime: Regime) -> f64 {
     let starts = std::iter::once(0.0).chain(phases.clone().map(|phase| phase.until));
     let parts = phases.zip(starts).filter(|(phase, _)| phase.regime == regime);
     rebound.contact_time * parts.map(|(phase, start)| phase.until - start).sum::<f64>()
+}
+
+/// Results that scatter over random surfaces, with the names of their deviations.
+const OF_SURFACES: [(Column<ImpactRow>, &str); 5] = [
+    (RESTITUTION, "restitution_deviation"),
+    (REBOUND_SPEED, "rebound_speed_deviation"),
+    (CONTACT_TIME, "contact_time_deviation"),
+    (LARGEST_FORCE, "largest_force_deviation"),
+    (Column { quantity: "largest_indentation", ..GREATEST_DEPTH }, "largest_indentation_deviation"),
+];
+
+/// The results of impacts on random surfaces, of each one row per speed; records are means over the surfaces at the
+/// greatest speed, `pulls` the greatest pulls [N] there of bodies that adhere.
+#[must_use]
+pub fn of_surfaces(surfaces: &[Vec<ImpactRow>], records: &[Record], pulls: Option<&[f64]>) -> Vec<Named> {
+    let speeds = surfaces.first().map_or(0, Vec::len);
+    let mut results = if speeds > 1 { curve(&means(surfaces, speeds)) } else { at_one_speed(surfaces) };
+    if let Some(pull) = pulls.and_then(Scatter::of) {
+        results.push(Named::number("pull_off_force", Unit::NEWTON, pull.mean));
+        let deviation = Named::number("pull_off_force_deviation", Unit::NEWTON, pull.deviation);
+        results.extend((surfaces.len() > 1).then_some(deviation));
+    }
+    results.extend(of_records(records, pulls.is_some()));
+    results
+}
+
+/// Means over random surfaces, and how far they scatter; the mass `sticks` if it comes free of none.
+fn at_one_speed(surfaces: &[Vec<ImpactRow>]) -> Vec<Named> {
+    let stuck = surfaces.iter().flatten().filter(|row| row.rebound.sticks()).count();
+    let many = surfaces.len() > 1;
+    let mut results = vec![Named::answer("sticks", stuck == surfaces.len())];
+    results.extend(many.then_some(Named::count("sticking_members", stuck)));
+    for (column, deviation) in &OF_SURFACES {
+        let Some(scatter) = over(surfaces, 0, column) else { continue };
+        results.push(Named::number(column.quantity, column.unit, scatter.mean));
+        results.extend(many.then_some(Named::number(deviation, column.unit, scatter.deviation)));
+    }
+    results
+}
+
+/// The mean impact over random surfaces at each speed.
+fn means(surfaces: &[Vec<ImpactRow>], speeds: usize) -> Vec<ImpactRow> {
+    let row = |k: usize| {
+        let mean = |column| over(surfaces, k, column).map(|scatter| scatter.mean);
+        let first = surfaces.first()?.get(k)?;
+        let rebound = Rebound {
+            contact_time: mean(&CONTACT_TIME),
+            restitution: mean(&RESTITUTION)?,
+            greatest_depth: mean(&GREATEST_DEPTH)?,
+            greatest_force: mean(&LARGEST_FORCE)?,
+            lost: mean(&LOSS)?,
+            error: first.rebound.error,
+        };
+        Some(ImpactRow { rebound, ..first.clone() })
+    };
+    (0..speeds).filter_map(row).collect()
 }
 
 /// What a list of speeds has beside its table.

@@ -16,8 +16,8 @@ fn oblique<'e>(entry: &EntryTraits<'e>) -> Option<&'e Impact> {
     entry.impact.filter(|impact| impact.is_oblique())
 }
 
-pub(super) fn impact_on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    entry.impact?;
+pub(super) fn impact_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.impact.filter(|_| is_without_bed(&draft.scene.shape))?;
     cannot_be_on(draft, &entry.place(), entry.name)
 }
 

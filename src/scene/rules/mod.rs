@@ -104,7 +104,7 @@ pub const RULES: [Rule; 31] = [
     Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),
     Rule::many(Shape, Bodies, parts::viscoelastic_on_plane),
-    Rule::entry(Shape, history::impact_on_shape),
+    Rule::entry(Shape, history::impact_on_plane),
     Rule::entry(Shape, history::slide_on_plane),
     Rule::entry(Shape, history::depth_of_wavy),
     Rule::entry(Shape, history::oblique_on_shape),

@@ -10,7 +10,8 @@ pub fn over_time(records: &[Record]) -> Vec<Panel> {
     [INDENTATION, FORCE, CONTACT_RADIUS].iter().map(|column| against_time(records, column)).collect()
 }
 
-/// Restitution against speed; impacts after which the bodies stay together are marked on the axis.
+/// Restitution against speed; impacts after which the bodies stay together, on all surfaces of an ensemble, are marked on
+/// the axis.
 pub fn restitution(impacts: &Table) -> Option<Panel> {
     let (speed, restitution) = (impacts.column("speed")?, impacts.column("restitution")?);
     let mut panel = Panel::new(log(axis(speed)), axis(restitution).from(0.0).to(1.0));
@@ -18,7 +19,7 @@ pub fn restitution(impacts: &Table) -> Option<Panel> {
     let mut rows: Vec<_> =
         points(speed, restitution).into_iter().zip(sticks).filter_map(|(point, sticks)| point.zip(*sticks)).collect();
     rows.sort_by(|(one, _), (other, _)| one.0.total_cmp(&other.0));
-    let (stuck, free): (Vec<_>, Vec<_>) = rows.into_iter().partition(|(_, sticks)| *sticks > 0.0);
+    let (stuck, free): (Vec<_>, Vec<_>) = rows.into_iter().partition(|(_, sticks)| *sticks >= 1.0);
     let names = if stuck.is_empty() { ("", "") } else { ("comes free", "stays") };
     if !free.is_empty() {
         let series = Series::new(names.0, free.iter().map(|(point, _)| *point));

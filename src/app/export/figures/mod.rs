@@ -47,6 +47,8 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
         },
         Plan::Plane(_) => vec![Plot::Force, Plot::Radius, Plot::Pressure],
         Plan::Rough(rough) => rough::suiting(rough),
+        Plan::RoughImpact(impact) if impact.impact.speed.len() > 1 => vec![Plot::Restitution],
+        Plan::RoughImpact(_) => vec![Plot::Force, Plot::Shape],
     }
 }
 
@@ -92,6 +94,7 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
             Some(shape::profile(profile.as_ref(), outcome))
         }
         Plan::Rough(rough) => Some(rough::line(rough)),
+        Plan::RoughImpact(impact) => Some(rough::line(&impact.rough)),
         Plan::Plane(_) => None,
     }
 }
@@ -100,7 +103,7 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
 fn oblique(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let angle = match plan {
         Plan::Impact(plan) => plan.impact.incidence(),
-        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) => return Vec::new(),
+        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => return Vec::new(),
     };
     let tables = outcome.table("incidence").zip(outcome.table("impacts"));
     tables.and_then(|(table, impacts)| impacts::incidence(angle, table, impacts)).unwrap_or_default()
@@ -115,6 +118,10 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = [FORCE, INDENTATION].map(|column| against_time(records, &column));
             let over_time = over_time.into_iter().filter(|_| rough.relaxation.is_some());
             rough::force(rough, outcome).into_iter().chain(over_time).collect()
+        }
+        Plan::RoughImpact(_) => {
+            let over_time = [INDENTATION, FORCE].map(|column| against_time(records, &column));
+            over_time.into_iter().chain([rough::against_depth(outcome)]).collect()
         }
         Plan::Plane(_) => vec![against_depth(force_of(plan))],
         Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(force_of(plan))]).collect(),

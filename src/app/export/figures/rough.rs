@@ -17,9 +17,14 @@ pub fn suiting(plan: &RoughPlan) -> Vec<Plot> {
 
 /// Force over the indentation and stiffness over the force.
 pub fn force(plan: &RoughPlan, outcome: &Outcome) -> Vec<Panel> {
-    let panel = banded(outcome, &INDENTATION, &FORCE);
+    let panel = against_depth(outcome);
     let panel = if plan.works.is_some() { panel } else { Panel { y: panel.y.from(0.0), ..panel } };
-    vec![panel.note("Indentation counts from first touch."), stiffness(plan, outcome)]
+    vec![panel, stiffness(plan, outcome)]
+}
+
+/// Force over the indentation.
+pub fn against_depth(outcome: &Outcome) -> Panel {
+    banded(outcome, &INDENTATION, &FORCE).note("Indentation counts from first touch.")
 }
 
 fn stiffness(plan: &RoughPlan, outcome: &Outcome) -> Panel {
