@@ -59,6 +59,17 @@ pub struct ViscoelasticBed {
     springs: Vec<(Spring, SpringGrip)>,
     /// Energy lost to friction so far [J].
     dissipated: f64,
+    /// Work ∫F_x du_x done along the surface so far [J].
+    work: f64,
+}
+
+/// What a spring has lost and taken along the surface, over μm.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Rubbed {
+    /// ∫q ds, the normal load over the way slipped.
+    lost: f64,
+    /// ∫q_x du/μ, the tangential load over the way of the indenter.
+    work: f64,
 }
 
 /// Tangential state of a spring, divided by m.
@@ -122,7 +133,17 @@ impl ViscoelasticBed {
         let rest = Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] };
         let springs = vec![(Spring::untouched(&spectrum), SpringGrip::Free(rest)); layout.len()];
         let (coefficient, reach) = (grip.coefficient, grip.reach());
-        Self { spectrum, layout, coefficient, reach, depth: 0.0, speeds: (0.0, 0.0), springs, dissipated: 0.0 }
+        Self {
+            spectrum,
+            layout,
+            coefficient,
+            reach,
+            depth: 0.0,
+            speeds: (0.0, 0.0),
+            springs,
+            dissipated: 0.0,
+            work: 0.0,
+        }
     }
 
     /// Moves at the normal speed `speed` and the tangential speed `slide` [m/s] for `duration` [s].
@@ -130,15 +151,18 @@ impl ViscoelasticBed {
         let motion = Motion { start: self.depth, speed, duration };
         let slide = if self.reach > 0.0 { slide / self.reach } else { 0.0 };
         let spectrum = self.spectrum.as_ref();
-        let mut slipped = 0.0;
+        let mut all = Rubbed::default();
         for (j, (normal, tangential)) in self.springs.iter_mut().enumerate() {
             let seen = Motion { start: motion.start - self.layout.height[j], ..motion };
             let before = std::mem::replace(normal, Spring::Pressed(Vec::new()));
-            let mut lost = 0.0;
-            *normal = before.follow(spectrum, &seen, &mut |piece| lost += tangential.follow(spectrum, piece, slide));
-            slipped += self.layout.weight[j] * lost;
+            *normal = before.follow(spectrum, &seen, &mut |piece| {
+                let rubbed = tangential.follow(spectrum, piece, slide);
+                all.lost += self.layout.weight[j] * rubbed.lost;
+                all.work += self.layout.weight[j] * rubbed.work;
+            });
         }
-        self.dissipated += self.coefficient * self.reach * slipped;
+        self.dissipated += self.coefficient * self.reach * all.lost;
+        self.work += self.coefficient * self.reach * all.work;
         self.depth = motion.end();
         self.speeds = (speed, slide);
     }
@@ -180,6 +204,22 @@ impl ViscoelasticBed {
         self.dissipated
     }
 
+    /// Energy stored in tangential deformation [J], ½G∞v² + Σ fᵢ²/2Gᵢ of each spring, those left and still creeping
+    /// included.
+    #[must_use]
+    pub fn stored(&self) -> f64 {
+        let springs = self.springs.iter().zip(&self.layout.weight);
+        let sum: f64 = springs.map(|((_, own), weight)| weight * own.stored(&self.spectrum)).sum();
+        self.coefficient * self.reach * sum
+    }
+
+    /// Energy lost so far [J] by the tangential springs as they relax: what of the work along the surface is neither
+    /// stored nor lost to friction.
+    #[must_use]
+    pub fn relaxed(&self) -> f64 {
+        self.work - self.stored() - self.dissipated
+    }
+
     /// Normal and tangential force [N].
     #[must_use]
     pub fn forces(&self) -> (f64, f64) {
@@ -212,13 +252,19 @@ impl ViscoelasticBed {
 }
 
 impl SpringGrip {
-    /// Follows a stretch of the normal motion while the indenter slides at the speed `slide`; gives ∫q ds [N], the
-    /// normal load over the way slipped.
-    fn follow(&mut self, spectrum: &Spectrum, piece: &Piece<'_>, slide: f64) -> f64 {
+    /// Energy stored [N], over μm.
+    fn stored(&self, spectrum: &Spectrum) -> f64 {
+        let (displacement, loads, _) = self.touched(spectrum);
+        let elements = spectrum.terms().iter().zip(&loads).map(|(term, load)| load * load / term.modulus);
+        0.5 * (spectrum.equilibrium() * displacement * displacement + elements.sum::<f64>())
+    }
+
+    /// Follows a stretch of the normal motion while the indenter slides at the speed `slide`.
+    fn follow(&mut self, spectrum: &Spectrum, piece: &Piece<'_>, slide: f64) -> Rubbed {
         match *piece {
             Piece::Free { duration, .. } => {
                 self.recover(spectrum, duration);
-                0.0
+                Rubbed::default()
             }
             Piece::Pressed { u, s, speed, duration } => {
                 self.drag(spectrum, &UnderIndenter { start: u, loads: s, speed, slide, duration })
@@ -235,31 +281,32 @@ impl SpringGrip {
         }
     }
 
-    fn drag(&mut self, spectrum: &Spectrum, pressed: &UnderIndenter<'_>) -> f64 {
+    fn drag(&mut self, spectrum: &Spectrum, pressed: &UnderIndenter<'_>) -> Rubbed {
         let (mut displacement, mut loads, slip) = self.touched(spectrum);
         if let SlipState::Towards(side) = slip {
             let free = pressed.difference(spectrum, side, displacement, &loads);
             if spectrum.recovery_speed(&free, 0.0) > pressed.speed - side * pressed.slide {
-                let lost = pressed.load_over_slip(spectrum, side, &free);
+                let rubbed = pressed.rubbed(spectrum, side, &free);
                 *self = pressed.slipped(spectrum, side, free);
-                return lost;
+                return rubbed;
             }
         }
         let first = pressed.first_slip(spectrum, displacement, &loads);
         let stuck = first.map_or(pressed.duration, |(time, _)| time);
+        let work = pressed.slide * load_over_time(spectrum, (displacement, &loads), pressed.slide, stuck);
         spectrum.press(&mut loads, pressed.slide, stuck);
         displacement += pressed.slide * stuck;
         let Some((time, side)) = first else {
             *self = Self::Held { displacement, loads, slip: SlipState::No };
-            return 0.0;
+            return Rubbed { lost: 0.0, work };
         };
         let (start, mut normal) = (pressed.start + pressed.speed * time, pressed.loads.to_vec());
         spectrum.press(&mut normal, pressed.speed, time);
         let rest = UnderIndenter { start, loads: &normal, duration: pressed.duration - time, ..*pressed };
         let free = rest.difference(spectrum, side, displacement, &loads);
-        let lost = rest.load_over_slip(spectrum, side, &free);
+        let slipping = rest.rubbed(spectrum, side, &free);
         *self = rest.slipped(spectrum, side, free);
-        lost
+        Rubbed { work: work + slipping.work, ..slipping }
     }
 
     /// The state of a spring that is, or has just come, under the indenter.
@@ -295,24 +342,20 @@ impl UnderIndenter<'_> {
         }
     }
 
-    /// ∫₀^T q (side·u̇ − ṅ + ż) dt [N] over a stretch slipped all along: the load of the normal spring over the way the
-    /// indenter slips on it, with the free difference z = z₀ + Σ zₖ e^(−t/λₖ).
+    /// A stretch slipped all along: ∫₀^T q (side·u̇ − ṅ + ż) dt [N], the load of the normal spring over the way the
+    /// indenter slips on it, with the free difference z = z₀ + Σ zₖ e^(−t/λₖ), and side·∫ q u̇ dt.
     ///
-    /// q(t) = E∞n + ηṅ + Σ [sᵢ e^(−t/τᵢ) + Eᵢṅτᵢ (1 − e^(−t/τᵢ))], so that all is a sum of integrals of e^(−t/λ),
-    /// e^(−t/τ) and their products; x = T/λ and y = T/τ, with 1 − e^(−x−y) = (1 − e^(−x)) + e^(−x) (1 − e^(−y)).
-    fn load_over_slip(&self, spectrum: &Spectrum, side: f64, free: &Free) -> f64 {
+    /// With q(t) as of [`load_over_time`] all is a sum of integrals of e^(−t/λ), e^(−t/τ) and their products; x = T/λ
+    /// and y = T/τ, with 1 − e^(−x−y) = (1 − e^(−x)) + e^(−x) (1 − e^(−y)).
+    fn rubbed(&self, spectrum: &Spectrum, side: f64, free: &Free) -> Rubbed {
         let (time, speed) = (self.duration, self.speed);
         if time <= 0.0 {
-            return 0.0;
+            return Rubbed::default();
         }
         let (floor, steady) = (spectrum.equilibrium() * speed * time, spectrum.viscosity() * speed);
         let start = spectrum.equilibrium() * self.start + steady;
         let elements = || spectrum.terms().iter().zip(self.loads);
-        let held = |(term, load): (&Element, &f64)| {
-            let y = time / term.time;
-            load * faded(y) + term.modulus * speed * time * grown(y)
-        };
-        let ramp = time * (start + 0.5 * floor + elements().map(held).sum::<f64>());
+        let ramp = load_over_time(spectrum, (self.start, self.loads), speed, time);
         let creeping = |(mode, z): (&Mode, &f64)| {
             let x = time / mode.time;
             let (kept, lost) = decay(x);
@@ -325,7 +368,7 @@ impl UnderIndenter<'_> {
             -z * (start * lost + floor * rising + elements().map(element).sum::<f64>())
         };
         let creep: f64 = spectrum.modes().iter().zip(&free.modes).map(creeping).sum();
-        (side * self.slide - speed) * ramp + creep
+        Rubbed { lost: (side * self.slide - speed) * ramp + creep, work: side * self.slide * ramp }
     }
 
     /// The end of a stretch slipped all along: v = side·(n − z) with the free difference z.
@@ -341,6 +384,17 @@ impl UnderIndenter<'_> {
         let displacement = side * (self.start + self.speed * self.duration - spectrum.recovered(&free, 0.0));
         SpringGrip::Held { displacement, loads, slip: SlipState::Towards(side) }
     }
+}
+
+/// ∫₀^T q dt [N s/m] of a spring of the displacement u₀ and the element loads sᵢ that goes at the speed u̇ for the time T:
+/// q(t) = E∞u + ηu̇ + Σ [sᵢ e^(−t/τᵢ) + Eᵢu̇τᵢ (1 − e^(−t/τᵢ))].
+fn load_over_time(spectrum: &Spectrum, (start, loads): (f64, &[f64]), speed: f64, time: f64) -> f64 {
+    let held = |(term, load): (&Element, &f64)| {
+        let y = time / term.time;
+        load * faded(y) + term.modulus * speed * time * grown(y)
+    };
+    let steady = spectrum.equilibrium() * (start + 0.5 * speed * time) + spectrum.viscosity() * speed;
+    time * (steady + spectrum.terms().iter().zip(loads).map(held).sum::<f64>())
 }
 
 /// (1 − e^(−y))/y, the mean of e^(−t) over 0 … y.
@@ -418,7 +472,7 @@ mod tests {
                 spectrum(0.5, &[(0.5, 0.3)], 0.05),
             ];
             let (mut whole, mut cut) = (bed(&kinds[which], GRIP), bed(&kinds[which], GRIP));
-            let mut before = 0.0;
+            let (mut before, mut heat) = (0.0, 0.0);
             for motion in history {
                 let (pair, time) = speeds(motion);
                 whole.advance(pair, time);
@@ -430,6 +484,10 @@ mod tests {
                 let (lost, other) = (whole.dissipated(), cut.dissipated());
                 prop_assert!((lost - other).abs() < 1e-11 && lost > before - 1e-14, "{before} {lost} {other}");
                 before = lost;
+                prop_assert!((whole.stored() - cut.stored()).abs() < 1e-11 && whole.stored() >= 0.0);
+                prop_assert!((whole.relaxed() - cut.relaxed()).abs() < 1e-11, "{} {}", whole.relaxed(), cut.relaxed());
+                prop_assert!(whole.relaxed() > heat - 1e-13, "{heat} {}", whole.relaxed());
+                heat = whole.relaxed();
                 prop_assert!(force.abs() <= GRIP.coefficient * normal * (1.0 + 1e-12) + 1e-14);
             }
         }
@@ -447,6 +505,31 @@ mod tests {
             assert!((force / (GRIP.coefficient * normal) - 1.0).abs() < 1e-14);
             assert_eq!(bed.held().1, 0);
         }
+    }
+
+    /// The work along the surface is ∫F_x du_x, by the trapezoidal rule to second order of a step, and what is not
+    /// stored or rubbed away has relaxed: all of it when the springs have come to rest.
+    #[test]
+    fn the_work_is_that_of_the_force() {
+        let rubber = spectrum(0.2, &[(0.8, 0.3)], 0.01);
+        let mut bed = bed(&rubber, GRIP);
+        let (mut work, mut last, steps) = (0.0, 0.0, 2000);
+        for (pair, time) in [((1.0, 0.1), 0.8), ((0.0, 0.7), 0.5), ((-0.5, -0.9), 0.6), ((0.3, 0.2), 1.0)] {
+            bed.advance(pair, 1e-12);
+            last = bed.forces().1;
+            for _ in 0..steps {
+                bed.advance(pair, time / f64::from(steps));
+                let now = bed.forces().1;
+                work += 0.5 * (last + now) * pair.1 * time / f64::from(steps);
+                last = now;
+            }
+        }
+        assert!(last.abs() > 0.0 && (bed.work / work - 1.0).abs() < 1e-5, "{} {work}", bed.work);
+        // Apart for long: nothing is stored, and all has become heat.
+        bed.advance((-1.0, 0.0), 10.0);
+        bed.advance((0.0, 0.0), 100.0);
+        assert!(bed.stored() < 1e-12 && (bed.relaxed() + bed.dissipated() - bed.work).abs() < 1e-12);
+        assert!(bed.relaxed() > 0.1 * bed.dissipated());
     }
 
     /// μ → ∞: every spring sticks, and a slide at constant speed after touch gives

@@ -28,8 +28,7 @@ pub enum Law {
     Swap,
     /// Prony terms without weight leave the elastic contact.
     Elastic,
-    /// ∫F dd + ∫F_x du = stored + dissipated, and what is lost is not found again. Under friction of bodies that relax
-    /// the work is more: what the tangential springs store, and lose without slipping, is not told.
+    /// ∫F dd + ∫F_x du = stored + dissipated, and what is lost is not found again.
     Ledger,
 }
 
@@ -127,9 +126,8 @@ impl Cell {
             kept.extend(elastic_limit(&written, exact));
         }
         if !written.strikes() {
-            let told = (self.finds_losses(), !(written.relaxes() && written.rubs()));
             let fine = written.finer(FINE);
-            let failure = outcome(&fine).map_or_else(Some, |fine| ledger(&fine, exact, told));
+            let failure = outcome(&fine).map_or_else(Some, |fine| ledger(&fine, exact, self.finds_losses()));
             kept.push(Kept { law: Law::Ledger, failure: failure.map(|why| format!("{why}: {}", fine.text())) });
         }
         kept
@@ -179,8 +177,8 @@ fn elastic_limit(written: &Written, exact: f64) -> Option<Kept> {
 }
 
 /// Work by the trapezoidal rule between records, against what is stored and lost; nothing lost is found again unless the
-/// contact `finds` it, and the work is no more if `all_told`.
-fn ledger(whole: &Outcome, exact: f64, (finds, all_told): (bool, bool)) -> Option<String> {
+/// contact `finds` it.
+fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String> {
     let energy = Ends::of(whole)?.energy;
     let lost = |record: &Record| record.normal.dissipated;
     let back = whole.records.windows(2).map(|pair| lost(&pair[0]) - lost(&pair[1])).fold(0.0, f64::max);
@@ -189,8 +187,7 @@ fn ledger(whole: &Outcome, exact: f64, (finds, all_told): (bool, bool)) -> Optio
     }
     let (first, last) = (whole.records.first()?, whole.records.last()?);
     let work: f64 = whole.records.windows(2).map(|pair| work(&pair[0], &pair[1])).sum();
-    let beyond = work - accounted(last) + accounted(first);
-    let off = if all_told { beyond.abs() } else { (-beyond).max(0.0) };
+    let off = (work - accounted(last) + accounted(first)).abs();
     let bound = TRAPEZOIDS + exact;
     (off > bound * energy).then(|| format!("the ledger is open by {:e} of the energies", off / energy))
 }

@@ -401,9 +401,4 @@ impl Written {
     pub(super) fn relaxes(&self) -> bool {
         self.bodies.iter().any(|body| body.starts_with("Viscoelastic"))
     }
-
-    /// Whether there is friction.
-    pub(super) fn rubs(&self) -> bool {
-        !self.friction.is_empty()
-    }
 }

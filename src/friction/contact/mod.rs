@@ -81,6 +81,11 @@ pub trait TangentialContact: Send {
         vec![None; radii.len()]
     }
 
+    /// Energy [J] its springs have lost so far as they relax.
+    fn relaxed(&self) -> f64 {
+        0.0
+    }
+
     /// The contact as it is, on its own.
     fn copy(&self) -> Box<dyn TangentialContact>;
 
@@ -231,7 +236,8 @@ impl ContactModel for FrictionalContact {
     }
 
     fn sheared(&self) -> Normal {
-        self.friction.sheared(self.normal.state())
+        let normal = self.friction.sheared(self.normal.state());
+        Normal { dissipated: normal.dissipated + self.friction.relaxed(), ..normal }
     }
 
     fn settle(&mut self) -> Result<(), ContactError> {

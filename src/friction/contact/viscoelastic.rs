@@ -8,7 +8,7 @@ use crate::friction::{FrictionError, ViscoelasticBed};
 /// A bed of viscoelastic springs with friction, driven along the depth of the normal contact.
 ///
 /// Exact in time for depth and slide that are straight in each step. What springs lose by slip is told apart from what
-/// they lose by relaxing; what they store is not.
+/// they lose by relaxing.
 #[derive(Debug, Clone)]
 pub struct ViscoelasticFriction {
     bed: ViscoelasticBed,
@@ -43,10 +43,14 @@ impl TangentialContact for ViscoelasticFriction {
             force: self.bed.forces().1,
             stick_radius,
             stiffness: 2.0 * self.tangential_modulus * stick_radius,
-            stored: None,
+            stored: Some(self.bed.stored()),
             dissipated: Some(self.bed.dissipated()),
             area_ratio: None,
         }
+    }
+
+    fn relaxed(&self) -> f64 {
+        self.bed.relaxed()
     }
 
     fn copy(&self) -> Box<dyn TangentialContact> {
