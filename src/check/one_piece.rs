@@ -45,7 +45,8 @@ pub fn in_words(plan: &Plan, outcome: &Outcome) -> Vec<String> {
         Plan::Impact(impact) => impact.profile.as_ref(),
     };
     if let Shape::PlaneWave(wave) = &plan.scene.shape {
-        return vec![flattened(plan, wave)];
+        let plain = !plan.adheres() && plan.relaxation().is_none();
+        return vec![if plain { flattened(plan, wave) } else { "one contact per period".to_owned() }];
     }
     let radii = outcome.records.iter().filter_map(|record| record.normal.contact_radius);
     let limit = limit(profile, radii.fold(0.0, f64::max));

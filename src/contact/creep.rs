@@ -90,6 +90,9 @@ impl Creep {
     }
 }
 
+/// Part of a load by which a root may miss it: at a profile's end it misses by much more.
+const MET: f64 = 1e-6;
+
 /// The indentation d at which ∫₀^a (d − g) dx = `load` [m²] without adhesion.
 fn depth_of_load(profile: &dyn Profile, load: f64) -> Option<f64> {
     if load <= 0.0 {
@@ -108,5 +111,6 @@ fn depth_of_load(profile: &dyn Profile, load: f64) -> Option<f64> {
         (low, high) = (0.25 * low, low);
     }
     let depth = root::brent(|d| residual(d).unwrap_or(load), low, high).ok()?;
-    residual(depth).map(|_| depth)
+    // At the end of a profile a search ends where the load is not met.
+    residual(depth).filter(|rest| rest.abs() <= MET * load).map(|_| depth)
 }

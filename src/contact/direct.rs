@@ -230,7 +230,7 @@ impl<F: Foundation> QuasiStatic<F> {
     /// A contact held by a wall; an error at the end of a profile that is not defined further.
     fn beyond_end(&self, control: Control, s: f64, to: f64) -> Result<Present, BranchError> {
         let (ElasticAttraction::Line(line), Rim::Wall(_)) = (&self.attraction, self.profile().rim()) else {
-            return Err(BranchError::BeyondEnd { end: s });
+            return Err(BranchError::BeyondEnd { end: self.profile().contact_radius(s) });
         };
         let d = match control {
             Control::Indentation => to,
@@ -353,8 +353,12 @@ impl QuasiStatic {
 
     /// q(a) = E*(d − g(a)) [N/m], the singular load at the edge.
     fn edge_load(&self) -> f64 {
-        let Balance { contact_radius, indentation, .. } = self.present.balance;
+        let Balance { contact_radius, indentation, force, .. } = self.present.balance;
         match &self.attraction {
+            // A closed wave gives too little for the depth to tell its load.
+            ElasticAttraction::Line(line) if self.profile().is_plane() && contact_radius >= line.end() => {
+                line.ground().modulus() * line.ground().edge_under(contact_radius, force)
+            }
             ElasticAttraction::Line(line) if self.present.joined && !self.is_smooth() => {
                 line.ground().modulus() * (indentation - line.ground().depth(contact_radius))
             }

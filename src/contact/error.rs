@@ -48,6 +48,12 @@ pub enum BedError {
         /// Indentation [m].
         indentation: f64,
     },
+    /// The contact would become larger than the profile under a force.
+    #[error("the contact outgrows the profile under the force {force:e} N")]
+    Overloaded {
+        /// Normal force [N].
+        force: f64,
+    },
 }
 
 /// Why a plane contact cannot follow.

@@ -28,7 +28,7 @@
 //! ```
 
 use super::creep::Creep;
-use super::error::ContactError;
+use super::error::{ContactError, PlaneError};
 use super::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
 use super::state::{Normal, Tangential};
 use crate::material::Spectrum;
@@ -59,6 +59,16 @@ impl LyingContact {
         Normal { contact_radius, stiffness, ..normal }
     }
 
+    /// Whether a wave can go where a piece leads: no further than to lie flat, to what rounds a great force.
+    fn can_go(&self, piece: &Straight) -> Result<(), ContactError> {
+        let Rim::Wall(end) = self.profile.rim() else { return Ok(()) };
+        let full = self.profile.reduced(end);
+        if piece.to > full * (1.0 + FLAT) {
+            return Err(PlaneError::FullContact { indentation: piece.to, full }.into());
+        }
+        Ok(())
+    }
+
     fn told_tangential(&self, tangential: Tangential) -> Tangential {
         Tangential { stick_radius: self.profile.contact_radius(tangential.stick_radius), ..tangential }
     }
@@ -75,11 +85,13 @@ impl LyingContact {
 
 impl ContactModel for LyingContact {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
+        self.can_go(piece)?;
         let events = self.bed.follow(piece)?;
         Ok(self.told_events(&events))
     }
 
     fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
+        self.can_go(piece)?;
         self.bed.look(piece)
     }
 
@@ -145,6 +157,9 @@ impl ContactModel for LyingContact {
         self.bed.leave();
     }
 }
+
+/// How much deeper, as a part, a closed wave is taken to be under a force.
+const FLAT: f64 = 1e-9;
 
 /// Places beyond this part of a closed bed are as good as its end: y = 1e-8 where the bed ends at 1e-12.
 const LAST: f64 = 1e-4;

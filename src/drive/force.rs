@@ -25,6 +25,7 @@ use crate::contact::error::{BedError, ContactError};
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
 use crate::numerics::root;
+use std::cell::Cell;
 
 /// A prescribed force that goes linearly with time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,7 +183,7 @@ impl ForceDrive {
         let duration = until - self.now;
         match self.exact(until) {
             Some(creep) => {
-                let depth = creep.indentation().ok_or(BedError::BeyondProfile { indentation: f64::INFINITY })?;
+                let depth = creep.indentation().ok_or(BedError::Overloaded { force: creep.force() })?;
                 Ok(Some((depth - depth_of(contact)) / duration))
             }
             None => speed_to(contact, self.target(until), duration),
@@ -208,12 +209,12 @@ pub(super) fn ahead(contact: &dyn ContactModel, speed: f64, duration: f64) -> St
 pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
     let state = contact.state();
     let depth = state.indentation.unwrap_or(0.0);
-    let mut failed = None;
+    let failed = Cell::new(None);
     // Force beyond the prescribed one, and whether the bodies still touch.
     let mut look = |speed: f64| match contact.look(&ahead(contact, speed, duration)) {
         Ok(seen) => (seen.force - force, seen.contact_radius > 0.0),
         Err(error) => {
-            failed = Some(error);
+            failed.set(Some(error));
             (f64::MAX, true)
         }
     };
@@ -225,13 +226,18 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
     }
     let near = still.abs() / stiffness / duration;
     let width = near.max(1e-12 * depth.abs() / duration).max(1e-300).copysign(-still);
-    let Some((inner, width)) = bracket(&mut look, still, width) else { return failed.map_or(Ok(None), Err) };
+    let Some((inner, width)) = bracket(&mut look, still, width) else { return failed.get().map_or(Ok(None), Err) };
     let speed = root::brent(|speed| look(speed).0, inner.min(width), inner.max(width)).unwrap_or(width);
-    match failed.filter(|_| speed.abs() <= 0.0) {
+    // At the end of a profile the search ends where the force is not met.
+    let missed = failed.get().is_some() && look(speed).0.abs() > MET * force.abs();
+    match failed.get().filter(|_| missed || speed.abs() <= 0.0) {
         Some(error) => Err(error),
         None => Ok(Some(speed)),
     }
 }
+
+/// Part of a force by which a root may miss it.
+const MET: f64 = 1e-9;
 
 /// Two speeds between which the force is met, from zero on and widened from `width` [m/s]; `still` is what it is too
 /// great by at rest [N]. `None` if no speed meets it.

@@ -17,10 +17,12 @@ pub fn results(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
     let largest = records.iter().map(|record| record.normal.force).fold(0.0, f64::max) / area;
     let mut results = vec![
         Named::number("largest_mean_pressure", Unit::PASCAL, largest),
-        Named::number("full_contact_pressure", Unit::PASCAL, wave.full_contact_pressure()),
         Named::number("rms_slope", Unit::ONE, shape.rms_slope()),
     ];
     let plain = !plan.contact.bodies().adheres() && plan.contact.bodies().relaxation().is_none();
+    if plain {
+        results.push(Named::number("full_contact_pressure", Unit::PASCAL, wave.full_contact_pressure()));
+    }
     if let Some(law) = plan.scene.friction.as_ref().filter(|_| plain).and_then(capped) {
         let sliding = wave.sliding(largest, law);
         results.push(Named::number("gross_sliding_force", Unit::NEWTON, sliding.mean_shear * area));
@@ -34,7 +36,7 @@ pub fn remark(plan: &RoundPlan, records: &[Record]) -> Option<String> {
     let Shape::PlaneWave(_) = &plan.scene.shape else { return None };
     let closed = records.iter().any(|record| record.normal.stiffness.is_infinite());
     (closed && plan.contact.bodies().adheres()).then(|| {
-        "the wave has closed under adhesion: without a flaw it opens again under no pull (Johnson 1995); a real one opens from its largest flaw".to_owned()
+        "the wave has closed under adhesion: without a flaw no pull opens it again (Johnson 1995), and a depth that goes back opens it from a flaw without width; a real one opens from its largest flaw, at another force".to_owned()
     })
 }
 

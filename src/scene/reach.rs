@@ -32,6 +32,8 @@ pub struct Bound {
 pub enum Beyond {
     /// The profile has ended.
     End,
+    /// The wave lies flat.
+    FullContact,
     /// The profile touches outside the contact first: it is no longer simply connected.
     SecondContact,
 }
@@ -43,7 +45,12 @@ impl Bound {
         let depth = self.depth;
         match self.beyond {
             Beyond::End => {
-                format!("{depth:.3e} m, where the profile ends (the radius of a sphere, the last row of a table)")
+                format!(
+                    "{depth:.3e} m, where the profile ends (the radius of a sphere, the last row of a table, a half width of 0.45 datum, 0.99 of the load that closes a wave)"
+                )
+            }
+            Beyond::FullContact => {
+                format!("{depth:.3e} m, where the wave lies flat and no depth decides the force: expected Press(to: …)")
             }
             Beyond::SecondContact => format!(
                 "{depth:.3e} m, from where on the contact would not stay simply connected: a ring touches outside it"
@@ -56,7 +63,14 @@ impl Bound {
 #[must_use]
 pub fn bounds(profile: &dyn Profile, adhesion: bool) -> Vec<Bound> {
     let second = if adhesion { None } else { second_contact(profile) };
-    second.into_iter().chain(end(profile)).collect()
+    second.into_iter().chain(end(profile)).chain(full_contact(profile)).collect()
+}
+
+/// The indentation at which a wave lies flat: a force presses on, a depth goes no further.
+fn full_contact(profile: &dyn Profile) -> Option<Bound> {
+    let Rim::Wall(end) = profile.rim() else { return None };
+    let bound = |depth| Bound { depth, load_integral: f64::INFINITY, beyond: Beyond::FullContact };
+    profile.is_plane().then(|| bound(profile.reduced(end)))
 }
 
 /// The indentation at which the profile ends; `None` if it goes on for ever.

@@ -7,7 +7,7 @@ use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{self, Joined, Relaxation};
 use crate::scene::history::{Entry, MotionTable};
-use crate::shape::{Family, PlaneWavy, Profile, RoughShape, Shape};
+use crate::shape::{Family, Lying, PlaneWavy, Profile, RoughShape, Shape};
 use std::sync::Arc;
 
 /// The parts of a scene with their tables read; a part is missing where it cannot be read.
@@ -27,7 +27,7 @@ impl Read {
         Self {
             relaxation: joined.as_ref().and_then(|joined| joined.relaxation.clone()).map(Arc::new),
             joined,
-            geometry: Geometry::of(&scene.shape, tables).map_err(|found| problems.extend(found)).ok(),
+            geometry: Geometry::of(scene, tables).map_err(|found| problems.extend(found)).ok(),
             strength: strength(scene.friction.as_ref(), tables).map_err(|found| problems.push(found)).ok().flatten(),
             motions: motions(&scene.history, tables, problems),
         }
@@ -44,10 +44,14 @@ pub(super) enum Geometry {
 }
 
 impl Geometry {
-    fn of(shape: &Shape, tables: &dyn Tables) -> Result<Self, Vec<Problem>> {
+    fn of(scene: &Scene, tables: &dyn Tables) -> Result<Self, Vec<Problem>> {
+        let shape = &scene.shape;
         let rough = |surface, base| Self::Rough(Arc::new(surface), base);
         Ok(match shape.family() {
-            Family::Round => Self::Round(profile(shape, tables)?),
+            Family::Round => Self::Round(match shape {
+                Shape::PlaneWave(wave) if !is_of_the_present(scene) => Arc::new(Lying::from(wave).kept_open()),
+                _ => profile(shape, tables)?,
+            }),
             Family::Line(line) => rough(surface::of_line(line, tables)?, base(line, tables)?),
             Family::Map(path, pixel) => rough(surface::of_map(path, pixel, tables)?, None),
             Family::Wavy(wavy) => Self::Wavy(wavy.clone()),
@@ -62,6 +66,14 @@ impl Geometry {
             Self::Wavy(_) => None,
         }
     }
+}
+
+/// Whether the state of a contact follows from its present depth or force, which a wave needs that may lie flat.
+fn is_of_the_present(scene: &Scene) -> bool {
+    let slides = |entry: &Entry| matches!(entry, Entry::Slide(_) | Entry::Shake(_) | Entry::Table(_));
+    let rubs = scene.friction.is_some() && scene.history.iter().any(slides);
+    let pinned = scene.adhesion.as_ref().is_some_and(|adhesion| adhesion.traits().closing.is_some());
+    !scene.relaxes() && !pinned && !rubs && scene.springs.is_none()
 }
 
 fn profile(shape: &Shape, tables: &dyn Tables) -> Result<Arc<dyn Profile>, Vec<Problem>> {

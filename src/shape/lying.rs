@@ -27,30 +27,46 @@ pub struct Lying {
     width: f64,
     /// Whether the section is one period of a wave.
     periodic: bool,
+    /// The least y.
+    least: f64,
 }
 
 /// The least y of a cylinder, X = 0.45 L: its contact is to be small against L.
 const WIDEST: f64 = 3.0;
 /// The least y of a wave: what stays open is then 3e-7 of its length, and the contact counts as full.
 const CLOSED: f64 = 1e-12;
+/// The least y of a wave that is followed while it is open: to 0.99 of the load of full contact.
+const OPEN: f64 = 1e-2;
 /// Beyond this y nothing is left of e^(−y).
 const NOTHING: f64 = 700.0;
 
 impl From<&Cylinder> for Lying {
     fn from(cylinder: &Cylinder) -> Self {
         let (radius, datum) = (cylinder.radius.si(), cylinder.datum.si());
-        Self { height: datum * (datum / radius), reach: datum, width: cylinder.width(), periodic: false }
+        Self { height: datum * (datum / radius), reach: datum, width: cylinder.width(), periodic: false, least: WIDEST }
     }
 }
 
 impl From<&PlaneWave> for Lying {
     fn from(wave: &PlaneWave) -> Self {
         let reach = wave.wavelength.si() / TAU;
-        Self { height: wave.amplitude.si(), reach, width: wave.width(), periodic: true }
+        Self { height: wave.amplitude.si(), reach, width: wave.width(), periodic: true, least: CLOSED }
     }
 }
 
 impl Lying {
+    /// The same, a wave to its full contact no more: springs that are laid out one by one, that remember or slip, have
+    /// no end where the wave lies flat.
+    #[must_use]
+    pub fn kept_open(self) -> Self {
+        Self { least: self.least.max(OPEN), ..self }
+    }
+
+    /// Whether the section can lie flat.
+    fn closes(&self) -> bool {
+        self.periodic && self.least <= CLOSED
+    }
+
     /// y = πW/2x.
     fn exponent(&self, x: f64) -> f64 {
         FRAC_PI_2 * self.width / x
@@ -63,7 +79,7 @@ impl Lying {
 
     /// Whether a wave lies flat under a bed that ends at the place `x`.
     fn is_closed(&self, x: f64) -> bool {
-        self.periodic && self.exponent(x) <= CLOSED * (1.0 + 1e-9)
+        self.closes() && self.exponent(x) <= CLOSED * (1.0 + 1e-9)
     }
 
     /// S at the place `x`.
@@ -98,7 +114,7 @@ impl Profile for Lying {
     /// rounding of a depth.
     fn reduced(&self, x: f64) -> f64 {
         let y = self.exponent(x);
-        let most = if self.periodic && !self.is_closed(x) { 1.0 - f64::EPSILON } else { 1.0 };
+        let most = if self.closes() && !self.is_closed(x) { 1.0 - f64::EPSILON } else { 1.0 };
         if y < NOTHING { self.height * ((1.0 + y) * (-y).exp()).min(most) } else { 0.0 }
     }
 
@@ -135,7 +151,7 @@ impl Profile for Lying {
         }
         let (end, log) = (self.rim().radius(), (self.height / d).ln());
         if d >= self.reduced(end) {
-            return Some(end).filter(|_| self.periodic || d <= self.reduced(end));
+            return Some(end).filter(|_| self.closes() || d <= self.reduced(end));
         }
         let mut y = log + (1.0 + log + (2.0 * log).sqrt()).ln();
         for _ in 0..MOST_STEPS {
@@ -149,7 +165,8 @@ impl Profile for Lying {
     }
 
     fn rim(&self) -> Rim {
-        if self.periodic { Rim::Wall(self.at_exponent(CLOSED)) } else { Rim::End(self.at_exponent(WIDEST)) }
+        let end = self.at_exponent(self.least);
+        if self.closes() { Rim::Wall(end) } else { Rim::End(end) }
     }
 
     /// Where S² = e^(−20).

@@ -23,7 +23,7 @@ use written::{ADHESIONS, BODIES, DRIVES, FRICTIONS, SHAPES, Written, written};
 
 /// Names of the drives, the columns of the matrix.
 #[must_use]
-pub fn drives() -> [&'static str; 7] {
+pub fn drives() -> [&'static str; 8] {
     DRIVES.map(|(name, _)| name)
 }
 
@@ -125,7 +125,7 @@ pub fn in_words(cells: &[Cell]) -> String {
     let mut lines = vec![format!("{:<66}{}", "", drives().map(|drive| format!("{drive:<11}")).concat())];
     for row in cells.chunk_by(|one, next| one.at[..4] == next.at[..4]) {
         let of = |drive: usize| row.iter().find(|cell| cell.at[4] == drive);
-        let marks = std::array::from_fn::<_, 7, _>(|drive| of(drive).map(|cell| cell.mark(&mut solvers, &mut reasons)));
+        let marks = std::array::from_fn::<_, 8, _>(|drive| of(drive).map(|cell| cell.mark(&mut solvers, &mut reasons)));
         let [shape, bodies, adhesion, friction, _] = row[0].names();
         let marks = marks.map(|mark| format!("{:<11}", mark.unwrap_or_else(|| "-".to_owned()))).concat();
         lines.push(format!("{shape:<15}{bodies:<25}{adhesion:<20}{friction:<14}{marks}").trim_end().to_owned());

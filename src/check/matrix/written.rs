@@ -131,6 +131,7 @@ pub(super) const FRICTIONS: [Choice; 4] = [
 pub(super) enum Lead {
     Depth,
     Force,
+    ForceThenDepth,
     Sine,
     Rows,
     Retraction,
@@ -138,9 +139,10 @@ pub(super) enum Lead {
     Oblique,
 }
 
-pub(super) const DRIVES: [(&str, Lead); 7] = [
+pub(super) const DRIVES: [(&str, Lead); 8] = [
     ("depth", Lead::Depth),
     ("force", Lead::Force),
+    ("then depth", Lead::ForceThenDepth),
     ("sine", Lead::Sine),
     ("table", Lead::Rows),
     ("retraction", Lead::Retraction),
@@ -243,6 +245,8 @@ fn history(lead: Lead, pressed: &PressedShape, slides: bool, variation: &Variati
     match lead {
         Lead::Depth => legs(up, ramp("Indent", 1e-3 * depth)),
         Lead::Force => legs(ramp("Press", force), Leg::Held(over)),
+        // Where the depth starts from is what the force has made of it.
+        Lead::ForceThenDepth => legs(ramp("Press", force), Leg::Whole(ramp("Indent", 0.3 * depth).text())),
         Lead::Sine if slides => {
             let amplitude = 1e-7 * variation.depth;
             vec![up, Leg::Whole(format!("Shake(amplitude: {amplitude:e}, frequency: {frequency:e}, cycles: 1)"))]

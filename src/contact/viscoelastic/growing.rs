@@ -60,6 +60,10 @@ impl GrowingBed {
 
     /// Makes the bed wide enough for the depth `d` [m].
     fn widen(&mut self, d: f64) -> Result<(), BedError> {
+        // Springs may stand beyond the end of the profile; a contact may not.
+        if matches!(self.profile.rim(), Rim::End(end) if d > self.profile.reduced(end)) {
+            return Err(BedError::BeyondProfile { indentation: d });
+        }
         if d > self.bed.layout().height.last().copied().unwrap_or(0.0) {
             let a = self.profile.edge(d).ok_or(BedError::BeyondProfile { indentation: d })?;
             if !matches!(self.profile.rim(), Rim::Wall(_)) {

@@ -42,11 +42,12 @@ pub fn loops(plan: &Plan, records: &[Record]) -> Panel {
 
 /// Radius of the contact and of its sticking part over time from the first slide on; between them is
 /// the slip annulus.
-pub fn stick(records: &[Record]) -> Panel {
+pub fn stick(plan: &Plan, records: &[Record]) -> Panel {
+    let width = if plan.scene.shape.is_plane() { "half width" } else { "radius" };
     let slides = |record: &Record| record.tangential.is_some_and(|state| state.slide.abs() > 0.0);
     let first = records.iter().position(slides).map_or(0, |first| first.saturating_sub(1));
     let of = |column| of_records(&records[first..], &TIME, column);
-    Panel::new(axis_of(&TIME), Axis::linear("radius", "m").from(0.0))
+    Panel::new(axis_of(&TIME), Axis::linear(width, "m").from(0.0))
         .with(Series::new("contact a", of(&CONTACT_RADIUS)))
         .with(Series::new("stick c", of(&STICK_RADIUS)))
 }

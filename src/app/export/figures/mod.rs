@@ -77,7 +77,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Energy => vec![energy(records)],
         Plot::Shape => indenter(plan, outcome).into_iter().collect(),
         Plot::Friction => vec![friction::loops(plan, records)],
-        Plot::Stick => vec![friction::stick(records)],
+        Plot::Stick => vec![friction::stick(plan, records)],
         Plot::Shear => friction::stress(plan, outcome).into_iter().collect(),
         Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
@@ -127,7 +127,7 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(force_of(plan))]).collect(),
         Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(force_of(plan))],
         Plan::Round(_) => {
-            let over_time = [FORCE, INDENTATION].map(|column| against_time(records, &column));
+            let over_time = [force_of(plan), &INDENTATION].map(|column| against_time(records, column));
             [against_depth(force_of(plan))].into_iter().chain(over_time).chain(last_loop(plan, records)).collect()
         }
     }
