@@ -1,29 +1,29 @@
 //! What is too much, too long or too little of one part by itself.
 
 use crate::input::problem::Problem;
-use crate::scene::Scene;
 use crate::scene::history::EntryTraits;
+use crate::scene::rules::Draft;
 
 /// Most springs: their state alone has a gigabyte.
 const MOST_SPRINGS: usize = 1 << 26;
 /// Most records of a scene: beyond it the outputs alone would fill the memory.
 const MOST_RECORDS: usize = 10_000_000;
 
-/// What is beyond the limits of a scene; `entries` is its history.
+/// What is beyond the limits of a scene.
 #[must_use]
-pub fn problems(scene: &Scene, entries: &[EntryTraits<'_>]) -> Vec<Problem> {
-    let once = [too_many_springs(scene), no_history(scene), too_many_records(scene, entries), endless(entries)];
-    once.into_iter().flatten().chain(entries.iter().filter_map(no_speed)).collect()
+pub fn problems(draft: &Draft<'_>) -> Vec<Problem> {
+    let once = [too_many_springs(draft), no_history(draft), too_many_records(draft), endless(draft)];
+    once.into_iter().flatten().chain(draft.entries().flatten().filter_map(no_speed)).collect()
 }
 
-fn too_many_springs(scene: &Scene) -> Option<Problem> {
-    let springs = scene.springs?.get();
+fn too_many_springs(draft: &Draft<'_>) -> Option<Problem> {
+    let springs = draft.springs()?.get();
     (springs > MOST_SPRINGS)
         .then(|| Problem::new("springs", format!("{springs} do not fit into memory: expected at most {MOST_SPRINGS}")))
 }
 
-fn no_history(scene: &Scene) -> Option<Problem> {
-    scene.history.is_empty().then(|| {
+fn no_history(draft: &Draft<'_>) -> Option<Problem> {
+    (draft.length()? == 0).then(|| {
         Problem::new("history", "is empty: expected at least one entry such as Indent(to: \"1 um\", over: \"1 s\")")
     })
 }
@@ -38,22 +38,22 @@ fn no_speed(entry: &EntryTraits<'_>) -> Option<Problem> {
     })
 }
 
-fn too_many_records(scene: &Scene, entries: &[EntryTraits<'_>]) -> Option<Problem> {
-    let mut sum = 0usize;
-    let entry = entries.iter().find(|entry| {
+fn too_many_records(draft: &Draft<'_>) -> Option<Problem> {
+    let (counted, mut sum) = (draft.counts_records()?, 0usize);
+    let entry = draft.entries().map_while(|entry| entry).find(|entry| {
         sum = sum.saturating_add(entry.least_records);
         sum > MOST_RECORDS
     })?;
-    let path = if scene.steps.is_some() { "steps".to_owned() } else { entry.place() };
+    let path = if counted { "steps".to_owned() } else { entry.place() };
     let what =
         format!("the history would have more than {MOST_RECORDS} records: expected fewer steps, cycles or entries");
     Some(Problem::new(path, what))
 }
 
 /// The duration of a history must be a number.
-fn endless(entries: &[EntryTraits<'_>]) -> Option<Problem> {
+fn endless(draft: &Draft<'_>) -> Option<Problem> {
     let mut time = 0.0;
-    let entry = entries.iter().find(|entry| {
+    let entry = draft.entries().map_while(|entry| entry).find(|entry| {
         time += entry.stages.iter().map(|stage| stage.over).sum::<f64>();
         f64::is_infinite(time)
     })?;

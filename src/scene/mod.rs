@@ -36,6 +36,7 @@ mod read;
 mod resolve;
 mod words;
 pub mod law;
+pub mod mended;
 pub mod parts;
 pub mod plan;
 pub mod reach;

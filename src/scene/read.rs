@@ -1,6 +1,7 @@
 //! The tables of a scene, read.
 
 use super::Scene;
+use super::mended::{Look, Mended};
 use super::surface::{self, Surface};
 use crate::friction::{Friction, Strength, StrengthCurve};
 use crate::input::problem::Problem;
@@ -10,7 +11,7 @@ use crate::scene::history::{Entry, MotionTable};
 use crate::shape::{Family, Lying, PlaneWavy, Profile, RoughShape, Shape};
 use std::sync::Arc;
 
-/// The parts of a scene with their tables read; a part is missing where it cannot be read.
+/// The parts of a scene with their tables read; a part is missing where it cannot be read, or had to be mended.
 #[derive(Debug)]
 pub(super) struct Read {
     pub(super) joined: Option<Joined>,
@@ -22,15 +23,42 @@ pub(super) struct Read {
 }
 
 impl Read {
-    pub(super) fn of(scene: &Scene, tables: &dyn Tables, problems: &mut Vec<Problem>) -> Self {
-        let joined = material::joined(&scene.bodies, tables).map_err(|found| problems.extend(found)).ok().flatten();
+    /// Reads what is not `mended`.
+    pub(super) fn of(scene: &Scene, tables: &dyn Tables, mended: &Mended, problems: &mut Vec<Problem>) -> Self {
+        let mut read = Reading { tables, mended, problems };
+        let joined = read.part("bodies", |tables| material::joined(&scene.bodies, tables)).flatten();
         Self {
             relaxation: joined.as_ref().and_then(|joined| joined.relaxation.clone()).map(Arc::new),
             joined,
-            geometry: Geometry::of(scene, tables).map_err(|found| problems.extend(found)).ok(),
-            strength: strength(scene.friction.as_ref(), tables).map_err(|found| problems.push(found)).ok().flatten(),
-            motions: motions(&scene.history, tables, problems),
+            geometry: read.part("shape", |tables| Geometry::of(scene, tables)),
+            strength: read.part("friction", |tables| strength(scene.friction.as_ref(), tables)).flatten(),
+            motions: scene.history.iter().enumerate().map(|numbered| read.motion(numbered)).collect(),
         }
+    }
+}
+
+/// What parts are read with, and what was wrong with them.
+struct Reading<'r> {
+    tables: &'r dyn Tables,
+    mended: &'r Mended,
+    problems: &'r mut Vec<Problem>,
+}
+
+impl Reading<'_> {
+    /// The part at `path`, if it can be read and nothing in it is mended.
+    fn part<T>(&mut self, path: &str, read: impl FnOnce(&dyn Tables) -> Result<T, Vec<Problem>>) -> Option<T> {
+        if !self.mended.knows(path, Look::Whole) {
+            return None;
+        }
+        read(self.tables).map_err(|found| self.problems.extend(found)).ok()
+    }
+
+    /// The table that a history entry names.
+    fn motion(&mut self, (number, entry): (usize, &Entry)) -> Option<MotionTable> {
+        let Entry::Table(path) = entry else { return None };
+        let place = format!("history[{number}]");
+        let problem = |what: String| vec![Problem::new(&place, what)];
+        self.part(&place, |tables| MotionTable::read(path, tables).map_err(|error| problem(error.to_string())))
     }
 }
 
@@ -86,18 +114,9 @@ fn base(line: &RoughShape, tables: &dyn Tables) -> Result<Option<Arc<dyn Profile
 }
 
 /// The table of the shear strength, if the friction names one.
-fn strength(friction: Option<&Friction>, tables: &dyn Tables) -> Result<Option<Arc<StrengthCurve>>, Problem> {
+fn strength(friction: Option<&Friction>, tables: &dyn Tables) -> Result<Option<Arc<StrengthCurve>>, Vec<Problem>> {
     let Some(Friction::Pressure(law)) = friction else { return Ok(None) };
     let Strength::Table(path) = &law.shear else { return Ok(None) };
     let curve = StrengthCurve::read(path, tables);
-    curve.map(Arc::new).map(Some).map_err(|error| Problem::new("friction.shear", error.to_string()))
-}
-
-fn motions(history: &[Entry], tables: &dyn Tables, problems: &mut Vec<Problem>) -> Vec<Option<MotionTable>> {
-    let mut read = |(index, entry): (usize, &Entry)| {
-        let Entry::Table(path) = entry else { return None };
-        let motion = MotionTable::read(path, tables);
-        motion.map_err(|error| problems.push(Problem::new(format!("history[{index}]"), error.to_string()))).ok()
-    };
-    history.iter().enumerate().map(&mut read).collect()
+    curve.map(Arc::new).map(Some).map_err(|error| vec![Problem::new("friction.shear", error.to_string())])
 }

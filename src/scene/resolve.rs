@@ -1,9 +1,10 @@
 //! From a scene as written to the decision who computes it.
 
 use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount};
+use super::mended::Mended;
 use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared};
 use super::read::{Geometry, Read};
-use super::rules::{self, Draft};
+use super::rules::{self, Draft, Parts, Written};
 use super::surface::Surface;
 use super::{Scene, limits, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
@@ -29,8 +30,33 @@ impl Scene {
     /// particular order.
     pub fn resolve(self, tables: &dyn Tables) -> Result<Plan, Vec<Problem>> {
         let mut problems = Vec::new();
-        let read = Read::of(&self, tables, &mut problems);
+        let read = Read::of(&self, tables, &Mended::default(), &mut problems);
         decided(self, Arc::new(read), problems)
+    }
+
+    /// What is wrong with a scene beside what was `mended`: the problems that it has whatever should stand there.
+    ///
+    /// ```
+    /// # #[cfg(feature = "text")] {
+    /// use springbed::prelude::*;
+    /// use springbed::scene::{Scene, mended::Mended};
+    ///
+    /// let text = "(shape: Cone(slope: 0.1), bodies: (Rigid, Rigid), history: [Slide(to: 1, over: 1)])";
+    /// let scene = Scene::from_ron(text)?;
+    /// let problems = |mended| scene.problems_beside(&mended, &InMemory::default());
+    /// assert_eq!(problems(Mended::default()).len(), 2);
+    /// // Whatever the second body should be, the slide lacks a friction.
+    /// let problems = problems(Mended::at(["bodies.1"]));
+    /// assert!(problems.len() == 1 && problems[0].path == "history[0]");
+    /// # }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn problems_beside(&self, mended: &Mended, tables: &dyn Tables) -> Vec<Problem> {
+        let mut problems = Vec::new();
+        let read = Read::of(self, tables, mended, &mut problems);
+        problems.extend(misfits(&read, Written { scene: self, entries: &entries(self, &read), mended }));
+        problems
     }
 }
 
@@ -49,20 +75,9 @@ impl Plan {
 /// The decision, if nothing is wrong with the parts of the scene by themselves or held against each other.
 fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<Plan, Vec<Problem>> {
     let entries = entries(&scene, &read);
-    problems.extend(limits::problems(&scene, &entries));
-    let profile = read.geometry.as_ref().and_then(Geometry::profile);
-    let adheres = scene.adhesion.is_some();
-    let draft = Draft {
-        scene: &scene,
-        entries,
-        profile,
-        bounds: profile.map_or_else(Vec::new, |profile| reach::bounds(profile, adheres)),
-        bodies: read.joined.as_ref(),
-        strength: read.strength.as_deref(),
-    };
-    problems.extend(rules::problems(&draft));
-    let impact = draft.entries.iter().find_map(|entry| entry.impact.cloned());
-    let stages = draft.entries.into_iter().flat_map(|entry| entry.stages).collect();
+    problems.extend(misfits(&read, Written { scene: &scene, entries: &entries, mended: &Mended::default() }));
+    let impact = entries.iter().find_map(|entry| entry.impact.cloned());
+    let stages = entries.into_iter().flat_map(|entry| entry.stages).collect();
     match (&read.joined, &read.geometry) {
         (Some(joined), Some(geometry)) if problems.is_empty() => {
             let pair = if scene.shape.is_plane() { joined.pair.long_across() } else { joined.pair };
@@ -71,6 +86,19 @@ fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<
         }
         (Some(_) | None, Some(_) | None) => Err(problems),
     }
+}
+
+/// What is beyond the limits of a scene, and what does not fit together.
+fn misfits(read: &Read, written: Written<'_>) -> Vec<Problem> {
+    let parts = Parts {
+        profile: read.geometry.as_ref().and_then(Geometry::profile),
+        bodies: read.joined.as_ref(),
+        strength: read.strength.as_deref(),
+    };
+    let draft = Draft::new(written, parts, reach::bounds);
+    let mut problems = limits::problems(&draft);
+    problems.extend(rules::problems(&draft));
+    problems
 }
 
 fn entries<'s>(scene: &'s Scene, read: &'s Read) -> Vec<EntryTraits<'s>> {

@@ -1,7 +1,7 @@
 //! From JSON to a scene and back.
 
 use super::TextError;
-use super::mend::{self, Mending, Wrong};
+use super::mend::{self, Faulty, Mending, Wrong};
 use super::walk;
 use crate::scene::Scene;
 use serde::de::DeserializeSeed;
@@ -13,10 +13,10 @@ use std::marker::PhantomData;
 ///
 /// # Errors
 /// All faults of the text, up to and with the first of its notation.
-pub fn scene(text: &str) -> Result<Scene, Vec<TextError>> {
+pub fn scene(text: &str) -> Result<Scene, Faulty<Scene, TextError>> {
     serde_json::from_str(text).or_else(|_| {
         mend::read_all(text.len(), |mending| watched(text, mending), wrong)
-            .map_err(|errors| errors.iter().map(|error| placed(text, error)).collect())
+            .map_err(|faulty| faulty.told(|error| placed(text, error)))
     })
 }
 

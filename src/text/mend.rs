@@ -2,7 +2,8 @@
 //!
 //! A parser stops at the first fault. So the text is read again with the fault mended: a value that cannot be
 //! read is passed over and a [`StandIn`] takes its place, a field that is not known is passed over, a missing
-//! one is supplied. What is not mended goes to the parser as it is, so that places and messages are its own.
+//! one is supplied. What is not mended goes to the parser as it is, so that places and messages are its own. What
+//! is read at last has no fault left but what was mended, so the rest of it can be judged.
 
 use super::names::nearest;
 use super::standin::{Guise, StandIn};
@@ -32,6 +33,37 @@ pub enum Wrong {
     Notation,
 }
 
+/// What is wrong with a text, and what can be read of it all the same.
+#[derive(Debug)]
+pub struct Faulty<T, E> {
+    /// Its faults.
+    pub faults: Vec<E>,
+    /// What was read with every fault mended, and where; `None` if not all could be.
+    pub rest: Option<(Box<T>, Mends)>,
+}
+
+/// What was mended.
+#[derive(Debug, Default)]
+pub struct Mends {
+    /// Paths of values that are not those of the text.
+    pub values: Vec<String>,
+    /// Fields that are not known and were passed over: the path of their holder, and their name.
+    pub unknown: Vec<(String, String)>,
+}
+
+impl<T, E> Faulty<T, E> {
+    /// The same faults, `told` in another way.
+    pub fn told<F>(self, told: impl Fn(&E) -> F) -> Faulty<T, F> {
+        Faulty { faults: self.faults.iter().map(told).collect(), rest: self.rest }
+    }
+}
+
+impl<T, E> From<Vec<E>> for Faulty<T, E> {
+    fn from(faults: Vec<E>) -> Self {
+        Self { faults, rest: None }
+    }
+}
+
 /// Reads a text of `length` bytes by `read` until all faults are found; `wrong` says what an error is about.
 ///
 /// # Errors
@@ -40,16 +72,17 @@ pub fn read_all<T, E>(
     length: usize,
     read: impl Fn(&Mending) -> Result<T, E>,
     wrong: impl Fn(&E) -> Wrong,
-) -> Result<T, Vec<E>> {
+) -> Result<T, Faulty<T, E>> {
     let mut mending = Mending::default();
     let mut faults = Vec::new();
     loop {
         match (read(&mending), mending.stop()) {
             (Ok(value), _) if faults.is_empty() => return Ok(value),
-            (Ok(_), _) | (Err(_), Stop::PassingOver) => return Err(faults),
+            (Ok(value), _) => return Err(Faulty { faults, rest: Some((Box::new(value), mending.mends())) }),
+            (Err(_), Stop::PassingOver) => return Err(faults.into()),
             (Err(_), Stop::StandIn(path)) => {
                 if !mending.disguise(path) {
-                    return Err(faults);
+                    return Err(faults.into());
                 }
             }
             (Err(error), Stop::At(path)) => {
@@ -59,7 +92,7 @@ pub fn read_all<T, E>(
                 }
                 let mended = mending.mend(path, wrong);
                 if !mended || faults.len() >= MOST_FAULTS || faults.len() * length > MOST_BYTES {
-                    return Err(faults);
+                    return Err(faults.into());
                 }
             }
         }
@@ -121,6 +154,19 @@ impl Mending {
                 lacks
             }
             Wrong::Notation => false,
+        }
+    }
+
+    /// What is mended.
+    fn mends(self) -> Mends {
+        let supplied = self
+            .supplied
+            .into_iter()
+            .flat_map(|(path, fields)| fields.into_iter().map(move |field| (path.clone(), field)));
+        let fields = supplied.chain(self.repeated).map(|(path, field)| format!("{path}.{field}"));
+        Mends {
+            values: self.stand_ins.into_keys().chain(fields).collect(),
+            unknown: self.unknown.into_iter().collect(),
         }
     }
 

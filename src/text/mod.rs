@@ -29,7 +29,10 @@ pub use position::Position;
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::scene::Scene;
+use crate::scene::mended::Mended;
 use crate::scene::plan::Plan;
+use mend::{Faulty, Mends};
+use names::FIELDS;
 
 /// What is wrong with a text, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -68,19 +71,30 @@ impl Notation {
     /// Every wrong value, unknown name and missing field up to the first fault of the notation itself, in the order
     /// of the text.
     pub fn scene(self, text: &str) -> Result<Scene, Vec<TextError>> {
-        let scene = match self {
+        self.read(text).map_err(|faulty| sorted(faulty.faults))
+    }
+
+    fn read(self, text: &str) -> Result<Scene, Faulty<Scene, TextError>> {
+        match self {
             Self::Ron => ron::scene(text),
             Self::Json => json::scene(text),
-        };
-        scene.map_err(sorted)
+        }
     }
 
     /// The scene in `text`, made ready with the `tables` it names.
     ///
     /// # Errors
-    /// All that is wrong with the text, or else with the scene, in the order of the text.
+    /// All that is wrong with the text and with the scene in it, in the order of the text. Where the text is wrong, of
+    /// the scene that is told which is wrong whatever should stand there.
     pub fn plan(self, text: &str, tables: &dyn Tables) -> Result<Plan, Vec<TextError>> {
-        self.scene(text)?.resolve(tables).map_err(|problems| placed(text, &problems))
+        match self.read(text) {
+            Ok(scene) => scene.resolve(tables).map_err(|problems| sorted(placed(text, &problems))),
+            Err(Faulty { mut faults, rest }) => {
+                let problems = rest.map(|(scene, mends)| scene.problems_beside(&mended(text, &mends), tables));
+                faults.extend(placed(text, &problems.unwrap_or_default()));
+                Err(sorted(faults))
+            }
+        }
     }
 }
 
@@ -121,11 +135,29 @@ impl Scene {
     }
 }
 
-/// Problems at their places in the text, sorted by place.
+/// The places of a scene that are not as the writer of the text meant them.
+fn mended(text: &str, mends: &Mends) -> Mended {
+    let meant = mends.unknown.iter().flat_map(|(holder, name)| meant(text, holder, name));
+    Mended::at(mends.values.iter().cloned().chain(meant))
+}
+
+/// The paths that may be meant by the field `name` that `holder` does not have.
+fn meant(text: &str, holder: &str, name: &str) -> Vec<String> {
+    if !holder.is_empty() {
+        // A field of the scene has got into one of its parts, or else this is one of the part.
+        let strayed = FIELDS.into_iter().filter(|&field| field == name).map(str::to_owned);
+        return strayed.chain([format!("{holder}.{name}")]).collect();
+    }
+    let scene = walk::locate(text, &[""]);
+    let absent: Vec<&str> = FIELDS.into_iter().filter(|field| walk::locate(text, &[field]) == scene).collect();
+    nearest(name, &absent).map_or(absent, |field| vec![field]).into_iter().map(str::to_owned).collect()
+}
+
+/// Problems at their places in the text.
 fn placed(text: &str, problems: &[Problem]) -> Vec<TextError> {
     let paths: Vec<&str> = problems.iter().map(|problem| problem.path.as_str()).collect();
     let places = walk::locate(text, &paths).into_iter().zip(problems);
-    sorted(places.map(|(offset, problem)| TextError::at(text, offset, problem.to_string())).collect())
+    places.map(|(offset, problem)| TextError::at(text, offset, problem.to_string())).collect()
 }
 
 /// Errors in the order of the text.

@@ -1,5 +1,9 @@
 //! Wrong names: the nearest right one and the list of all.
 
+/// The fields of a scene.
+pub const FIELDS: [&str; 10] =
+    ["title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots"];
+
 /// `did you mean …? Known: …`, for a name that is not among `known`.
 pub fn advice(found: &str, known: &[&str]) -> String {
     let list = known.join(", ");

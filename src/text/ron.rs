@@ -1,8 +1,8 @@
 //! From RON to a scene, and from a parser's error to a message a person can act on.
 
 use super::TextError;
-use super::mend::{self, Mending, Wrong};
-use super::names::advice;
+use super::mend::{self, Faulty, Mending, Wrong};
+use super::names::{FIELDS, advice};
 use super::position::Position;
 use super::walk::{self, Surroundings};
 use crate::scene::Scene;
@@ -17,14 +17,14 @@ const DEEPEST: usize = 64;
 ///
 /// # Errors
 /// All faults of the text, up to and with the first of its notation.
-pub fn scene(text: &str) -> Result<Scene, Vec<TextError>> {
+pub fn scene(text: &str) -> Result<Scene, Faulty<Scene, TextError>> {
     let options = ron::Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_VARIANT_NEWTYPES)
         .with_recursion_limit(DEEPEST);
     options.from_str(text).or_else(|_| {
         let read = |mending: &Mending| options.from_str_seed(text, mending.watch(PhantomData));
         mend::read_all(text.len(), read, |error| wrong(&error.code))
-            .map_err(|errors| errors.iter().map(|error| explained(text, error)).collect())
+            .map_err(|faulty| faulty.told(|error| explained(text, error)))
     })
 }
 
@@ -285,10 +285,6 @@ impl<'t> Stop<'t> {
         }
     }
 }
-
-/// The fields of a scene.
-const FIELDS: [&str; 10] =
-    ["title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots"];
 
 /// Whether `found` is a field of the scene that stands in another part, `holder`.
 fn names_another(found: &str, holder: Option<&str>) -> bool {

@@ -16,6 +16,8 @@ mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;
 mod layers;
+#[cfg(feature = "text")]
+mod mended;
 #[cfg(feature = "cli")]
 mod program;
 #[cfg(feature = "cli")]

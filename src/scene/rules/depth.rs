@@ -9,14 +9,15 @@ use crate::scene::stage::{Path, Stage};
 
 /// Depths and forces beyond what the profile allows.
 pub(super) fn too_deep(draft: &Draft<'_>) -> Vec<Problem> {
-    let Some(bodies) = draft.bodies else { return Vec::new() };
+    let Some(bodies) = draft.joined() else { return Vec::new() };
     // With adhesion or relaxation the force does not follow from the depth alone.
-    let plain = draft.scene.adhesion.is_none() && bodies.relaxation.is_none();
+    let plain = draft.adheres() == Some(false) && bodies.relaxation.is_none();
     let modulus = plain.then_some(bodies.pair.normal);
     let (mut found, mut depth) = (Vec::new(), Some(0.0));
-    for entry in &draft.entries {
-        found.extend(target(entry, depth).and_then(|target| target.beyond(&draft.bounds, modulus)));
-        depth = depth_after(entry, depth);
+    for entry in draft.entries() {
+        let target = entry.and_then(|entry| target(entry, depth));
+        found.extend(target.and_then(|target| target.beyond(draft.bounds(), modulus)));
+        depth = entry.and_then(|entry| depth_after(entry, depth));
     }
     found
 }
@@ -79,14 +80,19 @@ fn depth_after(entry: &EntryTraits<'_>, before: Option<f64>) -> Option<f64> {
 
 /// Every slide must go at a speed the table of the shear strength holds.
 pub(super) fn too_fast(draft: &Draft<'_>) -> Vec<Problem> {
-    let Some(curve) = draft.strength else { return Vec::new() };
-    let mut at = 0.0;
-    let mut wrong = |entry: &EntryTraits<'_>| {
+    let Some(curve) = draft.strength() else { return Vec::new() };
+    // Where the last slide has led, unless it is mended.
+    let mut at = Some(0.0);
+    let mut wrong = |entry: Option<&EntryTraits<'_>>| {
+        let Some(entry) = entry else {
+            at = None;
+            return None;
+        };
         let stage = entry.stages.first().filter(|_| entry.is_slide())?;
         let Path::To(to) = stage.tangential else { return None };
-        let way = (to - std::mem::replace(&mut at, to)).abs();
+        let way = (to - at.replace(to)?).abs();
         let error = curve.at(way / stage.over).err().filter(|_| way > 0.0)?;
         Some(Problem::new(entry.place(), error.to_string()))
     };
-    draft.entries.iter().filter_map(&mut wrong).collect()
+    draft.entries().filter_map(&mut wrong).collect()
 }

@@ -1,37 +1,208 @@
 //! What the rules look at.
+//!
+//! The only way to it is by questions that answer nothing of a part that had to be mended, so that no rule speaks
+//! of what nobody has written.
 
+use crate::contact::adhesion::Adhesion;
 use crate::friction::{Friction, StrengthCurve};
-use crate::material::{Joined, Relaxation};
-use crate::scene::Scene;
+use crate::material::{Body, Joined, Relaxation};
 use crate::scene::history::EntryTraits;
+use crate::scene::mended::{Look, Mended};
 use crate::scene::reach::Bound;
-use crate::shape::Profile;
+use crate::scene::{Plot, Scene};
+use crate::shape::{Profile, Shape};
+use std::collections::BTreeSet;
+use std::num::NonZeroUsize;
 
 /// A scene whose parts are read but not yet held against each other.
 #[derive(Debug)]
 pub struct Draft<'s> {
-    /// The scene as written.
-    pub scene: &'s Scene,
-    /// Its history.
-    pub entries: Vec<EntryTraits<'s>>,
-    /// Its profile over a radius; `None` where the shape has none or its table cannot be read.
-    pub profile: Option<&'s dyn Profile>,
-    /// How deep the profile can be pressed.
-    pub bounds: Vec<Bound>,
-    /// Its bodies; `None` where they make no pair.
-    pub bodies: Option<&'s Joined>,
-    /// The table of its friction.
-    pub strength: Option<&'s StrengthCurve>,
+    written: Written<'s>,
+    read: Parts<'s>,
+    bounds: Vec<Bound>,
+    /// Numbers of the entries in which something is mended.
+    mended_entries: BTreeSet<usize>,
+    /// Whether all entries are of the kind that is written.
+    knows_kinds: bool,
 }
 
-impl Draft<'_> {
-    /// E*(t) of its bodies, if they make a pair that relaxes.
-    pub(super) fn relaxation(&self) -> Option<&Relaxation> {
-        self.bodies?.relaxation.as_ref()
+/// A scene and its history, as far as they are as written.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::scene) struct Written<'s> {
+    pub(in crate::scene) scene: &'s Scene,
+    pub(in crate::scene) entries: &'s [EntryTraits<'s>],
+    pub(in crate::scene) mended: &'s Mended,
+}
+
+/// Parts with their tables read; `None` where the scene has none, or one that is mended or cannot be read.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::scene) struct Parts<'s> {
+    /// The profile over a radius.
+    pub(in crate::scene) profile: Option<&'s dyn Profile>,
+    /// The bodies.
+    pub(in crate::scene) bodies: Option<&'s Joined>,
+    /// The table of the friction.
+    pub(in crate::scene) strength: Option<&'s StrengthCurve>,
+}
+
+impl<'s> Written<'s> {
+    /// Numbers of the entries that are mended so far that a look at them shows it.
+    fn mended_entries(self, look: Look) -> impl Iterator<Item = usize> + 's {
+        let entries = if self.mended.is_empty() { &[] } else { self.entries };
+        entries.iter().filter(move |entry| !self.mended.knows(&entry.place(), look)).map(|entry| entry.number)
+    }
+}
+
+impl<'s> Draft<'s> {
+    /// What is `written` and `read`; `bounds` says how deep a profile can be pressed, with adhesion or without.
+    pub(in crate::scene) fn new(
+        written: Written<'s>,
+        read: Parts<'s>,
+        bounds: impl FnOnce(&dyn Profile, bool) -> Vec<Bound>,
+    ) -> Self {
+        let mended_entries = written.mended_entries(Look::Whole).collect();
+        let knows_kinds = written.mended_entries(Look::Kind).next().is_none();
+        let mut draft = Self { written, read, bounds: Vec::new(), mended_entries, knows_kinds };
+        if let (Some(profile), Some(adheres)) = (read.profile, draft.adheres()) {
+            draft.bounds = bounds(profile, adheres);
+        }
+        draft
     }
 
-    /// The friction, unless the history is an impact, which has its own rules.
-    pub(super) fn friction_of_history(&self) -> Option<&Friction> {
-        self.scene.friction.as_ref().filter(|_| self.entries.iter().all(|entry| entry.impact.is_none()))
+    fn knows(&self, path: &str, look: Look) -> bool {
+        self.written.mended.knows(path, look)
+    }
+
+    /// What `part` finds in the scene, if a look at `path` finds what is written.
+    fn seen<T>(&self, path: &str, look: Look, part: impl FnOnce(&'s Scene) -> T) -> Option<T> {
+        self.knows(path, look).then(|| part(self.written.scene))
+    }
+
+    /// The shape; for what is in it see its profile.
+    pub(super) fn shape(&self) -> Option<&'s Shape> {
+        self.seen("shape", Look::Kind, |scene| &scene.shape)
+    }
+
+    /// The profile over a radius; `None` where the shape has none or its table cannot be read.
+    pub(super) fn profile(&self) -> Option<&'s dyn Profile> {
+        self.read.profile
+    }
+
+    /// How deep the profile can be pressed.
+    pub(super) fn bounds(&self) -> &[Bound] {
+        &self.bounds
+    }
+
+    /// Both bodies.
+    pub(super) fn bodies(&self, look: Look) -> Option<(&'s Body, &'s Body)> {
+        Some((self.body(0, look)?, self.body(1, look)?))
+    }
+
+    /// The first body or the second.
+    pub(super) fn body(&self, number: usize, look: Look) -> Option<&'s Body> {
+        let (path, body) = match number {
+            0 => ("bodies.0", &self.written.scene.bodies.0),
+            _ => ("bodies.1", &self.written.scene.bodies.1),
+        };
+        self.seen(path, look, |_| body)
+    }
+
+    /// The bodies together; `None` where they make no pair.
+    pub(super) fn joined(&self) -> Option<&'s Joined> {
+        self.read.bodies
+    }
+
+    /// Whether one of the bodies is viscoelastic; `None` for two rigid ones.
+    pub(super) fn pair_relaxes(&self) -> Option<bool> {
+        match self.bodies(Look::Kind)? {
+            (Body::Rigid, Body::Rigid) => None,
+            (one, two) => Some(one.relaxes() || two.relaxes()),
+        }
+    }
+
+    /// E*(t) of the bodies, if they make a pair that relaxes.
+    pub(super) fn relaxation(&self) -> Option<&'s Relaxation> {
+        self.joined()?.relaxation.as_ref()
+    }
+
+    /// Whether there is adhesion.
+    pub(super) fn adheres(&self) -> Option<bool> {
+        self.seen("adhesion", Look::Kind, |scene| scene.adhesion.is_some())
+    }
+
+    /// The adhesion, if there is one.
+    pub(super) fn adhesion(&self, look: Look) -> Option<&'s Adhesion> {
+        self.seen("adhesion", look, |scene| scene.adhesion.as_ref())?
+    }
+
+    /// Whether there is friction.
+    pub(super) fn rubs(&self) -> Option<bool> {
+        self.seen("friction", Look::Kind, |scene| scene.friction.is_some())
+    }
+
+    /// The friction, if there is one.
+    pub(super) fn friction(&self, look: Look) -> Option<&'s Friction> {
+        self.seen("friction", look, |scene| scene.friction.as_ref())?
+    }
+
+    /// The friction by its kind, unless the history is an impact, which has its own rules.
+    pub(super) fn friction_of_history(&self) -> Option<&'s Friction> {
+        let known = self.knows_history_by_kind();
+        self.friction(Look::Kind).filter(|_| known && self.written.entries.iter().all(|entry| entry.impact.is_none()))
+    }
+
+    /// Whether the entries are as many, and each of the kind, as is written.
+    fn knows_history_by_kind(&self) -> bool {
+        self.knows("history", Look::Kind) && self.knows_kinds
+    }
+
+    /// The table of the friction.
+    pub(super) fn strength(&self) -> Option<&'s StrengthCurve> {
+        self.read.strength
+    }
+
+    /// The number of springs, if there is one.
+    pub(in crate::scene) fn springs(&self) -> Option<NonZeroUsize> {
+        self.seen("springs", Look::Whole, |scene| scene.springs)?
+    }
+
+    /// Whether the scene says how many records an entry has.
+    pub(in crate::scene) fn counts_records(&self) -> Option<bool> {
+        self.seen("steps", Look::Whole, |scene| scene.steps.is_some())
+    }
+
+    /// Number of entries of the history.
+    pub(in crate::scene) fn length(&self) -> Option<usize> {
+        self.seen("history", Look::Kind, |scene| scene.history.len())
+    }
+
+    /// The entries of the history in order; `None` where one is mended.
+    pub(in crate::scene) fn entries(&self) -> impl Iterator<Item = Option<&'s EntryTraits<'s>>> {
+        self.written.entries.iter().map(|entry| self.as_written(entry))
+    }
+
+    /// The entry before another.
+    pub(super) fn entry_before(&self, entry: &EntryTraits<'_>) -> Option<&'s EntryTraits<'s>> {
+        self.as_written(self.written.entries.get(entry.number.checked_sub(1)?)?)
+    }
+
+    /// The entry, unless something in it is mended.
+    fn as_written(&self, entry: &'s EntryTraits<'s>) -> Option<&'s EntryTraits<'s>> {
+        (!self.mended_entries.contains(&entry.number)).then_some(entry)
+    }
+
+    /// Number of speeds at which the bodies strike; zero if they do not.
+    pub(super) fn speeds(&self) -> Option<usize> {
+        if !self.knows_history_by_kind() {
+            return None;
+        }
+        let Some(entry) = self.written.entries.iter().find(|entry| entry.impact.is_some()) else { return Some(0) };
+        self.as_written(entry)?.impact.map(|impact| impact.speed.len())
+    }
+
+    /// The figures wanted, with their numbers.
+    pub(super) fn plots(&self) -> impl Iterator<Item = (usize, Plot)> {
+        let numbered = self.written.scene.plots.iter().flatten().copied().enumerate();
+        numbered.filter(|(number, _)| self.knows(&format!("plots[{number}]"), Look::Whole))
     }
 }

@@ -5,6 +5,7 @@ use super::parts::{cannot_be_on, is_without_bed};
 use crate::friction::Slip;
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Impact};
+use crate::scene::mended::Look;
 use crate::scene::stage::Path;
 use crate::shape::{Family, Shape};
 
@@ -17,52 +18,52 @@ fn oblique<'e>(entry: &EntryTraits<'e>) -> Option<&'e Impact> {
 }
 
 pub(super) fn impact_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    entry.impact.filter(|_| is_without_bed(&draft.scene.shape))?;
+    draft.shape().filter(|shape| is_without_bed(shape))?;
+    entry.impact?;
     cannot_be_on(draft, &entry.place(), entry.name)
 }
 
 pub(super) fn slide_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    if !is_without_bed(&draft.scene.shape) || entry.impact.is_some() || !entry.slides() {
+    let shape = draft.shape()?;
+    if !is_without_bed(shape) || entry.impact.is_some() || !entry.slides() {
         return None;
     }
     refused(
         entry,
-        format!(
-            "cannot be computed on {}: expected none: a series of the half-plane knows no friction",
-            draft.scene.shape.name()
-        ),
+        format!("cannot be computed on {}: expected none: a series of the half-plane knows no friction", shape.name()),
     )
 }
 
 /// A wavy section is known by its load.
 pub(super) fn depth_of_wavy(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    match draft.scene.shape.family() {
-        Family::Wavy(_) if entry.by_depth() => refused(
-            entry,
-            format!("cannot be computed on {}: expected Press(…) or HoldForce(…)", draft.scene.shape.name()),
-        ),
+    let shape = draft.shape()?;
+    match shape.family() {
+        Family::Wavy(_) if entry.by_depth() => {
+            refused(entry, format!("cannot be computed on {}: expected Press(…) or HoldForce(…)", shape.name()))
+        }
         Family::Round | Family::Line(_) | Family::Map(..) | Family::Wavy(_) => None,
     }
 }
 
 pub(super) fn oblique_on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     oblique(entry)?;
-    if let Shape::Paraboloid(_) = draft.scene.shape {
+    let shape = draft.shape()?;
+    if let Shape::Paraboloid(_) = shape {
         return None;
     }
     refused(
         entry,
         format!(
             "an oblique Impact of a {} cannot be computed, for only a ball is known to turn as it slips: expected Paraboloid(radius: …), or no angle and spin",
-            draft.scene.shape.name()
+            shape.name()
         ),
     )
 }
 
 /// Friction of bodies that relax is exact where depth and slide are straight in time.
 pub(super) fn curve_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let friction = draft.scene.friction.as_ref()?;
-    let (true, Slip::Local(_), true) = (draft.scene.relaxes(), friction.slip(), entry.is_curved()) else { return None };
+    let friction = draft.friction(Look::Kind)?;
+    let (true, Slip::Local(_), true) = (draft.pair_relaxes()?, friction.slip(), entry.is_curved()) else { return None };
     let name = if entry.table.is_some() { format!("{} with force_n", entry.name) } else { entry.name.to_owned() };
     refused(
         entry,
@@ -75,7 +76,7 @@ pub(super) fn curve_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) 
 
 pub(super) fn oblique_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     oblique(entry)?;
-    draft.relaxation()?;
+    draft.pair_relaxes()?.then_some(())?;
     refused(
         entry,
         "an oblique Impact of a Viscoelastic body cannot be computed: expected Elastic bodies, or no angle and spin",
@@ -84,7 +85,7 @@ pub(super) fn oblique_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>
 
 pub(super) fn pull_without_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let pulled = |path| matches!(path, Path::To(force) if force < 0.0);
-    if draft.scene.adhesion.is_some() || !entry.by_force() {
+    if draft.adheres()? || !entry.by_force() {
         return None;
     }
     let at = entry.stages.iter().position(|stage| pulled(stage.normal))?;
@@ -101,7 +102,7 @@ pub(super) fn pull_without_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) 
 
 pub(super) fn oblique_under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     oblique(entry)?;
-    let adhesion = draft.scene.adhesion.as_ref()?.traits();
+    let adhesion = draft.adhesion(Look::Kind)?.traits();
     refused(
         entry,
         format!(
@@ -122,13 +123,13 @@ fn sliding(entry: &EntryTraits<'_>) -> Option<String> {
 }
 
 pub(super) fn slide_without_friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let name = sliding(entry).filter(|_| draft.scene.friction.is_none())?;
+    let (name, false) = (sliding(entry)?, draft.rubs()?) else { return None };
     refused(entry, format!("{name} needs friction: expected a friction such as Coulomb(coefficient: 0.3)"))
 }
 
 /// Under gross sliding a contact can go one way.
 pub(super) fn shake_in_gross_sliding(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let friction = draft.scene.friction.as_ref()?;
+    let friction = draft.friction(Look::Kind)?;
     let (Slip::Gross, false) = (friction.slip(), entry.is_slide()) else { return None };
     let (name, law) = (sliding(entry)?, friction.name());
     refused(
@@ -141,7 +142,7 @@ pub(super) fn shake_in_gross_sliding(draft: &Draft<'_>, entry: &EntryTraits<'_>)
 
 pub(super) fn impact_on_springs(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     entry.impact?;
-    draft.scene.springs?;
+    draft.springs()?;
     refused(
         entry,
         "Impact with springs cannot be computed, for an impact is followed without springs: leave springs out",
@@ -150,10 +151,7 @@ pub(super) fn impact_on_springs(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> O
 
 pub(super) fn impact_beside_others(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     entry.impact?;
-    let others = draft.entries.len() - 1;
-    if others == 0 {
-        return None;
-    }
+    let others = draft.length()?.checked_sub(1).filter(|&others| others > 0)?;
     refused(entry, format!("Impact stands beside {others} other entries: expected it alone in the history"))
 }
 
@@ -162,11 +160,10 @@ pub(super) fn nothing_to_part(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opt
     if !entry.parts() {
         return None;
     }
-    let before = entry.number.checked_sub(1).map(|number| &draft.entries[number]);
-    let why = match before {
-        None if draft.scene.adhesion.is_none() => "the bodies only touch at the start",
-        Some(before) if before.parts() => "the entry before has parted the bodies",
-        None | Some(_) => return None,
-    };
+    let why = if entry.number == 0 {
+        (!draft.adheres()?).then_some("the bodies only touch at the start")
+    } else {
+        draft.entry_before(entry)?.parts().then_some("the entry before has parted the bodies")
+    }?;
     refused(entry, format!("{why}: expected an Indent or Press before Retract"))
 }

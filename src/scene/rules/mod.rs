@@ -16,6 +16,7 @@ mod parts;
 mod plots;
 
 pub use draft::Draft;
+pub(super) use draft::{Parts, Written};
 
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;
@@ -81,7 +82,7 @@ impl Rule {
     fn problems(&self, draft: &Draft<'_>) -> Vec<Problem> {
         match self.refuses {
             Refuses::Once(refuses) => refuses(draft).into_iter().collect(),
-            Refuses::Entry(refuses) => draft.entries.iter().filter_map(|entry| refuses(draft, entry)).collect(),
+            Refuses::Entry(refuses) => draft.entries().flatten().filter_map(|entry| refuses(draft, entry)).collect(),
             Refuses::Many(refuses) => refuses(draft),
         }
     }

@@ -5,6 +5,7 @@ use crate::contact::adhesion::{Adhesion, EdgeRule, Range};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::material::{Body, Relaxation};
+use crate::scene::mended::Look;
 use crate::shape::{Family, Rim, Shape};
 
 fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
@@ -12,7 +13,7 @@ fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
 }
 
 pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
-    let (Body::Rigid, Body::Rigid) = &draft.scene.bodies else { return None };
+    let (Body::Rigid, Body::Rigid) = draft.bodies(Look::Kind)? else { return None };
     refused(
         "bodies",
         "two rigid bodies cannot be pressed together: expected at least one Elastic(…) or Viscoelastic(…)",
@@ -21,26 +22,26 @@ pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
 
 /// An attraction, and what holds its edge, between elastic or viscoelastic bodies.
 pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
-    let (adhesion, bodies) = (draft.scene.adhesion.as_ref()?.traits(), draft.bodies?);
-    match (adhesion.range, &bodies.relaxation) {
-        (Range::Vanishing(None), None) => None,
-        (Range::Vanishing(Some(_)), None) => {
+    let (adhesion, relaxes) = (draft.adhesion(Look::Whole)?.traits(), draft.pair_relaxes()?);
+    match (adhesion.range, relaxes) {
+        (Range::Vanishing(None), false) => None,
+        (Range::Vanishing(Some(_)), false) => {
             refused("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
         }
-        (Range::Vanishing(None), Some(_)) => refused(
+        (Range::Vanishing(None), true) => refused(
             "adhesion",
             format!(
                 "{} with a Viscoelastic body lacks what holds its edge: expected edge: Relaxed, Instantaneous or Rate(speed: …, exponent: …)",
                 adhesion.name
             ),
         ),
-        (Range::Vanishing(Some(edge)), Some(relaxation)) => edge_that_holds_nothing(edge, relaxation),
-        (Range::Finite, None) if adhesion.work <= 0.0 => refused(
+        (Range::Vanishing(Some(edge)), true) => edge_that_holds_nothing(edge, draft.relaxation()?),
+        (Range::Finite, false) if adhesion.work <= 0.0 => refused(
             "adhesion.work",
             "a work of zero gives the attraction no range: expected one above zero, or no adhesion",
         ),
-        (Range::Finite, None) => None,
-        (Range::Finite, Some(_)) => refused(
+        (Range::Finite, false) => None,
+        (Range::Finite, true) => refused(
             "adhesion",
             format!("{} with a Viscoelastic body cannot be computed: expected Jkr(work: …, edge: …)", adhesion.name),
         ),
@@ -49,7 +50,7 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
 
 /// Opening an edge takes at least what closing it has given.
 pub(super) fn closing_beyond_opening(draft: &Draft<'_>) -> Option<Problem> {
-    let Adhesion::Jkr(jkr) = draft.scene.adhesion.as_ref()? else { return None };
+    let Adhesion::Jkr(jkr) = draft.adhesion(Look::Whole)? else { return None };
     let (work, closing) = (jkr.work.si(), jkr.closing?.si());
     (closing > work).then(|| {
         Problem::new(
@@ -62,7 +63,7 @@ pub(super) fn closing_beyond_opening(draft: &Draft<'_>) -> Option<Problem> {
 /// An edge that closes with less work than it opens with depends on what has been.
 pub(super) fn friction_with_closing(draft: &Draft<'_>) -> Option<Problem> {
     draft.friction_of_history()?;
-    draft.scene.adhesion.as_ref()?.traits().closing?;
+    draft.adhesion(Look::Whole)?.traits().closing?;
     refused(
         "adhesion.closing",
         "with friction cannot be computed, for peeling is known of an edge in equilibrium only: expected no closing, or no friction",
@@ -71,8 +72,8 @@ pub(super) fn friction_with_closing(draft: &Draft<'_>) -> Option<Problem> {
 
 /// Springs of one width tell the force of a pinned edge to first order only.
 pub(super) fn springs_with_closing(draft: &Draft<'_>) -> Option<Problem> {
-    draft.scene.springs?;
-    draft.scene.adhesion.as_ref()?.traits().closing?;
+    draft.springs()?;
+    draft.adhesion(Look::Whole)?.traits().closing?;
     refused("springs", "with closing cannot be computed: expected no springs, for the continuous bed holds the edge")
 }
 
@@ -91,7 +92,7 @@ fn edge_that_holds_nothing(edge: &EdgeRule, relaxation: &Relaxation) -> Option<P
 }
 
 pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
-    let (adhesion, profile) = (draft.scene.adhesion.as_ref()?.traits(), draft.profile?);
+    let (adhesion, profile) = (draft.adhesion(Look::Kind)?.traits(), draft.profile()?);
     let Range::Finite = adhesion.range else { return None };
     let why = if let Rim::Wall(_) = profile.rim() {
         "the side of the punch leaves the attraction no gap of growing width"
@@ -102,16 +103,16 @@ pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     } else {
         return None;
     };
-    let (name, shape) = (adhesion.name, draft.scene.shape.name());
+    let (name, shape) = (adhesion.name, draft.shape()?.name());
     refused("adhesion", format!("{name} on a {shape} cannot be computed: {why}; expected Jkr(work: …)"))
 }
 
 /// Friction needs one ratio of tangential and normal stiffness at all times.
 pub(super) fn friction_of_bodies_in_series(draft: &Draft<'_>) -> Option<Problem> {
-    draft.scene.friction.as_ref()?;
-    let (one, two) = &draft.scene.bodies;
+    draft.friction(Look::Kind)?;
+    let (one, two) = draft.bodies(Look::Whole)?;
     let similar = matches!(one, Body::Rigid) || matches!(two, Body::Rigid) || one == two;
-    if similar || !draft.scene.relaxes() {
+    if similar || !draft.pair_relaxes()? {
         return None;
     }
     refused(
@@ -121,7 +122,7 @@ pub(super) fn friction_of_bodies_in_series(draft: &Draft<'_>) -> Option<Problem>
 }
 
 pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
-    draft.relaxation()?;
+    draft.pair_relaxes()?.then_some(())?;
     let friction = draft.friction_of_history()?;
     match friction.slip() {
         Slip::Local(_) => None,
@@ -137,8 +138,9 @@ pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem
 
 /// A sheared adhesive contact is known under uniform stress.
 pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
-    draft.bodies?;
-    let (friction, adhesion) = (draft.friction_of_history()?, draft.scene.adhesion.as_ref()?.traits());
+    draft.pair_relaxes()?;
+    let (friction, adhesion) = (draft.friction_of_history()?, draft.adhesion(Look::Kind)?.traits());
+    let known = draft.friction(Look::Whole).is_some();
     let (one, other) = (friction.name(), adhesion.name);
     match (adhesion.range, friction) {
         (Range::Vanishing(_), Friction::Coulomb(_)) => refused(
@@ -153,7 +155,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
                 "{one} with {other} adhesion cannot be computed, for how a stress that is not uniform peels an edge has no closed answer: expected Pressure(shear: …, slope: 0), or no adhesion"
             ),
         ),
-        (Range::Vanishing(_), Friction::Pressure(law)) if law.slope.si() > 0.0 => refused(
+        (Range::Vanishing(_), Friction::Pressure(law)) if known && law.slope.si() > 0.0 => refused(
             "friction.slope",
             format!(
                 "{one} with a slope of {} and {other} adhesion cannot be computed, for peeling is known under a uniform stress only: expected slope: 0",
@@ -172,15 +174,15 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
 
 /// How shear peels an edge is known of round contacts.
 pub(super) fn peeling_on_section(draft: &Draft<'_>) -> Option<Problem> {
-    let (friction, profile) = (draft.friction_of_history()?, draft.profile?);
-    draft.scene.adhesion.as_ref()?;
+    let (friction, profile) = (draft.friction_of_history()?, draft.profile()?);
+    draft.adhesion(Look::Kind)?;
     match friction.slip() {
         Slip::Gross if profile.is_plane() => refused(
             "friction",
             format!(
                 "{} with adhesion cannot be computed on a {}, for how shear peels is known of round contacts: expected no adhesion, or no friction",
                 friction.name(),
-                draft.scene.shape.name()
+                draft.shape()?.name()
             ),
         ),
         Slip::Gross | Slip::Local(_) => None,
@@ -188,8 +190,8 @@ pub(super) fn peeling_on_section(draft: &Draft<'_>) -> Option<Problem> {
 }
 
 pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
-    draft.scene.springs?;
-    let adhesion = draft.scene.adhesion.as_ref()?.traits();
+    draft.springs()?;
+    let adhesion = draft.adhesion(Look::Whole)?.traits();
     let name = adhesion.name;
     match adhesion.range {
         Range::Finite => {
@@ -200,7 +202,7 @@ pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
             "with an adhesive Viscoelastic body cannot be computed: expected no springs, for the continuous bed holds the edge",
         ),
         Range::Vanishing(None) => {
-            draft.scene.friction.as_ref()?;
+            draft.friction(Look::Kind)?;
             refused(
                 "springs",
                 format!(
@@ -222,15 +224,15 @@ pub(super) fn not_round(shape: &Shape) -> Option<String> {
 
 /// A part that cannot be computed on the shape of the scene.
 pub(super) fn cannot_be_on(draft: &Draft<'_>, path: &str, part: &str) -> Option<Problem> {
-    let shape = not_round(&draft.scene.shape)?;
+    let shape = not_round(draft.shape()?)?;
     refused(path, format!("{part} cannot be computed on {shape}: expected none"))
 }
 
 /// On a rough line patches of elastic bodies are held by their edges.
 pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
-    let adhesion = draft.scene.adhesion.as_ref().map(Adhesion::traits)?;
-    let of = match (draft.scene.shape.family(), &adhesion.range) {
-        (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.scene.relaxes() => return None,
+    let (adhesion, shape) = (draft.adhesion(Look::Kind)?.traits(), draft.shape()?);
+    let of = match (shape.family(), &adhesion.range) {
+        (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => " of Viscoelastic bodies",
         (Family::Line(_) | Family::Map(..), Range::Finite) => {
             return refused(
@@ -238,7 +240,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 format!(
                     "{} cannot be computed on {}, for its attraction reaches from patch to patch: expected Jkr(work: …)",
                     adhesion.name,
-                    not_round(&draft.scene.shape).unwrap_or_default()
+                    not_round(shape).unwrap_or_default()
                 ),
             );
         }
@@ -249,15 +251,15 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
 
 /// Of friction a wave knows gross sliding, as a result.
 pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
-    let friction = draft.scene.friction.as_ref()?;
-    match (draft.scene.shape.family(), friction) {
+    let (friction, shape) = (draft.friction(Look::Kind)?, draft.shape()?);
+    match (shape.family(), friction) {
         (Family::Line(_) | Family::Map(..), Friction::Coulomb(_)) => None,
         (Family::Line(_) | Family::Map(..), Friction::CoulombOrowan(_) | Friction::Pressure(_)) => refused(
             "friction",
             format!(
                 "{} cannot be computed on {}: a rough bed does not tell the real pressure; expected Coulomb(coefficient: …)",
                 friction.name(),
-                not_round(&draft.scene.shape).unwrap_or_default()
+                not_round(shape).unwrap_or_default()
             ),
         ),
         (Family::Round | Family::Wavy(_), _) => cannot_be_on(draft, "friction", friction.name()),
@@ -265,7 +267,7 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
 }
 
 pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
-    draft.scene.springs?;
+    draft.springs()?;
     cannot_be_on(draft, "springs", "a number of springs")
 }
 
@@ -275,10 +277,10 @@ pub(super) fn is_without_bed(shape: &Shape) -> bool {
 }
 
 pub(super) fn viscoelastic_on_plane(draft: &Draft<'_>) -> Vec<Problem> {
-    if !is_without_bed(&draft.scene.shape) {
+    if !draft.shape().is_some_and(is_without_bed) {
         return Vec::new();
     }
-    let bodies = [("bodies.0", &draft.scene.bodies.0), ("bodies.1", &draft.scene.bodies.1)];
-    let viscoelastic = bodies.into_iter().filter(|(_, body)| body.relaxes());
+    let bodies = [("bodies.0", draft.body(0, Look::Kind)), ("bodies.1", draft.body(1, Look::Kind))];
+    let viscoelastic = bodies.into_iter().filter(|(_, body)| body.is_some_and(Body::relaxes));
     viscoelastic.filter_map(|(path, _)| cannot_be_on(draft, path, "a viscoelastic body")).collect()
 }

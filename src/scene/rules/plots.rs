@@ -4,55 +4,49 @@ use super::draft::Draft;
 use super::parts::is_without_bed;
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
-use crate::scene::{Plot, Scene};
+use crate::scene::Plot;
+use crate::scene::mended::Look;
 
 /// Figures of what the scene lacks.
 pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
-    let wanted = draft.scene.plots.iter().flatten().enumerate();
-    let problem = |(index, &plot): (usize, &Plot)| {
+    let problem = |(index, plot): (usize, Plot)| {
         let what = format!("{plot:?} cannot be drawn: {}", lacks(draft, plot)?);
         Some(Problem::new(format!("plots[{index}]"), what))
     };
-    wanted.filter_map(problem).collect()
+    draft.plots().filter_map(problem).collect()
 }
 
 /// What the scene lacks for a figure.
 fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
-    let scene = draft.scene;
-    let of_plane = is_without_bed(&scene.shape).then(|| lacks_of_plane(plot)).flatten();
-    let of_plane = of_plane.or_else(|| scene.shape.is_plane().then(|| lacks_of_section(plot)).flatten());
+    let shape = draft.shape()?;
+    let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
+    let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
     if of_plane.is_some() {
         return of_plane;
     }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape => return None,
         Plot::Radius | Plot::Pressure | Plot::Stress => {
-            (!scene.shape.is_rough(), "a rough bed does not know its contact area: expected Force, Energy or Shape")
+            (!shape.is_rough(), "a rough bed does not know its contact area: expected Force, Energy or Shape")
         }
-        Plot::Moduli => (scene.relaxes(), "expected a Viscoelastic body"),
-        Plot::Stick | Plot::Shear | Plot::Fretting if scene.shape.is_rough() => (
+        Plot::Moduli => {
+            (draft.bodies(Look::Kind).map(|(one, two)| one.relaxes() || two.relaxes())?, "expected a Viscoelastic body")
+        }
+        Plot::Stick | Plot::Shear | Plot::Fretting if shape.is_rough() => (
             false,
             "a rough bed does not know where in its contact it slips: expected Force, Energy, Shape or Friction",
         ),
-        Plot::Friction | Plot::Stick | Plot::Shear => (scene.friction.is_some(), "expected a friction"),
+        Plot::Friction | Plot::Stick | Plot::Shear => (draft.rubs()?, "expected a friction"),
         Plot::Fretting => {
-            let sticks = matches!(scene.friction.as_ref().map(Friction::slip), Some(Slip::Local(_)));
+            let sticks = draft.rubs()? && !slides_as_a_whole(draft)?;
             (sticks, "expected Coulomb friction and Shake or a Table with slide_m")
         }
         Plot::Coefficient => (
-            scene.adhesion.is_none() && slides_as_a_whole(scene),
+            !draft.adheres()? && slides_as_a_whole(draft)?,
             "expected CoulombOrowan or Pressure friction, and no adhesion",
         ),
-        Plot::Area => {
-            (scene.adhesion.is_some() && slides_as_a_whole(scene), "expected Jkr adhesion and Pressure friction")
-        }
-        Plot::Restitution => {
-            let impact = draft.entries.iter().find_map(|entry| entry.impact);
-            (
-                impact.is_some_and(|impact| impact.speed.len() > 1),
-                "expected an Impact with a list of at least two speeds",
-            )
-        }
+        Plot::Area => (draft.adheres()? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
+        Plot::Restitution => (draft.speeds()? > 1, "expected an Impact with a list of at least two speeds"),
     };
     (!there).then_some(what)
 }
@@ -88,6 +82,7 @@ fn lacks_of_section(plot: Plot) -> Option<&'static str> {
 }
 
 /// Whether the friction is one of gross sliding.
-fn slides_as_a_whole(scene: &Scene) -> bool {
-    matches!(scene.friction.as_ref().map(Friction::slip), Some(Slip::Gross))
+fn slides_as_a_whole(draft: &Draft<'_>) -> Option<bool> {
+    let gross = |friction: &Friction| matches!(friction.slip(), Slip::Gross);
+    draft.rubs().map(|_| draft.friction(Look::Kind).is_some_and(gross))
 }
