@@ -32,6 +32,8 @@ pub struct Bound {
 pub enum Beyond {
     /// The profile has ended.
     End,
+    /// The strips of a section are too wide for its datum, or all but meet.
+    Strips,
     /// The wave lies flat.
     FullContact,
     /// The profile touches outside the contact first: it is no longer simply connected.
@@ -45,10 +47,11 @@ impl Bound {
         let depth = self.depth;
         match self.beyond {
             Beyond::End => {
-                format!(
-                    "{depth:.3e} m, where the profile ends (the radius of a sphere, the last row of a table, a half width of 0.45 datum, 0.99 of the load that closes a wave)"
-                )
+                format!("{depth:.3e} m, where the profile ends (the radius of a sphere, the last row of a table)")
             }
+            Beyond::Strips => format!(
+                "{depth:.3e} m, where the half width is 0.45 datum, or a wave carries 0.99 of the load that closes it"
+            ),
             Beyond::FullContact => {
                 format!("{depth:.3e} m, where the wave lies flat and no depth decides the force: expected Press(to: …)")
             }
@@ -86,7 +89,8 @@ pub fn end(profile: &dyn Profile) -> Option<Bound> {
     } else {
         (profile.height(radius), f64::INFINITY)
     };
-    Some(Bound { depth, load_integral, beyond: Beyond::End })
+    let beyond = if profile.is_plane() { Beyond::Strips } else { Beyond::End };
+    Some(Bound { depth, load_integral, beyond })
 }
 
 /// Places at which the gap is looked at, near the contact and again farther out.
