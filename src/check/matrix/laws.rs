@@ -125,19 +125,12 @@ impl Cell {
         if written.relaxes() {
             kept.extend(elastic_limit(&written, exact));
         }
-        if !written.strikes() && !self.collapses() {
+        if !written.strikes() {
             let fine = written.finer(FINE);
             let failure = outcome(&fine).map_or_else(Some, |fine| ledger(&fine, exact, self.finds_losses()));
             kept.push(Kept { law: Law::Ledger, failure: failure.map(|why| format!("{why}: {}", fine.text())) });
         }
         kept
-    }
-
-    /// Whether an edge that obeys a rate law collapses: a known fault, the ledger is then open by up to a tenth of the
-    /// energies, on a ball as on any other shape, for what the springs give that are let go at once is not booked.
-    fn collapses(&self) -> bool {
-        let [_, _, adhesion, _, drive] = self.names();
-        adhesion == "JKR, rate" && drive == "retraction"
     }
 
     /// Whether something lost may be found again: a spring that leaves an edge held by the relaxed modulus faster than

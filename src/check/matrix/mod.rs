@@ -10,6 +10,7 @@
 //! assert!(matches!(rough.unwrap().verdict, Verdict::Computed { solver: "rough viscoelastic bed" }));
 //! ```
 
+mod choices;
 mod laws;
 mod written;
 
@@ -18,8 +19,9 @@ pub use written::Variation;
 
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
+use choices::{ADHESIONS, BODIES, DRIVES, FRICTIONS, SHAPES};
 use rayon::prelude::*;
-use written::{ADHESIONS, BODIES, DRIVES, FRICTIONS, SHAPES, Written, written};
+use written::{Written, written};
 
 /// Names of the drives, the columns of the matrix.
 #[must_use]

@@ -412,7 +412,9 @@ impl Front<'_> {
             let halves = self.opened(middle, half, until, a - middle);
             stride = a - whole;
             let radius = |place: f64| self.profile.contact_radius(place);
-            let error = (radius(whole) - radius(halves)).abs() / radius(self.edge);
+            // An edge that holds nowhere by then has collapsed on the way: when is known as well as it has been left behind.
+            let apart = if halves > 0.0 { (radius(whole) - radius(halves)).abs() } else { radius(a) };
+            let error = apart / radius(self.edge);
             if error > accuracy && until - now > shortest {
                 step = (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
                 continue;

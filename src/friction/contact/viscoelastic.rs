@@ -166,24 +166,13 @@ mod tests {
         for to in poses(depth) {
             go(&mut whole, from, to, 1.0);
             let mut behind = from;
-            for part in [0.3, 0.55, 1.0] {
+            for (part, over) in [(0.3, 0.3), (0.55, 0.25), (1.0, 0.45)] {
                 let between = |from: f64, to: f64| if part < 1.0 { from + part * (to - from) } else { to };
                 let there = Pose {
                     indentation: between(from.indentation, to.indentation),
                     slide: between(from.slide, to.slide),
                 };
-                go(
-                    &mut cut,
-                    behind,
-                    there,
-                    if part < 0.5 {
-                        0.3
-                    } else if part < 1.0 {
-                        0.25
-                    } else {
-                        0.45
-                    },
-                );
+                go(&mut cut, behind, there, over);
                 behind = there;
             }
             let (one, two) = (whole.tangential().unwrap(), cut.tangential().unwrap());

@@ -1,8 +1,10 @@
 //! Laws every profile obeys, and each shape against its exact numbers and limits.
 
 use crate::input::quantity::{Amplitude, Length, Positive};
+use crate::numerics::quadrature;
 use crate::shape::*;
 use proptest::prelude::*;
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
 pub(in crate::shape) fn metres(value: f64) -> Length {
     Length::new(value).unwrap()
