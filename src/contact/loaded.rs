@@ -183,6 +183,9 @@ impl Loaded {
             return self.drawn(r);
         }
         if let Bed::Remembered(load, _) = &self.bed {
+            if r >= a && self.edge_load.abs() > 0.0 {
+                return self.edge_load * f64::INFINITY;
+            }
             return self.profile.pressure_of(&|x| load.at(x), &load.ends, r);
         }
         let edge = self.edge_load;

@@ -182,7 +182,8 @@ impl Loading for LyingLoading<'_> {
 
     /// Of a closed wave it is smooth, and what is a hundredth of a thousandth of the wave away stands for the last place.
     fn pressure(&self, r: f64) -> Option<f64> {
-        let (place, end) = (self.profile.place(r), self.bed.contact_radius());
+        let end = self.bed.contact_radius();
+        let place = if (r - self.contact_radius()).abs() <= 0.0 { end } else { self.profile.place(r) };
         self.bed.pressure(if is_closed(self.profile, end) { place.min(LAST * end) } else { place })
     }
 

@@ -108,7 +108,7 @@ impl EdgeRule {
             ),
         };
         format!(
-            "an edge spring leaves at q² = 2πa E_c w_eff and joins where the bodies are √(2πa w/E_c) apart, moved by E_c alone, with {held}"
+            "an edge spring leaves at q² = A′E_c w_eff and joins where the bodies are √(A′w/E_c) apart, moved by E_c alone, with A′ = 2πa under a round contact and {held}"
         )
     }
 }

@@ -67,11 +67,26 @@ impl Memory {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::model::Loading;
     use crate::contact::viscoelastic::Spectrum;
+    use crate::contact::viscoelastic::attraction::Attraction;
     use crate::input::quantity::Length;
     use crate::material::Relaxation;
     use crate::shape::Paraboloid;
     use std::f64::consts::FRAC_2_PI;
+
+    /// At an edge that pulls the pressure falls without bound: the edge itself has none, and beside it is a pull.
+    #[test]
+    fn an_edge_that_pulls_has_no_pressure() {
+        let relaxation = Relaxation { equilibrium: 1.0, terms: vec![(2.0, 0.5)], viscosity: 0.0 };
+        let (spectrum, ball) = (Arc::new(Spectrum::new(&relaxation)), Paraboloid { radius: Length::new(1.0).unwrap() });
+        let attraction = Attraction::relaxed(1e-3, &spectrum);
+        let mut bed = Memory::new(spectrum, Arc::new(ball)).with(attraction);
+        bed.advance(0.01, 1.0).unwrap();
+        let (loaded, a) = (bed.loaded(), bed.radius());
+        assert!(loaded.pressure(a) == f64::NEG_INFINITY && loaded.pressure(a * (1.0 - 1e-9)) < 0.0);
+        assert!(Loading::pressure(&loaded, a).is_none() && loaded.pressure(1.1 * a) == 0.0);
+    }
 
     /// 10 mm and 4 MPa + 396 MPa at 1 ms, pressed 10 µm deep in 1000 s: stresses of the 80.5 kPa it carries by then,
     /// not of the 8 MPa of the modulus at once; so it yields nowhere at 0.1 MPa.

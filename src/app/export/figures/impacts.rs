@@ -2,12 +2,12 @@
 
 use super::curve::{against_time, axis, log, marked, points};
 use crate::app::figure::{Axis, Guide, Marks, Panel, Series};
-use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Record};
-use crate::run::table::Table;
+use crate::run::record::{INDENTATION, Record};
+use crate::run::table::{Column, Table};
 
-/// Depth, force and contact radius over time.
-pub fn over_time(records: &[Record]) -> Vec<Panel> {
-    [INDENTATION, FORCE, CONTACT_RADIUS].iter().map(|column| against_time(records, column)).collect()
+/// Depth, `force` and `radius` over time.
+pub fn over_time(records: &[Record], [force, radius]: [&Column<Record>; 2]) -> Vec<Panel> {
+    [&INDENTATION, force, radius].into_iter().map(|column| against_time(records, column)).collect()
 }
 
 /// Restitution against speed; impacts after which the bodies stay together, on all surfaces of an ensemble, are marked on

@@ -57,6 +57,11 @@ fn slides(outcome: &Outcome) -> bool {
     outcome.records.iter().filter_map(|record| record.tangential).any(|state| state.slide.abs() > 0.0)
 }
 
+/// The contact radius, of a section its half width.
+fn radius_of(plan: &Plan) -> &'static Column<Record> {
+    if plan.scene.shape.is_plane() { &HALF_WIDTH } else { &CONTACT_RADIUS }
+}
+
 /// Force over depth: per length of a section without a width.
 fn force_of(plan: &Plan) -> &'static Column<Record> {
     match &plan.scene.shape {
@@ -91,7 +96,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
 fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     match plan {
         Plan::Round(RoundPlan { profile, .. }) | Plan::Impact(ImpactPlan { profile, .. }) => {
-            Some(shape::profile(profile.as_ref(), outcome))
+            Some(shape::profile(profile.as_ref(), outcome, fields::across(plan)))
         }
         Plan::Rough(rough) => Some(rough::line(rough)),
         Plan::RoughImpact(impact) => Some(rough::line(&impact.rough)),
@@ -124,7 +129,10 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             over_time.into_iter().chain([rough::against_depth(outcome)]).collect()
         }
         Plan::Plane(_) => vec![against_depth(force_of(plan))],
-        Plan::Impact(_) => impacts::over_time(records).into_iter().chain([against_depth(force_of(plan))]).collect(),
+        Plan::Impact(_) => {
+            let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);
+            over_time.into_iter().chain([against_depth(force_of(plan))]).collect()
+        }
         Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(force_of(plan))],
         Plan::Round(_) => {
             let over_time = [force_of(plan), &INDENTATION].map(|column| against_time(records, column));
@@ -135,9 +143,9 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
 
 /// Contact radius against indentation, and against time where the bodies remember.
 fn radius(plan: &Plan, records: &[Record]) -> Vec<Panel> {
-    let column = if plan.scene.shape.is_plane() { HALF_WIDTH } else { CONTACT_RADIUS };
-    let by_depth = against_depth(plan, records, &column, axis_of(&column).from(0.0));
-    let over_time = plan.relaxation().map(|_| against_time(records, &column));
+    let column = radius_of(plan);
+    let by_depth = against_depth(plan, records, column, axis_of(column).from(0.0));
+    let over_time = plan.relaxation().map(|_| against_time(records, column));
     std::iter::once(by_depth).chain(over_time).collect()
 }
 

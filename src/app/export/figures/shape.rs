@@ -9,14 +9,15 @@ use std::f64::consts::TAU;
 
 const POINTS: usize = 400;
 
-/// f(r) and g(x) out to a little beyond the largest contact.
-pub fn profile(profile: &dyn Profile, outcome: &Outcome) -> Panel {
+/// f(r) and g(x) over the radius, out to a little beyond the largest contact; of a section over the half width at which
+/// a spring is touched.
+pub fn profile(profile: &dyn Profile, outcome: &Outcome, across: Axis) -> Panel {
     let largest = outcome.records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
     let wanted = if largest > 0.0 { 1.25 * largest } else { profile.contact_radius(profile.scale()) };
     let reach = wanted.min(profile.contact_radius(profile.rim().radius()));
     let at = |k: usize| reach * (k as f64 / POINTS as f64);
     let of = |height: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (at(k), height(at(k)))).collect::<Vec<_>>();
-    let panel = Panel::new(Axis::linear("radius r, place x", "m").from(0.0), Axis::linear("height", "m"))
+    let panel = Panel::new(across, Axis::linear("height", "m"))
         .with(Series::new("profile f(r)", of(&|r| profile.height(profile.place(r)))))
         .with(Series::new("equivalent g(x)", of(&|x| profile.reduced(profile.place(x)))));
     if matches!(profile.rim(), Rim::Wall(_)) {
