@@ -81,6 +81,7 @@ pub mod numerics;
 pub mod input;
 pub mod shape;
 pub mod material;
+pub mod ground;
 pub mod contact;
 pub mod friction;
 pub mod library;

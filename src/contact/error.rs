@@ -48,6 +48,16 @@ pub enum BedError {
         /// Indentation [m].
         indentation: f64,
     },
+    /// The contact is wider than layers are known.
+    #[error(
+        "the contact radius of {radius:e} m is beyond {known:e} m, 64 thicknesses of the topmost layer, up to which layers are computed: expected a smaller load, or Winkler(modulus: …, thickness: …) for so thin a layer"
+    )]
+    Wide {
+        /// Contact radius [m].
+        radius: f64,
+        /// Radius up to which the layers are known [m].
+        known: f64,
+    },
     /// The contact would become larger than the profile under a force.
     #[error("the contact outgrows the profile under the force {force:e} N")]
     Overloaded {

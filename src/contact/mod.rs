@@ -29,7 +29,7 @@ mod elastic;
 pub mod foundation;
 pub mod error;
 pub mod loaded;
-pub mod lying;
+pub mod mapped;
 pub mod model;
 pub mod plane;
 pub mod punch;

@@ -104,7 +104,7 @@ impl Loading for SpringLoads {
         if r >= a {
             return Some(0.0);
         }
-        if self.profile.is_plane() {
+        if self.profile.is_mapped() {
             return self.loaded().map(|loaded| loaded.pressure(r)).filter(|pressure| pressure.is_finite());
         }
         // On the axis itself the transform is the limit of a small radius.
@@ -125,7 +125,7 @@ impl Loading for SpringLoads {
         if r <= self.contact_radius {
             return Some(self.depth - self.profile.height(r));
         }
-        if self.profile.is_plane() {
+        if self.profile.is_mapped() {
             return self.loaded().map(|loaded| loaded.surface(r));
         }
         let part = |spring: &SeenSpring| {

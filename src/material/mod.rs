@@ -11,9 +11,11 @@
 //! assert!((spectrum.storage(10.0) / 5.5e6 - 1.0).abs() < 1e-14 && (spectrum.loss(10.0) / 4.5e6 - 1.0).abs() < 1e-14);
 //! ```
 
+mod layered;
 mod secular;
 mod spectrum;
 
+pub use layered::{Graded, Joint, Layer, Layered, Sheet, Stack, Under, Winkler};
 pub use spectrum::Element;
 pub use spectrum::{Mode, Spectrum};
 
@@ -35,16 +37,36 @@ pub enum Body {
     Elastic(Elastic),
     /// Isotropic, linearly viscoelastic half-space.
     Viscoelastic(Viscoelastic),
+    /// Layers on a base.
+    Layered(Layered),
+    /// A thin sheet of independent springs.
+    Winkler(Winkler),
+    /// A half-space whose modulus is a power of the depth.
+    Graded(Graded),
 }
 
 impl Body {
-    /// Poisson's ratio ν; of a rigid body none.
+    /// What it is called in a scene.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Rigid => "Rigid",
+            Self::Elastic(_) => "Elastic",
+            Self::Viscoelastic(_) => "Viscoelastic",
+            Self::Layered(_) => "Layered",
+            Self::Winkler(_) => "Winkler",
+            Self::Graded(_) => "Graded",
+        }
+    }
+
+    /// Poisson's ratio ν where it is the same at all depths; of a rigid body, of layers and of springs none.
     #[must_use]
     pub fn poisson(&self) -> Option<f64> {
         match self {
             Self::Elastic(elastic) => Some(elastic.poisson.si()),
             Self::Viscoelastic(viscoelastic) => Some(viscoelastic.poisson.si()),
-            Self::Rigid => None,
+            Self::Graded(graded) => Some(graded.poisson.si()),
+            Self::Rigid | Self::Layered(_) | Self::Winkler(_) => None,
         }
     }
 
@@ -53,7 +75,7 @@ impl Body {
     pub fn yield_stress(&self) -> Option<f64> {
         match self {
             Self::Elastic(elastic) => elastic.yield_stress.map(Modulus::si),
-            Self::Viscoelastic(_) | Self::Rigid => None,
+            Self::Viscoelastic(_) | Self::Rigid | Self::Layered(_) | Self::Winkler(_) | Self::Graded(_) => None,
         }
     }
 
@@ -61,8 +83,18 @@ impl Body {
     #[must_use]
     pub fn relaxes(&self) -> bool {
         match self {
-            Self::Rigid | Self::Elastic(_) => false,
+            Self::Rigid | Self::Elastic(_) | Self::Winkler(_) | Self::Graded(_) => false,
             Self::Viscoelastic(_) => true,
+            Self::Layered(body) => body.layers.iter().any(|layer| layer.body.relaxes()) || body.base.relaxes(),
+        }
+    }
+
+    /// Whether its stiffness depends on the depth.
+    #[must_use]
+    pub fn is_uneven(&self) -> bool {
+        match self {
+            Self::Rigid | Self::Elastic(_) | Self::Viscoelastic(_) => false,
+            Self::Layered(_) | Self::Winkler(_) | Self::Graded(_) => true,
         }
     }
 }
@@ -305,6 +337,8 @@ pub struct Joined {
     pub pair: Pair,
     /// E*(t) if one of the bodies is viscoelastic.
     pub relaxation: Option<Relaxation>,
+    /// What lies below the surfaces.
+    pub under: Under,
 }
 
 /// One of two bodies, alone against a rigid one.
@@ -313,6 +347,8 @@ struct Alone {
     stiffness: Stiffness,
     /// What it relaxes by, if it gives at all.
     spectrum: Option<Spectrum>,
+    /// What lies below its surface.
+    under: Under,
 }
 
 /// What `bodies` are together; `None` for two rigid ones, which make no pair.
@@ -326,39 +362,51 @@ pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joine
     let (one, two) = (alone(&bodies.0, "bodies.0", tables), alone(&bodies.1, "bodies.1", tables));
     let (one, two) = match (one, two) {
         (Ok(one), Ok(two)) => (one, two),
-        (one, two) => return Err(one.err().into_iter().chain(two.err()).collect()),
+        (one, two) => return Err(one.err().into_iter().chain(two.err()).flatten().collect()),
     };
     let pair = Pair::of(&one.stiffness, &two.stiffness);
+    let (shares, _) = in_series(one.stiffness.normal, two.stiffness.normal);
+    let under = Under::both(one.under, two.under, shares);
     let both = match (one.spectrum, two.spectrum) {
         (None, None) => return Ok(None),
         (Some(spectrum), None) | (None, Some(spectrum)) => spectrum,
         (Some(one), Some(two)) => one.in_series_with(&two),
     };
     if !bodies.0.relaxes() && !bodies.1.relaxes() {
-        return Ok(Some(Joined { pair, relaxation: None }));
+        return Ok(Some(Joined { pair, relaxation: None, under }));
     }
     Ok(Some(Joined {
         pair: Pair { normal: both.instantaneous(), ..pair },
         relaxation: Some(both.relaxation_function()),
+        under,
     }))
 }
 
-fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Problem> {
-    match body {
-        Body::Rigid => Ok(Alone { stiffness: Stiffness::RIGID, spectrum: None }),
+fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Vec<Problem>> {
+    let under = Under::HalfSpaces;
+    Ok(match body {
+        Body::Rigid => Alone { stiffness: Stiffness::RIGID, spectrum: None, under },
         Body::Elastic(elastic) => {
-            Ok(Alone { stiffness: elastic.stiffness(), spectrum: Some(Spectrum::elastic(elastic.plane_modulus())) })
+            let spectrum = Some(Spectrum::elastic(elastic.plane_modulus()));
+            Alone { stiffness: elastic.stiffness(), spectrum, under }
         }
-        Body::Viscoelastic(body) => viscoelastic(body, path, tables),
-    }
+        Body::Viscoelastic(body) => {
+            let relaxation = instantly_stiff(body, path, tables).map_err(|problem| vec![problem])?;
+            let stiffness = Stiffness::new(relaxation.instantaneous(), body.poisson.si());
+            Alone { stiffness, spectrum: Some(Spectrum::new(&relaxation)), under }
+        }
+        Body::Layered(body) => layered::layered(body, path, tables)?,
+        Body::Winkler(body) => layered::winkler(body),
+        Body::Graded(body) => layered::graded(body),
+    })
 }
 
-fn viscoelastic(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Alone, Problem> {
+/// E*(t) against a rigid body, above zero at once.
+fn instantly_stiff(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Relaxation, Problem> {
     let relaxation =
         body.relaxation(tables).map_err(|error| Problem::new(format!("{path}.shear.terms"), error.to_string()))?;
     if relaxation.instantaneous() > 0.0 {
-        let stiffness = Stiffness::new(relaxation.instantaneous(), body.poisson.si());
-        return Ok(Alone { stiffness, spectrum: Some(Spectrum::new(&relaxation)) });
+        return Ok(relaxation);
     }
     let message = "has no modulus above zero: expected an equilibrium modulus or at least one term";
     Err(Problem::new(format!("{path}.shear"), message))
@@ -419,7 +467,7 @@ mod tests {
     fn a_viscoelastic_body_relaxes_from_its_instantaneous_modulus() {
         let term = Term { modulus: Stress::new(0.9).unwrap(), time: Duration::new(0.2).unwrap() };
         let bodies = (Body::Rigid, rubber(Terms::List(vec![term])));
-        let Joined { pair, relaxation } = joined(&bodies, &InMemory::default()).unwrap().unwrap();
+        let Joined { pair, relaxation, .. } = joined(&bodies, &InMemory::default()).unwrap().unwrap();
         let relaxation = relaxation.unwrap();
         assert!(near(pair.normal, 4.0) && near(relaxation.equilibrium, 0.4));
         assert_eq!(relaxation.terms, [(3.6, 0.2)]);

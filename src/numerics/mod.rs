@@ -10,9 +10,11 @@
 //! # Ok::<(), root::RootError>(())
 //! ```
 
+pub mod chebyshev;
 pub mod complex;
 pub mod exponential;
 pub mod extremum;
+pub mod legendre;
 pub mod quadrature;
 pub mod root;
 pub mod special;

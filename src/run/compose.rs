@@ -7,7 +7,7 @@ use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
-use crate::contact::lying::LyingContact;
+use crate::contact::mapped::MappedContact;
 use crate::contact::model::ContactModel;
 use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact};
 use crate::contact::springs::{SpringBed, reach_for};
@@ -52,10 +52,10 @@ pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>
     Ok(told(&plan.profile, bed))
 }
 
-/// A contact that tells of itself in the radii of its profile, or in the half widths of a section.
+/// A contact that tells of itself in radii, or in the half widths of a section, whatever the places of its bed.
 #[must_use]
 pub fn told(profile: &Arc<dyn Profile>, bed: Box<dyn ContactModel>) -> Box<dyn ContactModel> {
-    if profile.is_plane() { Box::new(LyingContact::new(bed, profile.clone())) } else { bed }
+    if profile.is_mapped() { Box::new(MappedContact::new(bed, profile.clone())) } else { bed }
 }
 
 /// The normal contact of a rough plan.

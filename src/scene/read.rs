@@ -4,6 +4,7 @@ use super::Scene;
 use super::mended::{Look, Mended};
 use super::surface::{self, Surface};
 use crate::friction::{Friction, Strength, StrengthCurve};
+use crate::ground::{self, Ground, Grounded};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{self, Joined, Relaxation};
@@ -27,10 +28,12 @@ impl Read {
     pub(super) fn of(scene: &Scene, tables: &dyn Tables, mended: &Mended, problems: &mut Vec<Problem>) -> Self {
         let mut read = Reading { tables, mended, problems };
         let joined = read.part("bodies", |tables| material::joined(&scene.bodies, tables)).flatten();
+        let ground = joined.as_ref().and_then(|joined| ground::of(&joined.under));
+        let geometry = read.part("shape", |tables| Geometry::of(scene, tables)).map(|geometry| geometry.on(ground));
         Self {
             relaxation: joined.as_ref().and_then(|joined| joined.relaxation.clone()).map(Arc::new),
             joined,
-            geometry: read.part("shape", |tables| Geometry::of(scene, tables)),
+            geometry,
             strength: read.part("friction", |tables| strength(scene.friction.as_ref(), tables)).flatten(),
             motions: scene.history.iter().enumerate().map(|numbered| read.motion(numbered)).collect(),
         }
@@ -84,6 +87,16 @@ impl Geometry {
             Family::Map(path, pixel) => rough(surface::of_map(path, pixel, tables)?, None),
             Family::Wavy(wavy) => Self::Wavy(wavy.clone()),
         })
+    }
+
+    /// The same on a ground that is not alike at all depths: of a round shape another profile.
+    fn on(self, ground: Option<Arc<dyn Ground>>) -> Self {
+        match (self, ground) {
+            (Self::Round(profile), Some(ground)) if !profile.is_plane() => {
+                Self::Round(Arc::new(Grounded::new(profile, ground)))
+            }
+            (geometry, _) => geometry,
+        }
     }
 
     /// The smooth profile over a radius.

@@ -142,9 +142,24 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         self.kink().map_or_else(Vec::new, |b| kernel::OutsideKink(b).breaks(a))
     }
 
-    /// Whether the contact is that of a section long across, see [`Lying`](super::Lying): its places x are then not its radii.
+    /// Whether the contact is that of a section long across, see [`Lying`](super::Lying).
     fn is_plane(&self) -> bool {
         false
+    }
+
+    /// Whether places x in the bed are not radii: of a section, and over layers.
+    fn is_mapped(&self) -> bool {
+        self.is_plane()
+    }
+
+    /// The shape itself, where what lies below makes another profile of it.
+    fn bare(&self) -> Option<&dyn Profile> {
+        None
+    }
+
+    /// Radius [m] of the widest contact that is known of what lies below.
+    fn known_to(&self) -> f64 {
+        f64::INFINITY
     }
 
     /// Radius, or half width of a section, [m] of a contact whose bed ends at the place `x` [m].

@@ -88,7 +88,7 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
 fn theories(plan: &Plan, outcome: &Outcome) -> Vec<String> {
     let states = outcome.records.iter().map(|record| &record.normal);
     let largest = states.max_by(|one, other| one.force.total_cmp(&other.force));
-    largest.map_or_else(Vec::new, |state| theory::in_words(plan, state.force, state.stiffness))
+    largest.map_or_else(Vec::new, |state| theory::in_words(plan, state))
 }
 
 /// Effective moduli by name [Pa].

@@ -17,6 +17,7 @@ mod friction;
 #[cfg(feature = "half-space")]
 mod half_space;
 mod impact;
+mod ground;
 mod lying;
 mod rough;
 mod shapes;
@@ -39,6 +40,7 @@ pub fn all() -> Vec<Case> {
         elastic::CASES,
         shapes::CASES,
         lying::CASES,
+        ground::CASES,
         adhesive::CASES,
         viscoelastic::CASES,
         friction::CASES,

@@ -103,7 +103,7 @@ pub fn compare(plan: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, Comparison
     let force = most.normal.force;
     let mut comparison = rough::contest(rough.clone(), force).judged(done);
     let stiffness = comparison.state.stiffness_n_per_m.unwrap_or(0.0);
-    comparison.notes.extend(theory::in_words(&plan, force, stiffness));
+    comparison.notes.extend(theory::of_roughness(&plan, force, stiffness));
     Ok(comparison)
 }
 

@@ -13,7 +13,7 @@ use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{Plan, SceneSettings};
-use crate::shape::Shape;
+use crate::shape::{Profile, Shape};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -157,7 +157,9 @@ impl Scenario {
     /// The half-space on all grids, if it can compute the state, and what it is called where it is right.
     #[cfg(feature = "half-space")]
     fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
-        let round = !self.plan.adheres() && !self.plan.scene.shape.is_plane();
+        // Of sections and of layers the half-space has no twin.
+        let mapped = self.plan.profile().is_some_and(Profile::is_mapped);
+        let round = !self.plan.adheres() && !mapped;
         let Some(depth) = self.depth.filter(|_| round) else { return Vec::new() };
         let method = |grid| Method::of("half-space", Setting::grid(grid), self, move |own| own.pixels(grid, depth));
         super::GRIDS.map(|grid| (format!("half-space on {grid}² pixels, the finest grid"), method(grid))).into()

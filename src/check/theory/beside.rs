@@ -1,6 +1,8 @@
-//! What theories of rough contact say of a scene, beside what is computed.
+//! What theories say of a scene, beside what is computed.
 
+use super::ground;
 use super::{GreenwoodWilliamson, SummitStatistics, area_fraction, contact_conductance, plasticity_index};
+use crate::contact::state::Normal;
 use crate::material::Body;
 use crate::numerics::root::RootError;
 use crate::scene::plan::Plan;
@@ -9,11 +11,25 @@ use crate::shape::rough::Roughness;
 /// Hardness over yield stress of metals (Tabor 1951).
 const HARDNESS: f64 = 2.8;
 
+/// Of a rough scene in the state `state` area, summits, plasticity and conductance; of one on layers how far it is from
+/// one on a half-space.
+///
+/// Empty of others.
+#[must_use]
+pub fn in_words(plan: &Plan, state: &Normal) -> Vec<String> {
+    match plan {
+        Plan::Round(round) => ground::in_words(round, state),
+        Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => {
+            of_roughness(plan, state.force, state.stiffness)
+        }
+    }
+}
+
 /// Area, summits, plasticity and conductance of a rough scene under the force [N], with its normal stiffness [N/m].
 ///
-/// Empty without roughness. The area theories ask for a nominally flat surface and no adhesion; else they say nothing.
+/// The area theories ask for a nominally flat surface and no adhesion; else they say nothing.
 #[must_use]
-pub fn in_words(plan: &Plan, force: f64, stiffness: f64) -> Vec<String> {
+pub fn of_roughness(plan: &Plan, force: f64, stiffness: f64) -> Vec<String> {
     let Some(rough) = plan.rough() else { return Vec::new() };
     let (surface, roughness, modulus) = (&rough.surface, rough.surface.roughness(), plan.pair.normal);
     let mut lines = Vec::new();

@@ -11,6 +11,7 @@ mod table;
 
 use super::{SimulationError, Solved, Wanted};
 use crate::contact::loaded::Loaded;
+use crate::contact::mapped::known;
 use crate::contact::state::Normal;
 use crate::drive::impact::{self, ImpactError, ImpactState};
 use crate::run::record::{ErrorEstimate, Field, Outcome, Record};
@@ -56,6 +57,8 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
     let shown = followed.swap_remove(shown);
     let records = records(plan, &shown.moments);
     let deepest_radius = plan.profile.contact_radius(shown.radius);
+    known(plan.profile.as_ref(), deepest_radius)
+        .map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
     let outcome = Outcome {
         results: results::named(plan, (&rows, &records), deepest_radius, shown.field.as_ref()),
         records,
@@ -66,7 +69,7 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
         plan: Parts { state_bytes: shown.bytes, ..plan.parts() },
     };
     // Stresses below the surface are those of a round contact.
-    Ok(Solved { outcome, loaded: shown.loaded.filter(|_| !plan.profile.is_plane()) })
+    Ok(Solved { outcome, loaded: shown.loaded.filter(|_| !plan.profile.is_mapped()) })
 }
 
 /// Follows the impact at one speed; records and fields only where `wanted`.

@@ -11,6 +11,7 @@
 
 mod depth;
 mod draft;
+mod ground;
 mod history;
 mod parts;
 mod plots;
@@ -89,8 +90,12 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 31] = [
+pub const RULES: [Rule; 35] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
+    Rule::once(Bodies, Bodies, ground::beside),
+    Rule::once(Bodies, Shape, ground::under_shape),
+    Rule::once(Bodies, Friction, ground::friction),
+    Rule::once(Bodies, Adhesion, ground::adhesion),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),

@@ -21,8 +21,10 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     let shape = draft.shape()?;
     let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
     let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
-    if of_plane.is_some() {
-        return of_plane;
+    let of_ground = (plot == Plot::Stress && draft.bodies(Look::Kind).is_some_and(|(one, two)| one.is_uneven() || two.is_uneven()))
+        .then_some("the stress below is computed of half-spaces that are alike at all depths: expected Force, Radius, Pressure or Energy");
+    if of_plane.or(of_ground).is_some() {
+        return of_plane.or(of_ground);
     }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape => return None,

@@ -1,11 +1,11 @@
-//! A contact long across its section, told in its own half width.
+//! A contact whose bed has places that are not its radii, told in its own radius or half width.
 //!
 //! # Examples
 //! ```
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::contact::direct::QuasiStatic;
 //! use springbed::contact::foundation::HalfSpace;
-//! use springbed::contact::lying::LyingContact;
+//! use springbed::contact::mapped::MappedContact;
 //! use springbed::contact::model::ContactModel;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::{Cylinder, Lying, Profile};
@@ -16,7 +16,7 @@
 //! let one = Length::new(1.0)?;
 //! let profile = Arc::new(Lying::from(&Cylinder { radius: one, datum: one, width: None }));
 //! let bed = QuasiStatic::new(EdgeLine::new(HalfSpace::new(profile.clone(), 1.0), 0.0));
-//! let mut contact = LyingContact::new(Box::new(bed), profile);
+//! let mut contact = MappedContact::new(Box::new(bed), profile);
 //! contact.press(&springbed::contact::model::Pull {
 //!     force: 0.0025 * std::f64::consts::PI, slide: 0.0, sliding_speed: 0.0, duration: 1.0,
 //! });
@@ -28,24 +28,25 @@
 //! ```
 
 use super::creep::Creep;
-use super::error::{ContactError, PlaneError};
+use super::error::{BedError, ContactError, PlaneError};
 use super::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
 use super::state::{Normal, Tangential};
 use crate::material::Spectrum;
 use crate::shape::{Profile, Rim};
 use std::sync::Arc;
 
-/// The bed of a section, whose places are turned into half widths as they are told.
+/// The bed of a section or over layers, whose places are turned into half widths or radii as they are told.
 ///
-/// Within, every contact radius is a place of the bed (see [`Lying`](crate::shape::Lying)); so is that of a
+/// Within, every contact radius is a place of the bed (see [`Lying`](crate::shape::Lying) and
+/// [`Grounded`](crate::ground::Grounded)); so is that of a
 /// [`Glance`], which drives compare with itself alone.
-pub struct LyingContact {
+pub struct MappedContact {
     bed: Box<dyn ContactModel>,
     profile: Arc<dyn Profile>,
 }
 
-impl LyingContact {
-    /// The contact `bed` under a section's `profile`.
+impl MappedContact {
+    /// The contact `bed` under a mapped `profile`.
     #[must_use]
     pub fn new(bed: Box<dyn ContactModel>, profile: Arc<dyn Profile>) -> Self {
         Self { bed, profile }
@@ -61,12 +62,18 @@ impl LyingContact {
 
     /// Whether a wave can go where a piece leads: no further than to lie flat, to what rounds a great force.
     fn can_go(&self, piece: &Straight) -> Result<(), ContactError> {
-        let Rim::Wall(end) = self.profile.rim() else { return Ok(()) };
+        let (Rim::Wall(end), true) = (self.profile.rim(), self.profile.is_plane()) else { return Ok(()) };
         let full = self.profile.reduced(end);
         if piece.to > full * (1.0 + FLAT) {
             return Err(PlaneError::FullContact { indentation: piece.to, full }.into());
         }
         Ok(())
+    }
+
+    /// Whether what lies below is known as wide as the contact is.
+    fn is_known(&self) -> Result<(), ContactError> {
+        let place = self.bed.state().contact_radius.unwrap_or(0.0);
+        known(self.profile.as_ref(), self.profile.contact_radius(place)).map_err(ContactError::from)
     }
 
     fn told_tangential(&self, tangential: Tangential) -> Tangential {
@@ -83,10 +90,11 @@ impl LyingContact {
     }
 }
 
-impl ContactModel for LyingContact {
+impl ContactModel for MappedContact {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
         self.can_go(piece)?;
         let events = self.bed.follow(piece)?;
+        self.is_known()?;
         Ok(self.told_events(&events))
     }
 
@@ -105,7 +113,7 @@ impl ContactModel for LyingContact {
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
         let bed = self.bed.loading()?;
-        Some(Box::new(LyingLoading { bed, profile: self.profile.as_ref() }))
+        Some(Box::new(MappedLoading { bed, profile: self.profile.as_ref() }))
     }
 
     fn copy(&self) -> Box<dyn ContactModel> {
@@ -138,7 +146,7 @@ impl ContactModel for LyingContact {
 
     fn press(&mut self, pull: &Pull) -> Option<Result<Vec<Event>, ContactError>> {
         let events = self.bed.press(pull)?;
-        Some(events.map(|events| self.told_events(&events)))
+        Some(events.and_then(|events| self.is_known().map(|()| self.told_events(&events))))
     }
 
     fn last_depth(&self) -> Option<Result<f64, ContactError>> {
@@ -158,6 +166,15 @@ impl ContactModel for LyingContact {
     }
 }
 
+/// Whether a contact of the radius `radius` [m] is known over what lies below it.
+///
+/// # Errors
+/// It is wider than layers are known.
+pub fn known(profile: &dyn Profile, radius: f64) -> Result<(), BedError> {
+    let known = profile.known_to();
+    if radius > known { Err(BedError::Wide { radius, known }) } else { Ok(()) }
+}
+
 /// How much deeper, as a part, a closed wave is taken to be under a force.
 const FLAT: f64 = 1e-9;
 
@@ -166,16 +183,16 @@ const LAST: f64 = 1e-4;
 
 /// Whether nothing is open any more of a contact whose bed ends at a place [m].
 fn is_closed(profile: &dyn Profile, place: f64) -> bool {
-    matches!(profile.rim(), Rim::Wall(end) if place >= end)
+    profile.is_plane() && matches!(profile.rim(), Rim::Wall(end) if place >= end)
 }
 
-/// The load of a section over the distance from its middle.
-struct LyingLoading<'c> {
+/// The load over the distance from the middle.
+struct MappedLoading<'c> {
     bed: Box<dyn Loading + 'c>,
     profile: &'c dyn Profile,
 }
 
-impl Loading for LyingLoading<'_> {
+impl Loading for MappedLoading<'_> {
     fn contact_radius(&self) -> f64 {
         self.profile.contact_radius(self.bed.contact_radius())
     }

@@ -1,0 +1,294 @@
+//! The profile that a shape has on a ground.
+
+use super::Ground;
+use crate::numerics::chebyshev::Chebyshev;
+use crate::numerics::quadrature;
+use crate::shape::{Profile, Rim};
+use std::f64::consts::{PI, TAU};
+use std::sync::{Arc, OnceLock};
+
+/// Nodes of a panel.
+const NODES: usize = 20;
+/// A panel whose last coefficients are less than this part of the first is fine enough.
+const RESOLVED: f64 = 1e-14;
+/// Most halvings of a panel: a root at a kink of the profile is then lost in rounding.
+const HALVINGS: usize = 24;
+/// Octaves of the radius.
+const OCTAVES: usize = 200;
+
+/// A shape on a ground, as the profile d_e(a(s)) of a homogeneous bed with the places s; see [the module](super).
+#[derive(Debug)]
+pub struct Grounded {
+    shape: Arc<dyn Profile>,
+    ground: Arc<dyn Ground>,
+    /// Upper border of the first octave [m].
+    first: f64,
+    octaves: Vec<OnceLock<Vec<Panel>>>,
+}
+
+/// Part of an octave, over the radius a.
+#[derive(Debug, Clone)]
+struct Panel {
+    /// Its upper border [m].
+    high: f64,
+    /// d_e/g.
+    share: Chebyshev,
+    /// N/(s d_e), N(a) = ∫(d_e(a) − d_e(x))ds.
+    load: Chebyshev,
+    /// M/(s d_e²), M(a) = ∫(d_e(a) − d_e(x))²ds.
+    energy: Chebyshev,
+    /// N [m²] and M [m³] at its upper border.
+    ends: [f64; 2],
+}
+
+impl Grounded {
+    /// `shape` on `ground`.
+    #[must_use]
+    pub fn new(shape: Arc<dyn Profile>, ground: Arc<dyn Ground>) -> Self {
+        let scale = ground.scale().map_or(shape.scale(), |scale| scale.min(shape.scale()));
+        Self { shape, ground, first: 0.25 * scale, octaves: vec![OnceLock::new(); OCTAVES] }
+    }
+
+    /// The radius [m] at which it ends: of the shape, or of what is known of the ground.
+    fn reach(&self) -> f64 {
+        self.shape.rim().radius().min(self.ground.end())
+    }
+
+    /// Upper border [m] of an octave of radii, over which everything changes slowly.
+    fn border(&self, octave: usize) -> f64 {
+        self.first * (octave as f64).exp2()
+    }
+
+    fn octave_of(&self, a: f64) -> usize {
+        (0..OCTAVES - 1).find(|&octave| a <= self.border(octave)).unwrap_or(OCTAVES - 1)
+    }
+
+    /// Panels of an octave; of the last one up to its end.
+    fn panels(&self, octave: usize) -> &[Panel] {
+        let Some(kept) = self.octaves.get(octave) else { return &[] };
+        kept.get_or_init(|| self.laid(octave))
+    }
+
+    fn laid(&self, octave: usize) -> Vec<Panel> {
+        let low = if octave == 0 { 0.0 } else { self.border(octave - 1) };
+        let high = self.border(octave).min(self.shape.rim().radius());
+        let flat = self.shape.flat_radius();
+        let before = octave.checked_sub(1).and_then(|before| self.panels(before).last());
+        let mut ends = before.map_or([0.0; 2], |panel| panel.ends);
+        let inside = |at: &f64| *at > low.max(flat) && *at < high;
+        let breaks = self.shape.breaks(high).into_iter().chain([flat]).filter(|at| *at > low && *at < high);
+        let mut borders: Vec<f64> = std::iter::once(low.max(flat)).chain(breaks.filter(inside)).chain([high]).collect();
+        borders.sort_by(f64::total_cmp);
+        borders.dedup();
+        let mut panels = Vec::new();
+        for pair in borders.windows(2) {
+            if let [from, to] = pair
+                && to > from
+            {
+                self.lay((*from, *to), HALVINGS, &mut ends, &mut panels);
+            }
+        }
+        panels
+    }
+
+    /// Panels between two radii, halved until d_e/g is met.
+    fn lay(&self, (low, high): (f64, f64), halvings: usize, ends: &mut [f64; 2], panels: &mut Vec<Panel>) {
+        let share = Chebyshev::of(|a| self.ground.depth_share(self.shape.as_ref(), a), NODES, (low, high));
+        if halvings > 0 && share.unresolved() > RESOLVED {
+            let middle = 0.5 * (low + high);
+            self.lay((low, middle), halvings - 1, ends, panels);
+            self.lay((middle, high), halvings - 1, ends, panels);
+            return;
+        }
+        let panel = self.integrated(share, (low, high), *ends);
+        *ends = panel.ends;
+        panels.push(panel);
+    }
+
+    /// N and M over a panel, which begins with `ends`.
+    fn integrated(&self, share: Chebyshev, (low, high): (f64, f64), ends: [f64; 2]) -> Panel {
+        let [load_before, energy_before] = ends;
+        let (measure, depth) = (|a| self.ground.measure(a), |a| share.at(a) * self.shape.reduced(a));
+        let slope = |a: f64| self.slope_with(&share, a);
+        let load_at = |a: f64| load_before + quadrature::panel(|x| measure(x) * slope(x), low, a);
+        let load = Chebyshev::of(|a| load_at(a) / (measure(a) * depth(a)), NODES, (low, high));
+        let known = |a: f64| measure(a) * depth(a) * load.at(a);
+        let energy_at = |a: f64| energy_before + quadrature::panel(|x| 2.0 * slope(x) * known(x), low, a);
+        let energy = Chebyshev::of(|a| energy_at(a) / (measure(a) * depth(a).powi(2)), NODES, (low, high));
+        Panel { high, ends: [load_at(high), energy_at(high)], load, energy, share }
+    }
+
+    /// d_e′(a), of the panel with the share `share`.
+    fn slope_with(&self, share: &Chebyshev, a: f64) -> f64 {
+        let (share, slope) = share.with_slope(a);
+        slope * self.shape.reduced(a) + share * self.shape.reduced_slope(a)
+    }
+
+    /// The panel about the place `s` with its radius; `None` on the flat of the shape.
+    fn about(&self, s: f64) -> Option<(&Panel, f64)> {
+        let a = self.ground.radius(s);
+        if a <= self.shape.flat_radius() {
+            return None;
+        }
+        let panels = self.panels(self.octave_of(a.min(self.shape.rim().radius())));
+        let panel = panels.iter().find(|panel| a <= panel.high).or(panels.last())?;
+        Some((panel, a))
+    }
+}
+
+impl Profile for Grounded {
+    fn height(&self, r: f64) -> f64 {
+        self.shape.height(self.ground.radius(r))
+    }
+
+    fn reduced(&self, x: f64) -> f64 {
+        self.about(x).map_or(0.0, |(panel, a)| panel.share.at(a) * self.shape.reduced(a))
+    }
+
+    fn reduced_slope(&self, x: f64) -> f64 {
+        self.about(x).map_or(0.0, |(panel, a)| self.slope_with(&panel.share, a) / self.ground.density(a))
+    }
+
+    fn load_integral(&self, a: f64) -> f64 {
+        let load = |(panel, radius): (&Panel, f64)| {
+            panel.load.at(radius) * a * panel.share.at(radius) * self.shape.reduced(radius)
+        };
+        self.about(a).map_or(0.0, load)
+    }
+
+    fn energy_integral(&self, a: f64) -> f64 {
+        let energy = |(panel, radius): (&Panel, f64)| {
+            panel.energy.at(radius) * a * (panel.share.at(radius) * self.shape.reduced(radius)).powi(2)
+        };
+        self.about(a).map_or(0.0, energy)
+    }
+
+    fn pressure_integral(&self, r: f64, a: f64) -> f64 {
+        // d_e grows from b to b + db over punches of the radius b; b² = r² + t² takes the root away, and the third power
+        // of y what is left of it where a body is graded.
+        let (inner, outer) = (self.ground.radius(r), self.ground.radius(a));
+        let last = ((outer - inner) * (outer + inner)).max(0.0).sqrt();
+        let to_y = |b: f64| (((b - inner) * (b + inner)).max(0.0).sqrt() / last).cbrt();
+        let at = |y: f64| {
+            let t = last * y.powi(3);
+            let b = inner.hypot(t);
+            let slope = self.reduced_slope(self.ground.measure(b)) * self.ground.density(b);
+            slope * self.ground.edge_pressure(t, b) * t / b * 3.0 * last * y * y
+        };
+        let breaks: Vec<f64> = self.radii(&self.breaks(a)).into_iter().filter(|&b| b > inner).map(to_y).collect();
+        quadrature::panels(at, (0.0, 1.0), &breaks)
+    }
+
+    fn displacement_integral(&self, r: f64, a: f64) -> f64 {
+        let depth = self.reduced(a);
+        let springs = |b: f64| depth - self.reduced(self.ground.measure(b));
+        let mut ends = self.radii(&self.breaks(a));
+        ends.push(self.ground.radius(a));
+        self.ground.surface(&springs, &ends, self.ground.radius(r))
+    }
+
+    fn flat_radius(&self) -> f64 {
+        self.ground.measure(self.shape.flat_radius())
+    }
+
+    fn rim(&self) -> Rim {
+        match self.shape.rim() {
+            Rim::Wall(radius) if radius <= self.ground.end() => Rim::Wall(self.ground.measure(radius)),
+            Rim::End(radius) if radius <= self.ground.end() => Rim::End(self.ground.measure(radius)),
+            // A contact that goes further is refused when it is there: to know the depth would cost more than most scenes.
+            Rim::Wall(_) | Rim::None | Rim::End(_) => Rim::None,
+        }
+    }
+
+    fn scale(&self) -> f64 {
+        let length = self.ground.scale().unwrap_or(f64::INFINITY);
+        self.ground.measure(self.shape.scale().min(length))
+    }
+
+    fn feature(&self) -> Option<f64> {
+        self.shape.feature().map(|feature| self.ground.measure(feature.min(self.reach())))
+    }
+
+    fn kink(&self) -> Option<f64> {
+        self.shape.kink().map(|kink| self.ground.measure(kink.min(self.reach())))
+    }
+
+    fn first_fall(&self) -> Option<f64> {
+        self.shape.first_fall().map(|fall| self.ground.measure(fall.min(self.reach())))
+    }
+
+    fn sampling_error(&self, a: f64) -> f64 {
+        self.shape.sampling_error(self.ground.radius(a))
+    }
+
+    fn breaks(&self, a: f64) -> Vec<f64> {
+        let radius = self.ground.radius(a);
+        let mut breaks = self.shape.breaks(radius);
+        // Below its own length a ground changes slowly.
+        let length = self.ground.scale().unwrap_or(f64::INFINITY);
+        let borders = (0..OCTAVES).map(|octave| self.border(octave)).skip_while(|&border| border < length);
+        breaks.extend(borders.take_while(|&border| border < radius));
+        breaks.sort_by(f64::total_cmp);
+        breaks.into_iter().map(|radius| self.ground.measure(radius)).collect()
+    }
+
+    fn bare(&self) -> Option<&dyn Profile> {
+        Some(self.shape.as_ref())
+    }
+
+    fn known_to(&self) -> f64 {
+        self.ground.end()
+    }
+
+    fn is_mapped(&self) -> bool {
+        true
+    }
+
+    fn contact_radius(&self, x: f64) -> f64 {
+        self.ground.radius(x)
+    }
+
+    fn place(&self, radius: f64) -> f64 {
+        self.ground.measure(radius)
+    }
+
+    fn contact_area(&self, x: f64) -> f64 {
+        PI * self.ground.radius(x).powi(2)
+    }
+
+    fn contact_area_slope(&self, x: f64) -> f64 {
+        TAU * self.ground.per_density(self.ground.radius(x))
+    }
+
+    fn contact_area_bend(&self, x: f64) -> f64 {
+        let a = self.ground.radius(x);
+        (1.0 - self.ground.density_growth(a)) / self.ground.growth(a)
+    }
+
+    fn edge_pressure(&self, r: f64, a: f64) -> f64 {
+        let (inner, outer) = (self.ground.radius(r), self.ground.radius(a));
+        self.ground.edge_pressure(((outer - inner) * (outer + inner)).max(0.0).sqrt(), outer)
+    }
+
+    fn edge_surface(&self, r: f64, a: f64) -> f64 {
+        let edge = self.ground.radius(a);
+        self.ground.surface(&|_| 1.0, &[edge], self.ground.radius(r))
+    }
+
+    fn pressure_of(&self, load: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+        if ends.last().is_none_or(|&a| r >= a) {
+            return 0.0;
+        }
+        self.ground.pressure(&|b| load(self.ground.measure(b)), &self.radii(ends), self.ground.radius(r))
+    }
+
+    fn surface_of(&self, displacement: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+        self.ground.surface(&|b| displacement(self.ground.measure(b)), &self.radii(ends), self.ground.radius(r))
+    }
+}
+
+impl Grounded {
+    fn radii(&self, places: &[f64]) -> Vec<f64> {
+        places.iter().map(|&place| self.ground.radius(place)).collect()
+    }
+}

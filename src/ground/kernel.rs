@@ -1,0 +1,93 @@
+//! What a load at one place of the bed of a layered body takes from another.
+
+use crate::numerics::chebyshev::Chebyshev;
+use crate::numerics::quadrature;
+use std::fmt::{self, Debug, Formatter};
+use std::sync::{Arc, OnceLock};
+
+/// Nodes per octave: the nearest singularity, of the image at the depth 2h, leaves 7^(−20).
+const NODES: usize = 20;
+/// Octaves of the distance that are kept; beyond them the integral is taken every time.
+const OCTAVES: usize = 12;
+/// Most halvings of the wave number from 1 down.
+const LOW: i32 = 60;
+/// Wave number from which on nothing is left: t²e^(−2t) = 1e-18.
+const HIGH: f64 = 24.0;
+/// Longest panel in the wave number, for poles at about π/2 from the axis.
+const LONGEST: f64 = 2.0;
+/// Longest panel in the phase.
+const PHASE: f64 = 24.0;
+
+/// κ(y) = ∫₀^∞ (1 − M(t)) cos(ty) dt [1], lengths in thicknesses of the top layer.
+#[derive(Clone)]
+pub(super) struct Kernel {
+    /// 1 − M(t).
+    lacking: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
+    /// A wave number below which M does not change.
+    least: f64,
+    octaves: Vec<OnceLock<Chebyshev>>,
+}
+
+impl Debug for Kernel {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Kernel").finish_non_exhaustive()
+    }
+}
+
+impl Kernel {
+    /// With M(t) that does not change below the wave number `least`.
+    pub(super) fn new(lacking: impl Fn(f64) -> f64 + Send + Sync + 'static, least: f64) -> Self {
+        Self { lacking: Arc::new(lacking), least, octaves: vec![OnceLock::new(); OCTAVES] }
+    }
+
+    /// K(x, ξ) = (2/π)∫(1 − M) cos kx cos kξ dk.
+    pub(super) fn between(&self, x: f64, other: f64) -> f64 {
+        std::f64::consts::FRAC_1_PI * (self.at((x - other).abs()) + self.at(x + other))
+    }
+
+    /// κ at the distance `y` ≥ 0.
+    fn at(&self, y: f64) -> f64 {
+        let octave = if y < 1.0 { 0 } else { octave_of(y) };
+        match self.octaves.get(octave) {
+            Some(kept) => kept.get_or_init(|| self.octave(octave)).at(y),
+            None => transformed(&self.samples(y), y),
+        }
+    }
+
+    /// κ over the octave that ends at 2ⁿ; the first one begins at the axis.
+    fn octave(&self, octave: usize) -> Chebyshev {
+        let high = (octave as f64).exp2();
+        let samples = self.samples(high);
+        Chebyshev::of(|y| transformed(&samples, y), NODES, (if octave == 0 { 0.0 } else { 0.5 * high }, high))
+    }
+
+    /// Wave numbers and 1 − M times their weight, for distances up to `y`.
+    fn samples(&self, y: f64) -> Vec<(f64, f64)> {
+        let longest = LONGEST.min(PHASE / y);
+        let powers = (-LOW..=0).map(|power| f64::from(power).exp2()).filter(|&border| border >= self.least);
+        let borders: Vec<f64> = std::iter::once(0.0).chain(powers).chain([HIGH]).collect();
+        let mut samples = Vec::new();
+        for ends in borders.windows(2) {
+            let [low, high] = ends else { continue };
+            let count = ((high - low) / longest).ceil().max(1.0);
+            let half = 0.5 * (high - low) / count;
+            let mut middle = low + half;
+            while middle < *high {
+                let nodes = quadrature::nodes().iter().map(|&(x, weight)| (middle + half * x, half * weight));
+                samples.extend(nodes.map(|(t, weight)| (t, weight * (self.lacking)(t))));
+                middle += 2.0 * half;
+            }
+        }
+        samples
+    }
+}
+
+/// The n for which 2^(n−1) ≤ y < 2ⁿ, y ≥ 1.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the logarithm of a number from 1 on")]
+fn octave_of(y: f64) -> usize {
+    y.log2().floor() as usize + 1
+}
+
+fn transformed(samples: &[(f64, f64)], y: f64) -> f64 {
+    samples.iter().map(|&(t, lacking)| lacking * (t * y).cos()).sum()
+}

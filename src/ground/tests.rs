@@ -1,0 +1,301 @@
+//! Layers against numbers from another solution, limits, and laws.
+
+use super::*;
+use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson};
+use crate::material::{Graded, Joint, Sheet, Stack};
+use crate::numerics::quadrature;
+use crate::shape::Paraboloid;
+use std::sync::Arc;
+
+fn sheet(shear: f64, poisson: f64, joint: Joint) -> Sheet {
+    Sheet { shear, poisson, thickness: 1.0, joint }
+}
+
+fn on_rigid(poisson: f64, joint: Joint) -> Stack {
+    Stack { sheets: vec![sheet(1.0, poisson, joint)], base: None }
+}
+
+fn on_base(contrast: f64, top: f64, below: f64) -> Stack {
+    let base = sheet(1.0 / contrast, below, Joint::Bonded);
+    Stack { sheets: vec![sheet(1.0, top, Joint::Bonded)], base: Some(base) }
+}
+
+/// M(t) of one layer in closed form, bonded to a base: α = G₁/G₀.
+fn closed(contrast: f64, top: f64, below: f64, t: f64) -> f64 {
+    let (kappa, kappa_below) = (3.0 - 4.0 * top, 3.0 - 4.0 * below);
+    let a = (contrast * kappa_below - kappa) / (1.0 + contrast * kappa_below);
+    let b = (contrast - 1.0) / (contrast + kappa);
+    let e = (-2.0 * t).exp();
+    (1.0 + 4.0 * b * t * e - a * b * e * e) / (1.0 - (a + b + 4.0 * b * t * t) * e + a * b * e * e)
+}
+
+#[test]
+fn one_layer_is_the_closed_form() {
+    for t in [1e-6, 1e-3, 0.1, 1.0, 3.0, 10.0, 100.0, 1e5] {
+        for (contrast, top, below) in
+            [(0.1, 0.5, 0.3), (10.0, 0.3, 0.3), (1.0, 0.2, 0.2), (1e6, 0.0, 0.5), (1e-6, 0.4, 0.1)]
+        {
+            let (found, right) = (1.0 - on_base(contrast, top, below).lacking(t), closed(contrast, top, below, t));
+            // The closed form loses what its numerator or its denominator is less than one.
+            let lost = 4.0 * f64::EPSILON * right.max(right.recip()) * contrast.max(1.0);
+            assert!((found / right - 1.0).abs() < 1e-14 + 8.0 * lost, "{t} {contrast}: {found} {right}");
+        }
+        for poisson in [0.0, 0.3, 0.5] {
+            let kappa: f64 = 3.0 - 4.0 * poisson;
+            let e = (-2.0 * t).exp();
+            let bonded = (kappa * (1.0 - e * e) - 4.0 * t * e)
+                / (kappa * (1.0 + e * e) + (4.0 * t * t + 1.0 + kappa * kappa) * e);
+            let found = 1.0 - on_rigid(poisson, Joint::Bonded).lacking(t);
+            assert!((found - bonded).abs() < 1e-14, "{t} {poisson}: {found} {bonded}");
+            let sliding = (1.0 - e).powi(2) / (1.0 - e * e + 4.0 * t * e);
+            assert!((1.0 - on_rigid(poisson, Joint::Sliding).lacking(t) - sliding).abs() < 1e-14, "{t}");
+        }
+    }
+}
+
+#[test]
+fn a_paraboloid_on_a_layer() {
+    let shape = paraboloid();
+    let cases = [
+        (
+            on_rigid(0.5, Joint::Bonded),
+            [0.87973315759, 7.2374716979, 108.94439628],
+            [0.0071502006930, 0.055941548556, 0.36673061439],
+            [0.0036710110238, 0.18806668992, 15.695633214],
+        ),
+        (
+            on_rigid(0.3, Joint::Bonded),
+            [0.79966254282, 4.9670492583, 37.567754032],
+            [0.0075452333484, 0.064762231993, 0.49245203236],
+            [0.0036466635918, 0.16786246035, 9.2386522433],
+        ),
+        (
+            on_rigid(0.3, Joint::Sliding),
+            [0.76381797408, 4.3972427313, 31.724584629],
+            [0.0077427372908, 0.067398064499, 0.50410444640],
+            [0.0036300451024, 0.15781227473, 8.0325780231],
+        ),
+        (
+            on_base(10.0, 0.3, 0.3),
+            [0.25236991473, 0.41759734796, 0.84126330883],
+            [0.016854985122, 0.23028302178, 1.4136473981],
+            [0.0034869154256, 0.079231674852, 0.84935080951],
+        ),
+    ];
+    for (stack, stiffness, depth, force) in cases {
+        let layers: Arc<dyn Ground> = Arc::new(Layers::new(vec![(1.0, stack)]));
+        let bed = Grounded::new(shape.clone(), layers.clone());
+        for (k, a) in [0.3, 1.0, 3.0].into_iter().enumerate() {
+            let s = layers.measure(a);
+            assert!((layers.radius(s) / a - 1.0).abs() < 1e-13);
+            // Bound: the digits of the numbers.
+            for (found, right) in
+                [(2.0 * s, stiffness[k]), (bed.reduced(s), depth[k]), (2.0 * bed.load_integral(s), force[k])]
+            {
+                assert!((found / right - 1.0).abs() < 5e-11, "{a}: {found} {right}");
+            }
+        }
+    }
+}
+
+/// k′ = 2E*q₁² is s′ = q₁²: two results of one equation. And what the springs carry is what the line load is.
+#[test]
+fn the_springs_are_those_of_the_punches() {
+    let layers = Layers::new(vec![(1.0, on_base(0.1, 0.5, 0.3))]);
+    for a in [0.01, 0.2, 0.7, 1.9, 5.0, 12.0] {
+        let h = 1e-5;
+        let slope = (layers.measure(a * (1.0 + h)) - layers.measure(a * (1.0 - h))) / (2.0 * h * a);
+        assert!((slope / layers.density(a) - 1.0).abs() < 1e-9, "{a}");
+        let growth = (layers.density(a * (1.0 + h)) / layers.density(a * (1.0 - h))).ln() / (2.0 * h);
+        assert!((growth - layers.density_growth(a)).abs() < 1e-9, "{a}");
+        assert!((a * layers.density(a) / layers.measure(a) / layers.growth(a) - 1.0).abs() < 1e-13);
+    }
+}
+
+fn paraboloid() -> Arc<Paraboloid> {
+    Arc::new(Paraboloid { radius: Length::new(10.0).unwrap() })
+}
+
+/// Equal layers are one body, far below a thick layer nothing is, and nothing depends on where a layer is cut.
+#[test]
+fn limits_of_layers() {
+    let same = Layers::new(vec![(1.0, on_base(1.0, 0.3, 0.3))]);
+    let thick = Layers::new(vec![(
+        1.0,
+        Stack { sheets: vec![Sheet { thickness: 1e9, ..sheet(1.0, 0.4, Joint::Bonded) }], base: None },
+    )]);
+    for a in [1e-6, 0.1, 1.0, 7.0] {
+        assert!((same.measure(a) / a - 1.0).abs() < 1e-14 && (thick.measure(a) / a - 1.0).abs() < 2e-8);
+    }
+    let whole = Layers::new(vec![(1.0, on_base(5.0, 0.2, 0.4))]);
+    let part = |thickness: f64| Sheet { thickness, ..sheet(1.0, 0.2, Joint::Bonded) };
+    let base = Some(sheet(0.2, 0.4, Joint::Bonded));
+    let cut = Layers::new(vec![(1.0, Stack { sheets: vec![part(0.5), part(0.2), part(0.3)], base })]);
+    let (shape, half) = (paraboloid(), 0.5);
+    let beds = [Grounded::new(shape.clone(), Arc::new(whole)), Grounded::new(shape, Arc::new(cut))];
+    for a in [0.01, 0.4, 2.0, 9.0, 20.0] {
+        let [one, other] = [&beds[0], &beds[1]].map(|bed| {
+            let s = bed.place(a);
+            [
+                s,
+                bed.reduced(s),
+                bed.load_integral(s),
+                bed.energy_integral(s),
+                bed.pressure_integral(bed.place(half * a), s),
+            ]
+        });
+        for (one, other) in one.into_iter().zip(other) {
+            assert!((one / other - 1.0).abs() < 1e-11, "{a}: {one} {other}");
+        }
+    }
+}
+
+/// Two bodies of one material, one of them in layers, are that material twice: shares add.
+#[test]
+fn compliances_of_two_bodies_add() {
+    let alone = Layers::new(vec![(1.0, on_rigid(0.3, Joint::Bonded))]);
+    let both = Layers::new(vec![(0.5, on_rigid(0.3, Joint::Bonded)), (0.5, on_rigid(0.3, Joint::Bonded))]);
+    let one = Layers::new(vec![(0.5, on_rigid(0.3, Joint::Bonded))]);
+    for a in [0.1, 1.0, 4.0] {
+        assert!((alone.measure(a) / both.measure(a) - 1.0).abs() < 1e-13);
+        let between = one.measure(a);
+        assert!(between > a && between < alone.measure(a));
+    }
+}
+
+/// Thin layers: Winkler's springs where they can be squeezed out of the way, F = (2π/3)ER²d³/h³ where they cannot.
+#[test]
+fn thin_layers() {
+    let far = 2e4;
+    let shape = Arc::new(Paraboloid { radius: Length::new(far).unwrap() });
+    for (poisson, a, ratio) in [(0.5, 20.0, 1.0432356), (0.3, 20.0, 0.99937261)] {
+        let radius = 1000.0;
+        let shape = Arc::new(Paraboloid { radius: Length::new(radius).unwrap() });
+        let bed = Grounded::new(shape, Arc::new(Layers::new(vec![(1.0, on_rigid(poisson, Joint::Bonded))])));
+        let s = bed.place(a);
+        let (depth, force) = (bed.reduced(s), 2.0 * bed.load_integral(s));
+        // E* = 1: E = 1 − ν².
+        let young = 1.0 - poisson * poisson;
+        let thin = if poisson < 0.5 {
+            let modulus = (1.0 - poisson) * young / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+            std::f64::consts::PI * modulus * radius * depth * depth
+        } else {
+            2.0 / 3.0 * std::f64::consts::PI * young * radius * radius * depth.powi(3)
+        };
+        // Bound: the digits of the ratio.
+        assert!((force / thin / ratio - 1.0).abs() < 5e-8, "{poisson}: {}", force / thin);
+    }
+    let springs = Grounded::new(shape, Arc::new(Springs { thickness: 0.5 }));
+    for a in [1e-6, 1.0, 1e3] {
+        let s = springs.place(a);
+        let (depth, force) = (springs.reduced(s), 2.0 * springs.load_integral(s));
+        assert!((depth / (0.5 * a * a / far) - 1.0).abs() < 1e-13);
+        assert!((force / (std::f64::consts::PI * far * depth * depth / 0.5) - 1.0).abs() < 1e-12, "{a}");
+        let r = springs.place(0.6 * a);
+        let pressure = (depth - 0.5 * (0.6 * a).powi(2) / far) / 0.5;
+        assert!((springs.pressure_integral(r, s) / pressure - 1.0).abs() < 1e-12);
+        assert!((springs.energy_integral(s) / (force * depth / 3.0) - 1.0).abs() < 1e-11);
+    }
+}
+
+/// The surface is that of the indenter inside the contact, and goes on from there; pressures sum to the force.
+#[test]
+fn pressure_and_surface_fit_together() {
+    let graded = Graded {
+        young: Modulus::new(1.0).unwrap(),
+        depth: Length::new(0.7).unwrap(),
+        exponent: GradingExponent::new(0.35).unwrap(),
+        poisson: Poisson::new(0.3).unwrap(),
+    };
+    let grounds: [(Arc<dyn Ground>, f64); 3] = [
+        (Arc::new(Layers::new(vec![(1.0, on_rigid(0.45, Joint::Bonded))])), 1e-8),
+        (Arc::new(Layers::new(vec![(1.0, on_base(20.0, 0.3, 0.2))])), 1e-8),
+        (Arc::new(PowerLaw::from(&graded)), 1e-6),
+    ];
+    for (ground, bound) in grounds {
+        let bed = Grounded::new(paraboloid(), ground.clone());
+        for a in [0.3, 2.5] {
+            let s = bed.place(a);
+            let depth = bed.reduced(s);
+            // Inside: by the transforms of any springs.
+            let springs = |x: f64| depth - bed.reduced(x);
+            for part in [0.1, 0.5, 0.9] {
+                let r = bed.place(part * a);
+                let inside = bed.surface_of(&springs, &[s], r);
+                if bound < 1e-7 {
+                    assert!((inside / (depth - bed.height(r)) - 1.0).abs() < bound, "{a} {part}: {inside}");
+                }
+                let pressure = bed.pressure_integral(r, s);
+                assert!((bed.pressure_of(&springs, &[s], r) / pressure - 1.0).abs() < 1e-6, "{a} {part}");
+            }
+            let beyond = bed.displacement_integral(bed.place(a * (1.0 + 1e-9)), s);
+            assert!((beyond / (depth - bed.height(s)) - 1.0).abs() < 1e-4, "{a}: {beyond}");
+            // F = 2π ∫ p r dr, r = a sin θ.
+            let ring = |theta: f64| {
+                let r = a * theta.sin();
+                bed.pressure_integral(bed.place(r), s) * r * a * theta.cos()
+            };
+            let sum = std::f64::consts::TAU * quadrature::panel(ring, 0.0, std::f64::consts::FRAC_PI_2);
+            assert!((sum / (2.0 * bed.load_integral(s)) - 1.0).abs() < 1e-7, "{a}: {sum}");
+        }
+    }
+}
+
+/// A graded half-space as thousands of layers, each a little thicker than the one above: k = 2E*Ca^(1+n)/(1+n)z₀ⁿ
+/// comes from u = (2T/E*)z₀ⁿk^(n−1)p by C = π/(2ⁿ T Γ((1+n)/2)²), and T from the layers alone.
+#[test]
+fn a_graded_body_is_the_limit_of_layers() {
+    for (exponent, poisson) in [(0.2, 0.3), (0.5, 0.0), (0.5, 0.5), (0.8, 0.25)] {
+        let compliance = |count: i32| {
+            let (first, last) = (1e-9f64, 30.0f64);
+            let growth = (last / first).powf(f64::from(count).recip());
+            let border = |k: i32| if k == 0 { 0.0 } else { first * growth.powi(k) };
+            let modulus = |k: i32| (0.5 * (border(k) + border(k + 1))).powf(exponent);
+            let sheets = (0..count).map(|k| Sheet {
+                shear: modulus(k) / modulus(0),
+                poisson,
+                thickness: border(k + 1) - border(k),
+                joint: Joint::Bonded,
+            });
+            let stack = Stack { sheets: sheets.collect(), base: None };
+            // u = 2M/(E*₀ of the top) at k = 1; E* of the top is its modulus where E* = zⁿ.
+            (1.0 - stack.lacking(1.0)) / modulus(0)
+        };
+        // The error of steps goes with their square.
+        let (coarse, fine) = (compliance(2000), compliance(4000));
+        let limit = fine + (fine - coarse) / 3.0;
+        let right = std::f64::consts::PI / (exponent.exp2() * limit * libm::tgamma(0.5 * (1.0 + exponent)).powi(2));
+        let graded = Graded {
+            young: Modulus::new(1.0 - poisson * poisson).unwrap(),
+            depth: Length::new(1.0).unwrap(),
+            exponent: GradingExponent::new(exponent).unwrap(),
+            poisson: Poisson::new(poisson).unwrap(),
+        };
+        let found = PowerLaw::from(&graded).density(1.0);
+        assert!((found / right - 1.0).abs() < 1e-5, "{exponent} {poisson}: {found} {right}");
+    }
+}
+
+/// d_e by quadrature against powers: a paraboloid has g/(1+n), a cone the ratio of two Γ.
+#[test]
+fn profiles_on_a_graded_body() {
+    for tenth in 0..10 {
+        let n = 0.1 * f64::from(tenth);
+        let graded = Graded {
+            young: Modulus::new(1.0).unwrap(),
+            depth: Length::new(1.0).unwrap(),
+            exponent: GradingExponent::new(n).unwrap(),
+            poisson: Poisson::new(0.3).unwrap(),
+        };
+        let ground = PowerLaw::from(&graded);
+        let cone = crate::shape::Cone { slope: crate::input::quantity::Positive::new(0.1).unwrap() };
+        for a in [1e-6, 1.0, 1e6] {
+            let share = ground.depth_share(paraboloid().as_ref(), a);
+            assert!((share * (1.0 + n) - 1.0).abs() < 1e-12, "{n}: {share}");
+            // B((n+1)/2 … ) of the mean of t: Γ(½(n+1))/(√π Γ(½n+1)).
+            let mean = libm::tgamma(0.5 * (n + 1.0)) / (std::f64::consts::PI.sqrt() * libm::tgamma(0.5 * n + 1.0));
+            assert!((ground.depth_share(&cone, a) / mean - 1.0).abs() < 1e-10, "{n}");
+            assert!((ground.radius(ground.measure(a)) / a - 1.0).abs() < 1e-12);
+        }
+    }
+}
