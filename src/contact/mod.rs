@@ -38,4 +38,5 @@ pub mod spring_loads;
 pub mod springs;
 pub mod state;
 pub mod stress;
+pub mod subsurface;
 pub mod viscoelastic;

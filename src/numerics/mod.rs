@@ -1,4 +1,4 @@
-//! Complex numbers, exponentials, roots, extrema, quadrature and special functions: no physics.
+//! Complex numbers, polynomials by pieces, exponentials, roots, extrema, quadrature and special functions: no physics.
 //!
 //! # Examples
 //! ```
@@ -10,6 +10,7 @@
 //! # Ok::<(), root::RootError>(())
 //! ```
 
+pub mod chebyshev;
 pub mod complex;
 pub mod exponential;
 pub mod extremum;
