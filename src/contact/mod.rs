@@ -32,6 +32,7 @@ pub mod loaded;
 pub mod lying;
 pub mod model;
 pub mod plane;
+pub mod plastic;
 pub mod punch;
 pub mod rough;
 pub mod spring_loads;

@@ -37,6 +37,15 @@ impl Stresses {
         let differences = [self.radial - self.hoop, self.hoop - self.axial, self.axial - self.radial];
         (0.5 * differences.map(|part| part * part).iter().sum::<f64>() + 3.0 * self.shear * self.shear).sqrt()
     }
+
+    /// Largest shear stress [Pa], half the difference of the greatest and the least principal stress.
+    #[must_use]
+    pub fn largest_shear(&self) -> f64 {
+        let middle = 0.5 * (self.radial + self.axial);
+        let swing = (0.5 * (self.radial - self.axial)).hypot(self.shear);
+        let (least, greatest) = (self.hoop.min(middle - swing), self.hoop.max(middle + swing));
+        0.5 * (greatest - least)
+    }
 }
 
 impl Add for Stresses {
@@ -168,6 +177,19 @@ mod tests {
         ] {
             assert!((found - exact).abs() < 2e-12, "{found} {exact}");
         }
+    }
+
+    /// Pure shear turned by any angle, and one axis alone.
+    #[test]
+    fn the_largest_shear_does_not_depend_on_the_axes() {
+        for k in 0..8 {
+            let (sine, cosine) = (0.4 * f64::from(k)).sin_cos();
+            let turned = Stresses { radial: 3.0 * sine, axial: -3.0 * sine, shear: 3.0 * cosine, hoop: 0.0 };
+            assert!((turned.largest_shear() - 3.0).abs() < 1e-14);
+            assert!((turned.von_mises() - 27f64.sqrt()).abs() < 1e-14);
+        }
+        let pulled = Stresses { hoop: -2.0, ..Stresses::default() };
+        assert!((pulled.largest_shear() - 1.0).abs() < 1e-15 && (pulled.von_mises() - 2.0).abs() < 1e-15);
     }
 
     #[test]

@@ -35,6 +35,8 @@ pub enum Body {
     Elastic(Elastic),
     /// Isotropic, linearly viscoelastic half-space.
     Viscoelastic(Viscoelastic),
+    /// Isotropic, linearly elastic until it yields, then perfectly plastic.
+    Plastic(Plastic),
 }
 
 impl Body {
@@ -44,16 +46,26 @@ impl Body {
         match self {
             Self::Elastic(elastic) => Some(elastic.poisson.si()),
             Self::Viscoelastic(viscoelastic) => Some(viscoelastic.poisson.si()),
+            Self::Plastic(plastic) => Some(plastic.poisson.si()),
             Self::Rigid => None,
         }
     }
 
-    /// Yield stress Y [Pa], if it is stated.
+    /// Yield stress Y [Pa] of an elastic body, if it is stated: there the contact is no longer known.
     #[must_use]
     pub fn yield_stress(&self) -> Option<f64> {
         match self {
             Self::Elastic(elastic) => elastic.yield_stress.map(Modulus::si),
-            Self::Viscoelastic(_) | Self::Rigid => None,
+            Self::Viscoelastic(_) | Self::Plastic(_) | Self::Rigid => None,
+        }
+    }
+
+    /// Yield stress Y [Pa] of a body whose yielding is followed.
+    #[must_use]
+    pub fn yields_at(&self) -> Option<f64> {
+        match self {
+            Self::Plastic(plastic) => Some(plastic.yield_stress.si()),
+            Self::Rigid | Self::Elastic(_) | Self::Viscoelastic(_) => None,
         }
     }
 
@@ -61,7 +73,7 @@ impl Body {
     #[must_use]
     pub fn relaxes(&self) -> bool {
         match self {
-            Self::Rigid | Self::Elastic(_) => false,
+            Self::Rigid | Self::Elastic(_) | Self::Plastic(_) => false,
             Self::Viscoelastic(_) => true,
         }
     }
@@ -106,6 +118,18 @@ impl<'de> Deserialize<'de> for Elastic {
 /// E = 2G(1+ν).
 fn young_of_shear(shear: Modulus, poisson: Poisson) -> Result<Modulus, QuantityError> {
     Modulus::new(2.0 * shear.si() * (1.0 + poisson.si()))
+}
+
+/// Isotropic material, linearly elastic until it yields and perfectly plastic from then on.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plastic {
+    /// Young's modulus E [Pa].
+    pub young: Modulus,
+    /// Poisson's ratio ν.
+    pub poisson: Poisson,
+    /// Yield stress Y [Pa] in uniaxial tension.
+    pub yield_stress: Modulus,
 }
 
 /// Isotropic, linearly viscoelastic material with a constant Poisson's ratio.
@@ -264,6 +288,13 @@ impl Elastic {
     }
 }
 
+impl Plastic {
+    /// As it is before it yields.
+    fn elastic(&self) -> Elastic {
+        Elastic { young: self.young, poisson: self.poisson, yield_stress: None }
+    }
+}
+
 impl Viscoelastic {
     /// E*(t) = 2G(t)/(1−ν) against a rigid body (Popov & Heß 2015, eq. 7.9), terms in the order given.
     ///
@@ -346,11 +377,14 @@ pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joine
 fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Problem> {
     match body {
         Body::Rigid => Ok(Alone { stiffness: Stiffness::RIGID, spectrum: None }),
-        Body::Elastic(elastic) => {
-            Ok(Alone { stiffness: elastic.stiffness(), spectrum: Some(Spectrum::elastic(elastic.plane_modulus())) })
-        }
+        Body::Elastic(body) => Ok(elastic(body)),
+        Body::Plastic(body) => Ok(elastic(&body.elastic())),
         Body::Viscoelastic(body) => viscoelastic(body, path, tables),
     }
+}
+
+fn elastic(body: &Elastic) -> Alone {
+    Alone { stiffness: body.stiffness(), spectrum: Some(Spectrum::elastic(body.plane_modulus())) }
 }
 
 fn viscoelastic(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Alone, Problem> {

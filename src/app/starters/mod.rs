@@ -28,6 +28,7 @@ starters!(
     "oscillation",
     "friction",
     "fretting",
+    "plastic",
     "impact",
     "restitution",
     "oblique",

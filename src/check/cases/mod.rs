@@ -18,8 +18,10 @@ mod friction;
 mod half_space;
 mod impact;
 mod lying;
+mod plastic;
 mod rough;
 mod shapes;
+mod stress;
 mod viscoelastic;
 
 use super::case::{Attempt, Case};
@@ -39,10 +41,12 @@ pub fn all() -> Vec<Case> {
         elastic::CASES,
         shapes::CASES,
         lying::CASES,
+        stress::CASES,
         adhesive::CASES,
         viscoelastic::CASES,
         friction::CASES,
         impact::CASES,
+        plastic::CASES,
         rough::CASES,
         half_space,
         estimates::CASES,

@@ -8,6 +8,9 @@ const LOOKS: i32 = 18;
 /// How far out and down that is, in radii of the contact.
 const FAR: f64 = 1.5;
 
+/// Stresses that agree to this part are one.
+const SAME: f64 = 1e-12;
+
 /// A place below the surface and the stress of von Mises there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
@@ -58,9 +61,12 @@ impl StressField {
         all.map(|at| (place(&at), at)).max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, at)| at)
     }
 
-    /// The top of a hump between two places, whether inside, at an end or in the middle.
+    /// The top of a hump between two places, whether inside or at an end: at an end, the axis or the surface, if nothing
+    /// is higher beyond rounding.
     fn highest(&self, of: impl Fn(f64) -> f64, (low, middle, high): (f64, f64, f64)) -> Peak {
         let at = |place: f64| Peak { place, value: of(place) };
-        [low, middle, high].map(at).into_iter().fold(extremum::greatest(&of, low, high), Peak::max)
+        let inside = extremum::greatest(&of, low, high).max(at(middle));
+        let end = at(low).max(at(high));
+        if end.value >= inside.value * (1.0 - SAME) { end } else { inside }
     }
 }

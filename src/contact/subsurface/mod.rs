@@ -28,12 +28,15 @@
 mod hardest;
 mod piece;
 mod yielding;
+#[cfg(test)]
+mod tests;
 
 pub use hardest::Place;
 pub use yielding::FirstYield;
 
 use super::adhesion::equilibrium::Balance;
 use super::adhesion::range::RangeDisc;
+use super::foundation::HalfSpace;
 use super::loaded::{Bed, Loaded};
 use super::punch::{Point, Stresses};
 use crate::numerics::chebyshev::{self, Chebyshev};
@@ -68,29 +71,44 @@ impl Loaded {
     pub fn field(&self, poisson: f64) -> StressField {
         let scale = self.reach();
         let a = self.contact_radius / scale;
-        let (weights, ring) = match &self.bed {
-            Bed::Elastic(ground, ring) => {
-                let weight = |x: f64| ground.modulus() * self.profile.reduced_slope(scale * x);
-                let load = ground.modulus() * self.profile.reduced(self.contact_radius).abs() / scale;
-                let ends = self.ends(self.profile.breaks(self.contact_radius));
-                (chebyshev::pieces(weight, &ends, FINE * load, MOST_PIECES), ring.clone())
-            }
+        let (pieces, ring) = match &self.bed {
+            Bed::Elastic(ground, ring) => (self.elastic_pieces(ground), ring.clone()),
             Bed::Remembered(load, _) => {
                 let ends = self.ends(load.ends().to_vec());
                 let line = |x: f64| load.at(scale * x) / scale;
                 let loads = chebyshev::pieces(line, &ends, FINE * line(0.0).abs(), MOST_PIECES);
-                (loads.iter().map(Chebyshev::slope).map(|slope| slope.scaled(-1.0)).collect(), None)
+                let weight = |load: &Chebyshev| Piece::new(load.slope().scaled(-1.0), 0.0);
+                (loads.iter().map(weight).collect(), None)
             }
         };
         StressField {
             scale,
             poisson,
             drag: 0.0,
-            pieces: weights.into_iter().map(Piece::new).collect(),
+            pieces,
             edge: (a, self.edge_load / scale),
             ring,
             bounded: self.is_bounded(),
         }
+    }
+
+    /// The pieces of E*g′: over x up to a kink of the profile at b, beyond it, where g goes with the root of x − b, over
+    /// s = √(x² − b²), in which it is smooth.
+    fn elastic_pieces(&self, ground: &HalfSpace) -> Vec<Piece> {
+        let (a, scale, modulus) = (self.contact_radius, self.reach(), ground.modulus());
+        let fine = FINE * modulus * self.profile.reduced(a).abs() / scale;
+        let weight = |x: f64| modulus * self.profile.reduced_slope(scale * x);
+        let along = |ends: &[f64]| chebyshev::pieces(weight, ends, fine, MOST_PIECES);
+        let Some(kink) = self.profile.kink().filter(|&kink| kink > 0.0 && kink < a) else {
+            let pieces = along(&self.ends(self.profile.breaks(a)));
+            return pieces.into_iter().map(|weight| Piece::new(weight, 0.0)).collect();
+        };
+        let inner = if self.profile.flat_radius() < kink { along(&[0.0, kink / scale]) } else { Vec::new() };
+        let load = |s: f64| modulus * self.profile.reduced(kink.hypot(scale * s)) / scale;
+        let last = ((a - kink) * (a + kink)).sqrt() / scale;
+        let outer = chebyshev::pieces(load, &[0.0, last], fine, MOST_PIECES);
+        let inner = inner.into_iter().map(|weight| Piece::new(weight, 0.0));
+        inner.chain(outer.iter().map(|load| Piece::new(load.slope(), kink / scale))).collect()
     }
 
     /// 0, the places `breaks` [m] inside the contact and its radius, in the scale of the field; few enough to be pieces.
@@ -169,8 +187,7 @@ impl StressField {
         let Some((disc, balance)) = &self.ring else { return Stresses::default() };
         let c = balance.reach / self.scale;
         let inner = |x: f64| ((c - x) * (c + x)).sqrt();
-        let mut breaks: Vec<f64> =
-            about(point).into_iter().filter(|&x| x > self.edge.0 && x < c).map(inner).collect();
+        let mut breaks: Vec<f64> = about(point).into_iter().filter(|&x| x > self.edge.0 && x < c).map(inner).collect();
         breaks.reverse();
         let ends = std::iter::once(0.0).chain(breaks).chain([inner(self.edge.0)]);
         let ends: Vec<f64> = ends.collect();

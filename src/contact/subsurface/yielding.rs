@@ -40,7 +40,8 @@ impl FirstYield {
         };
         let start = profile.scale().max(2.0 * flat).min(end);
         hardest(start)?;
-        let above = |a: f64| if a <= flat { -1.0 } else { hardest(a).map_or(f64::NAN, |place| place.von_mises / limit - 1.0) };
+        let above =
+            |a: f64| if a <= flat { -1.0 } else { hardest(a).map_or(f64::NAN, |place| place.von_mises / limit - 1.0) };
         let (low, high) = root::bracket_upwards(above, flat, start, end)?;
         let contact_radius = root::brent(above, low, high).ok()?;
         let place = hardest(contact_radius)?;
@@ -89,7 +90,9 @@ mod tests {
     #[test]
     fn sharp_shapes_yield_at_once() {
         assert!(yields(Arc::new(FlatPunch { radius: length(1.0) }), 0.3, 0.0).is_none());
-        assert!(yields(Arc::new(Cone { slope: crate::input::quantity::Positive::new(0.1).unwrap() }), 0.3, 0.0).is_none());
+        assert!(
+            yields(Arc::new(Cone { slope: crate::input::quantity::Positive::new(0.1).unwrap() }), 0.3, 0.0).is_none()
+        );
         let rounded = RoundedPunch { flat_radius: length(1.0), edge_radius: length(0.2) };
         let first = yields(Arc::new(rounded), 0.3, 0.0).unwrap();
         assert!(first.place.radius > 0.8 && first.contact_radius > 1.0, "{first:?}");

@@ -13,6 +13,7 @@ mod depth;
 mod draft;
 mod history;
 mod parts;
+mod plastic;
 mod plots;
 
 pub use draft::Draft;
@@ -89,8 +90,13 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 31] = [
+pub const RULES: [Rule; 36] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
+    Rule::once(Bodies, Bodies, plastic::on_viscoelastic),
+    Rule::once(Bodies, Shape, plastic::on_shape),
+    Rule::once(Bodies, Adhesion, plastic::under_adhesion),
+    Rule::once(Bodies, Friction, plastic::with_friction),
+    Rule::once(Bodies, Springs, plastic::on_springs),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),

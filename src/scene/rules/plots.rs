@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::parts::is_without_bed;
+use super::plastic::yields;
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::Plot;
@@ -23,6 +24,11 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
     if of_plane.is_some() {
         return of_plane;
+    }
+    if plot == Plot::Stress && yields(draft)? {
+        return Some(
+            "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
+        );
     }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape => return None,
