@@ -140,13 +140,16 @@ fn not_two_balls(shared: &Shared, a: f64) -> Option<String> {
 fn not_a_ball(shared: &Shared, a: f64) -> Option<String> {
     let Shape::Paraboloid(paraboloid) = &shared.scene.shape else { return None };
     let part = a / paraboloid.radius.si();
+    let (one, other) = &shared.scene.bodies;
+    let yields = one.yields_at().or(other.yields_at()).is_some();
     if part >= 1.0 {
         return Some(format!(
             "the contact radius is {part:.2} times the radius of curvature: no ball has such a contact"
         ));
     }
     let difference = Sphere { radius: paraboloid.radius }.load_integral(a) / paraboloid.load_integral(a) - 1.0;
-    (difference > BALL).then(|| {
+    // A ball that yields is a paraboloid whatever it is called.
+    (difference > BALL && !yields).then(|| {
         format!(
             "a/R = {part:.2}: if the paraboloid stands for a ball, use Sphere(radius: …), whose force at this contact radius is {:.1} % larger",
             100.0 * difference
