@@ -37,6 +37,15 @@ impl Stresses {
         let differences = [self.radial - self.hoop, self.hoop - self.axial, self.axial - self.radial];
         (0.5 * differences.map(|part| part * part).iter().sum::<f64>() + 3.0 * self.shear * self.shear).sqrt()
     }
+
+    /// Largest shear stress [Pa], half the difference of the greatest and the least principal stress.
+    #[must_use]
+    pub fn largest_shear(&self) -> f64 {
+        let middle = 0.5 * (self.radial + self.axial);
+        let swing = (0.5 * (self.radial - self.axial)).hypot(self.shear);
+        let (least, greatest) = (self.hoop.min(middle - swing), self.hoop.max(middle + swing));
+        0.5 * (greatest - least)
+    }
 }
 
 impl Add for Stresses {
@@ -105,6 +114,32 @@ impl Point {
         )
     }
 
+    /// Stresses σ_xx, σ_yy, σ_zz and τ_xz [Pa] here, at x = r and y = 0, where the load of
+    /// [`under_punch`](Self::under_punch) does not press but drags along x.
+    ///
+    /// Cerruti's point load by its potentials (Johnson 1985, §3.2 and eq. 3.8) at the complex depth ζ, as the pressure
+    /// is Boussinesq's (Hamilton 1983 for the sphere). With V = 1/ρ, F = ln(ρ+ζ) and Φ = ζ ln(ρ+ζ) − ρ, each
+    /// integrated once over ζ: σ_xx = [2V_x − 2νΦ_xyy + z(V_xz + F_xyy)]/π, σ_yy = [2ν(V_x + Φ_xyy) − zF_xyy]/π,
+    /// σ_zz = −zV_xz/π, τ_xz = (V_z − zV_xx)/π.
+    #[must_use]
+    pub fn under_dragged_punch(&self, b: f64) -> Stresses {
+        let (zeta, rho) = self.complex(b);
+        let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
+        let (cube, spread) = (inverse * inverse * inverse, inverse * near);
+        let (r, z) = (self.radius, self.depth);
+        let (slope, bend) = (-r * spread.im, r * cube.im);
+        let (across, across_deep) = (0.5 * r * (near * near).im, -r * (spread * near).im);
+        let shear = -inverse.im - z * (spread - zeta * cube).im;
+        let poisson = self.poisson;
+        FRAC_1_PI
+            * Stresses {
+                radial: 2.0 * (slope - poisson * across) + z * (bend + across_deep),
+                hoop: 2.0 * poisson * (slope + across) - z * across_deep,
+                axial: -z * bend,
+                shear,
+            }
+    }
+
     /// ζ and ρ for the distance `b`.
     fn complex(&self, b: f64) -> (Complex, Complex) {
         let (r, z) = (self.radius, self.depth);
@@ -142,6 +177,19 @@ mod tests {
         ] {
             assert!((found - exact).abs() < 2e-12, "{found} {exact}");
         }
+    }
+
+    /// Pure shear turned by any angle, and one axis alone.
+    #[test]
+    fn the_largest_shear_does_not_depend_on_the_axes() {
+        for k in 0..8 {
+            let (sine, cosine) = (0.4 * f64::from(k)).sin_cos();
+            let turned = Stresses { radial: 3.0 * sine, axial: -3.0 * sine, shear: 3.0 * cosine, hoop: 0.0 };
+            assert!((turned.largest_shear() - 3.0).abs() < 1e-14);
+            assert!((turned.von_mises() - 27f64.sqrt()).abs() < 1e-14);
+        }
+        let pulled = Stresses { hoop: -2.0, ..Stresses::default() };
+        assert!((pulled.largest_shear() - 1.0).abs() < 1e-15 && (pulled.von_mises() - 2.0).abs() < 1e-15);
     }
 
     #[test]

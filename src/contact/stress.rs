@@ -1,7 +1,4 @@
-//! Stresses below the surface of a loaded contact.
-//!
-//! A contact is a sum of flat punches of radius x, each with the load 2x(−q′) dx, and one of radius a
-//! with the load 2aq(a) for a singular edge; where q alone is known, by parts, of line loads q dx.
+//! Stresses on the axis below a loaded contact; those of any place are told by a [`StressField`].
 //!
 //! # Examples
 //! ```
@@ -20,9 +17,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::loaded::{Bed, Loaded};
-use super::punch::{Point, Stresses};
-use crate::numerics::{extremum, quadrature};
+use super::loaded::Loaded;
+use super::punch::Stresses;
+use super::subsurface::StressField;
+use crate::numerics::extremum;
 
 /// Stresses on the axis below the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,93 +39,47 @@ pub struct StressRow {
 const LOOKS: usize = 96;
 
 impl Loaded {
-    /// Stresses [Pa] at the distance `point.radius` from the axis and the depth `point.depth` > 0 [m].
-    ///
-    /// Check: Hertz gives σ_zz = −p₀/(1+z²/a²) on the axis (Popov, Contact Mechanics and Friction, eq. 5.47).
-    #[must_use]
-    pub fn stress_at(&self, point: &Point) -> Stresses {
-        let a = self.contact_radius;
-        match &self.bed {
-            Bed::Elastic(ground, ring) => {
-                let weight = |x: f64| ground.modulus() * self.profile.reduced_slope(x);
-                let punches = summed(|x| weight(x) * point.under_punch(x), (0.0, a), &self.panels(point));
-                let edge = if a > 0.0 { self.edge_load * point.under_punch(a) } else { Stresses::default() };
-                let Some((disc, balance)) = ring else { return punches + edge };
-                // −q′ = −2σ₀x/√(c²−x²) on a < x < c; t = √(c²−x²).
-                let c = balance.reach;
-                let drawn = |t: f64| (-2.0 * disc.stress()) * point.under_punch(((c - t) * (c + t)).sqrt());
-                let inner = |x: f64| ((c - x) * (c + x)).sqrt();
-                let mut breaks: Vec<f64> = about(point).into_iter().filter(|&x| x > a && x < c).map(inner).collect();
-                breaks.reverse();
-                punches + edge + summed(drawn, (0.0, inner(a)), &breaks)
-            }
-            Bed::Remembered(load, _) => {
-                // Less q at the nearest place, where a line load is nearly singular.
-                let near = load.at(point.radius.min(a));
-                let lines = |x: f64| (load.at(x) - near) * point.under_line(x);
-                near * point.under_punch(a) + summed(lines, (0.0, a), &self.panels(point))
-            }
-        }
-    }
-
     /// Stresses on the axis at the depth `z` > 0 [m] in a body of Poisson's ratio `poisson`.
     #[must_use]
     pub fn on_axis(&self, z: f64, poisson: f64) -> StressRow {
-        let Stresses { axial, radial, .. } = self.stress_at(&Point { radius: 0.0, depth: z, poisson });
-        StressRow { depth: z, axial, radial, shear: 0.5 * (axial - radial).abs() }
+        self.field(poisson).on_axis(z)
     }
 
     /// Stresses at `count` depths down to three contact radii, denser near the surface.
     #[must_use]
-    #[expect(clippy::cast_precision_loss, reason = "a profile has far fewer than 2^53 points")]
     pub fn down_the_axis(&self, count: usize, poisson: f64) -> Vec<StressRow> {
-        let depth = |k: usize| 3.0 * self.reach() * ((k as f64 + 1.0) / count as f64).powi(2);
-        (0..count).map(|k| self.on_axis(depth(k), poisson)).collect()
+        self.field(poisson).down_the_axis(count)
     }
 
-    /// Where on the axis the stress of von Mises |σ_zz − σ_xx| is largest: there the body yields first.
+    /// Where on the axis the stress of von Mises |σ_zz − σ_xx| is largest: there a ball yields first. What lies off the
+    /// axis is [`StressField::hardest`].
     ///
     /// Check: Hertz at ν = 0.3 has its largest shear 0.3100205020 p₀ at z = 0.480864 a, so it yields at
     /// p₀ = 1.6127965630 Y.
     #[must_use]
     pub fn hardest(&self, poisson: f64) -> Option<StressRow> {
-        let rows = self.down_the_axis(LOOKS, poisson);
+        let field = self.field(poisson);
+        let rows = field.down_the_axis(LOOKS);
         let at = (0..rows.len()).max_by(|&i, &j| rows[i].shear.total_cmp(&rows[j].shear))?;
         let depth = |k: usize| rows.get(k).map_or(rows[at].depth, |row| row.depth);
         let (low, high) = (depth(at.wrapping_sub(1)), depth(at + 1));
-        let peak = extremum::greatest(|z| self.on_axis(z, poisson).shear, low, high);
-        Some(self.on_axis(peak.place, poisson)).filter(|row| row.shear >= rows[at].shear).or(Some(rows[at]))
-    }
-
-    /// Borders of the panels of q and of those about the point.
-    fn panels(&self, point: &Point) -> Vec<f64> {
-        let mut breaks = match &self.bed {
-            Bed::Elastic(..) => self.profile.breaks(self.contact_radius),
-            Bed::Remembered(load, _) => load.ends().to_vec(),
-        };
-        breaks.extend(about(point));
-        breaks.sort_by(f64::total_cmp);
-        breaks
+        let peak = extremum::greatest(|z| field.on_axis(z).shear, low, high);
+        Some(field.on_axis(peak.place)).filter(|row| row.shear >= rows[at].shear).or(Some(rows[at]))
     }
 }
 
-/// Borders of panels that grow with the distance from the poles at x = ±r ± iz.
-fn about(point: &Point) -> Vec<f64> {
-    let steps = (-2..10).map(|k| 4f64.powi(k) * point.depth);
-    let mut places: Vec<f64> = steps.flat_map(|step| [point.radius - step, point.radius + step]).collect();
-    places.push(point.radius);
-    places.sort_by(f64::total_cmp);
-    places
-}
+impl StressField {
+    /// Stresses on the axis at the depth `z` > 0 [m].
+    #[must_use]
+    pub fn on_axis(&self, z: f64) -> StressRow {
+        let Stresses { axial, radial, .. } = self.at(0.0, z);
+        StressRow { depth: z, axial, radial, shear: 0.5 * (axial - radial).abs() }
+    }
 
-/// ∫ of all components over `range`.
-fn summed(at: impl Fn(f64) -> Stresses, range: (f64, f64), breaks: &[f64]) -> Stresses {
-    let part = |of: fn(&Stresses) -> f64| quadrature::panels(|x| of(&at(x)), range, breaks);
-    Stresses {
-        radial: part(|stress| stress.radial),
-        hoop: part(|stress| stress.hoop),
-        axial: part(|stress| stress.axial),
-        shear: part(|stress| stress.shear),
+    #[expect(clippy::cast_precision_loss, reason = "a profile has far fewer than 2^53 points")]
+    fn down_the_axis(&self, count: usize) -> Vec<StressRow> {
+        let depth = |k: usize| 3.0 * self.scale() * ((k as f64 + 1.0) / count as f64).powi(2);
+        (0..count).map(|k| self.on_axis(depth(k))).collect()
     }
 }
 
@@ -181,9 +133,8 @@ mod tests {
             (1.0, 0.2, [-0.188_203_749_364, -0.138_080_182_064, -0.191_552_679_283, -0.173_352_792_240]),
             (2.0, 1.0, [-0.053_464_272_216, -0.008_222_032_631, -0.025_647_239_127, -0.041_498_104_625]),
         ] {
-            let point = Point { radius: r * a, depth: z * a, poisson: 0.3 };
             for load in [hertz(a), remembered(a)] {
-                let found = load.stress_at(&point);
+                let found = load.field(0.3).at(r * a, z * a);
                 for (found, exact) in [found.radial, found.hoop, found.axial, found.shear].into_iter().zip(exact) {
                     assert!((found / peak - exact).abs() < 2e-12, "{r} {z}: {} {exact}", found / peak);
                 }
@@ -196,7 +147,7 @@ mod tests {
     fn the_surface_carries_the_pressure() {
         for load in [hertz(0.7), remembered(0.7), Loaded::elastic(HalfSpace::new(ball(), 1.0), 0.7, -0.1)] {
             for r in [0.0, 0.2, 0.5, 0.9] {
-                let axial = load.stress_at(&Point { radius: r, depth: 1e-7, poisson: 0.3 }).axial;
+                let axial = load.field(0.3).at(r, 1e-7).axial;
                 let pressure = load.pressure(r);
                 // σ_zz leaves the pressure with z² (with z outside of an edge).
                 assert!((axial + pressure).abs() < 1e-6, "{r}: {axial} {pressure}");

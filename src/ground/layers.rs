@@ -89,7 +89,7 @@ impl Layers {
         let punches: Vec<Punch> = radii.iter().map(|&a| Punch::new(&self.kernel, a, &nodes)).collect();
         let over = |of: &dyn Fn(&Punch, f64) -> f64| {
             let values: Vec<f64> = punches.iter().zip(&radii).map(|(punch, &a)| of(punch, a)).collect();
-            Chebyshev::through(&values, interval)
+            Chebyshev::met(&values, interval)
         };
         let series = |of: fn(&Punch) -> &Vec<f64>| -> Vec<Chebyshev> {
             (0..nodes.len()).map(|m| over(&|punch, _| of(punch).get(m).copied().unwrap_or(0.0))).collect()

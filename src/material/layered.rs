@@ -134,7 +134,7 @@ impl Material {
                 (elastic.poisson.si(), Relaxation { equilibrium, terms: Vec::new(), viscosity: 0.0 })
             }
             Body::Viscoelastic(body) => (body.poisson.si(), instantly_stiff(body, path, tables)?),
-            Body::Rigid | Body::Layered(_) | Body::Winkler(_) | Body::Graded(_) => {
+            Body::Rigid | Body::Plastic(_) | Body::Layered(_) | Body::Winkler(_) | Body::Graded(_) => {
                 let what =
                     format!("{} cannot be part of a layered body: expected Elastic(…) or Viscoelastic(…)", body.name());
                 return Err(Problem::new(path, what));

@@ -43,6 +43,8 @@ pub enum Body {
     Winkler(Winkler),
     /// A half-space whose modulus is a power of the depth.
     Graded(Graded),
+    /// Isotropic, linearly elastic until it yields, then perfectly plastic.
+    Plastic(Plastic),
 }
 
 impl Body {
@@ -53,6 +55,7 @@ impl Body {
             Self::Rigid => "Rigid",
             Self::Elastic(_) => "Elastic",
             Self::Viscoelastic(_) => "Viscoelastic",
+            Self::Plastic(_) => "Plastic",
             Self::Layered(_) => "Layered",
             Self::Winkler(_) => "Winkler",
             Self::Graded(_) => "Graded",
@@ -66,16 +69,36 @@ impl Body {
             Self::Elastic(elastic) => Some(elastic.poisson.si()),
             Self::Viscoelastic(viscoelastic) => Some(viscoelastic.poisson.si()),
             Self::Graded(graded) => Some(graded.poisson.si()),
+            Self::Plastic(plastic) => Some(plastic.poisson.si()),
             Self::Rigid | Self::Layered(_) | Self::Winkler(_) => None,
         }
     }
 
-    /// Yield stress Y [Pa], if it is stated.
+    /// Yield stress Y [Pa] of an elastic body, if it is stated: there the contact is no longer known.
     #[must_use]
     pub fn yield_stress(&self) -> Option<f64> {
         match self {
             Self::Elastic(elastic) => elastic.yield_stress.map(Modulus::si),
-            Self::Viscoelastic(_) | Self::Rigid | Self::Layered(_) | Self::Winkler(_) | Self::Graded(_) => None,
+            Self::Viscoelastic(_)
+            | Self::Rigid
+            | Self::Plastic(_)
+            | Self::Layered(_)
+            | Self::Winkler(_)
+            | Self::Graded(_) => None,
+        }
+    }
+
+    /// Yield stress Y [Pa] of a body whose yielding is followed.
+    #[must_use]
+    pub fn yields_at(&self) -> Option<f64> {
+        match self {
+            Self::Plastic(plastic) => Some(plastic.yield_stress.si()),
+            Self::Rigid
+            | Self::Elastic(_)
+            | Self::Viscoelastic(_)
+            | Self::Layered(_)
+            | Self::Winkler(_)
+            | Self::Graded(_) => None,
         }
     }
 
@@ -83,7 +106,7 @@ impl Body {
     #[must_use]
     pub fn relaxes(&self) -> bool {
         match self {
-            Self::Rigid | Self::Elastic(_) | Self::Winkler(_) | Self::Graded(_) => false,
+            Self::Rigid | Self::Elastic(_) | Self::Plastic(_) | Self::Winkler(_) | Self::Graded(_) => false,
             Self::Viscoelastic(_) => true,
             Self::Layered(body) => body.layers.iter().any(|layer| layer.body.relaxes()) || body.base.relaxes(),
         }
@@ -93,7 +116,7 @@ impl Body {
     #[must_use]
     pub fn is_uneven(&self) -> bool {
         match self {
-            Self::Rigid | Self::Elastic(_) | Self::Viscoelastic(_) => false,
+            Self::Rigid | Self::Elastic(_) | Self::Viscoelastic(_) | Self::Plastic(_) => false,
             Self::Layered(_) | Self::Winkler(_) | Self::Graded(_) => true,
         }
     }
@@ -138,6 +161,18 @@ impl<'de> Deserialize<'de> for Elastic {
 /// E = 2G(1+ν).
 fn young_of_shear(shear: Modulus, poisson: Poisson) -> Result<Modulus, QuantityError> {
     Modulus::new(2.0 * shear.si() * (1.0 + poisson.si()))
+}
+
+/// Isotropic material, linearly elastic until it yields and perfectly plastic from then on.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Plastic {
+    /// Young's modulus E [Pa].
+    pub young: Modulus,
+    /// Poisson's ratio ν.
+    pub poisson: Poisson,
+    /// Yield stress Y [Pa] in uniaxial tension.
+    pub yield_stress: Modulus,
 }
 
 /// Isotropic, linearly viscoelastic material with a constant Poisson's ratio.
@@ -296,6 +331,13 @@ impl Elastic {
     }
 }
 
+impl Plastic {
+    /// As it is before it yields.
+    fn elastic(&self) -> Elastic {
+        Elastic { young: self.young, poisson: self.poisson, yield_stress: None }
+    }
+}
+
 impl Viscoelastic {
     /// E*(t) = 2G(t)/(1−ν) against a rigid body (Popov & Heß 2015, eq. 7.9), terms in the order given.
     ///
@@ -386,10 +428,8 @@ fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Vec<Prob
     let under = Under::HalfSpaces;
     Ok(match body {
         Body::Rigid => Alone { stiffness: Stiffness::RIGID, spectrum: None, under },
-        Body::Elastic(elastic) => {
-            let spectrum = Some(Spectrum::elastic(elastic.plane_modulus()));
-            Alone { stiffness: elastic.stiffness(), spectrum, under }
-        }
+        Body::Elastic(body) => elastic(body),
+        Body::Plastic(body) => elastic(&body.elastic()),
         Body::Viscoelastic(body) => {
             let relaxation = instantly_stiff(body, path, tables).map_err(|problem| vec![problem])?;
             let stiffness = Stiffness::new(relaxation.instantaneous(), body.poisson.si());
@@ -399,6 +439,11 @@ fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Vec<Prob
         Body::Winkler(body) => layered::winkler(body),
         Body::Graded(body) => layered::graded(body),
     })
+}
+
+fn elastic(body: &Elastic) -> Alone {
+    let spectrum = Some(Spectrum::elastic(body.plane_modulus()));
+    Alone { stiffness: body.stiffness(), spectrum, under: Under::HalfSpaces }
 }
 
 /// E*(t) against a rigid body, above zero at once.

@@ -1,18 +1,30 @@
-//! Smooth functions as sums of Chebyshev polynomials.
+//! Functions as polynomials, piece by piece.
 //!
 //! # Examples
 //! ```
-//! use springbed::numerics::chebyshev::Chebyshev;
+//! use springbed::numerics::chebyshev;
 //!
-//! let nodes: Vec<f64> = Chebyshev::nodes(20, (1.0, 2.0)).collect();
-//! let root = Chebyshev::through(&nodes.iter().map(|x| x.sqrt()).collect::<Vec<_>>(), (1.0, 2.0));
-//! assert!((root.at(1.3) - 1.3f64.sqrt()).abs() < 1e-15);
-//! assert!((root.with_slope(1.3).1 - 0.5 / 1.3f64.sqrt()).abs() < 1e-13);
+//! // A root at the end asks for pieces that shrink towards it.
+//! let pieces = chebyshev::pieces(f64::sqrt, &[0.0, 1.0], 1e-10, 100);
+//! let piece = pieces.iter().find(|piece| piece.high() >= 0.01).unwrap();
+//! assert!((piece.at(0.01) - 0.1).abs() < 1e-8 && pieces.len() > 10);
+//! // A straight line is one piece of the degree one.
+//! assert_eq!(chebyshev::pieces(|x| 1.0 + x, &[0.0, 1.0], 1e-10, 100)[0].degree(), 1);
 //! ```
 
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
-/// Σ cₙTₙ(t) over an interval, t from −1 to 1.
+/// Places at which a function is read: degree 11, enough for a smooth piece, few enough to be summed at every node.
+const NODES: usize = 12;
+
+/// cos(kπ(j+½)/n) for all k, j.
+static COSINES: LazyLock<[[f64; NODES]; NODES]> = LazyLock::new(|| {
+    let angle = |k: usize, j: usize| k as f64 * PI * (j as f64 + 0.5) / NODES as f64;
+    std::array::from_fn(|k| std::array::from_fn(|j| libm::cos(angle(k, j))))
+});
+
+/// A polynomial Σ c_k T_k on an interval.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chebyshev {
     middle: f64,
@@ -21,42 +33,71 @@ pub struct Chebyshev {
 }
 
 impl Chebyshev {
-    /// The `count` nodes in the interval, ascending: cos((k + ½)π/n).
+    /// The polynomial through `f` at the Chebyshev nodes of `[low, high]`, none of which is an end.
+    pub fn through(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> Self {
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        let values: [f64; NODES] = std::array::from_fn(|j| f(middle + half * COSINES[1][j]));
+        let coefficient = |k: usize| {
+            let sum: f64 = COSINES[k].iter().zip(values).map(|(cosine, value)| cosine * value).sum();
+            if k == 0 { sum / NODES as f64 } else { 2.0 * sum / NODES as f64 }
+        };
+        Self { middle, half, coefficients: (0..NODES).map(coefficient).collect() }
+    }
+
+    /// The `count` nodes in the interval, ascending: cos((k + ½)π/n), none of which is an end.
     pub fn nodes(count: usize, (low, high): (f64, f64)) -> impl Iterator<Item = f64> {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-        (0..count).map(move |k| middle - half * (PI * (k as f64 + 0.5) / count as f64).cos())
+        (0..count).map(move |k| middle - half * libm::cos(PI * (k as f64 + 0.5) / count as f64))
     }
 
     /// The polynomial through `values` at the [`nodes`](Self::nodes) of the interval.
     #[must_use]
-    pub fn through(values: &[f64], (low, high): (f64, f64)) -> Self {
+    pub fn met(values: &[f64], (low, high): (f64, f64)) -> Self {
         let count = values.len() as f64;
         let coefficient = |n: usize| {
             let angle = |k: usize| PI * (1.0 - (k as f64 + 0.5) / count) * n as f64;
-            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * angle(k).cos()).sum();
+            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * libm::cos(angle(k))).sum();
             sum * if n == 0 { 1.0 } else { 2.0 } / count
         };
         let coefficients = (0..values.len()).map(coefficient).collect();
         Self { middle: 0.5 * (low + high), half: 0.5 * (high - low), coefficients }
     }
 
-    /// The polynomial through `function` at `count` nodes.
+    /// The polynomial through `function` at `count` nodes of the interval.
     #[must_use]
     pub fn of(function: impl FnMut(f64) -> f64, count: usize, interval: (f64, f64)) -> Self {
         let values: Vec<f64> = Self::nodes(count, interval).map(function).collect();
-        Self::through(&values, interval)
+        Self::met(&values, interval)
     }
 
-    /// Its value at `x`, by Clenshaw's sum.
+    /// Lower end of the interval.
+    #[must_use]
+    pub fn low(&self) -> f64 {
+        self.middle - self.half
+    }
+
+    /// Upper end of the interval.
+    #[must_use]
+    pub fn high(&self) -> f64 {
+        self.middle + self.half
+    }
+
+    /// Degree of the polynomial.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.coefficients.len().saturating_sub(1)
+    }
+
+    /// Value at `x` (Clenshaw 1955).
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
-        let t = (x - self.middle) / self.half;
-        let (mut next, mut beyond) = (0.0, 0.0);
+        let s = (x - self.middle) / self.half;
         let Some((first, rest)) = self.coefficients.split_first() else { return 0.0 };
-        for c in rest.iter().rev() {
-            (next, beyond) = (2.0 * t * next - beyond + c, next);
+        let (mut one, mut two) = (0.0, 0.0);
+        for &coefficient in rest.iter().rev() {
+            (one, two) = (coefficient + 2.0 * s * one - two, one);
         }
-        t * next - beyond + first
+        first + s * one - two
     }
 
     /// Its value and its slope at `x`.
@@ -79,12 +120,94 @@ impl Chebyshev {
         let last = self.coefficients.iter().rev().take(3).fold(0.0f64, |most, c| most.max(c.abs()));
         if largest > 0.0 { last / largest } else { 0.0 }
     }
+
+    /// The derivative.
+    #[must_use]
+    pub fn slope(&self) -> Self {
+        let degree = self.degree();
+        let mut slopes = vec![0.0; degree.max(1)];
+        for k in (1..=degree).rev() {
+            let above = slopes.get(k + 1).copied().unwrap_or(0.0);
+            slopes[k - 1] = above + 2.0 * k as f64 * self.coefficients[k];
+        }
+        slopes[0] *= 0.5;
+        slopes.iter_mut().for_each(|slope| *slope /= self.half);
+        Self { coefficients: slopes, ..*self }
+    }
+
+    /// The same times a number.
+    #[must_use]
+    pub fn scaled(mut self, factor: f64) -> Self {
+        self.coefficients.iter_mut().for_each(|coefficient| *coefficient *= factor);
+        self
+    }
+
+    /// What the last terms hold: how far it may be from a smooth function.
+    fn tail(&self) -> f64 {
+        self.coefficients.iter().rev().take(2).map(|coefficient| coefficient.abs()).sum()
+    }
+
+    /// The same without the terms at its end that hold no more than `tolerance` together.
+    fn trimmed(mut self, tolerance: f64) -> Self {
+        let mut dropped = 0.0;
+        while let [_, .., last] = self.coefficients[..] {
+            dropped += last.abs();
+            if dropped > tolerance {
+                break;
+            }
+            self.coefficients.pop();
+        }
+        self
+    }
+}
+
+/// `f` between neighbouring `ends`, ascending, as polynomials whose error times their length is below `tolerance`, as far
+/// as `most` pieces suffice: the worst is halved first.
+pub fn pieces(mut f: impl FnMut(f64) -> f64, ends: &[f64], tolerance: f64, most: usize) -> Vec<Chebyshev> {
+    let whole = ends.windows(2).filter(|pair| pair[1] > pair[0]);
+    let mut pieces: Vec<Chebyshev> = whole.map(|pair| Chebyshev::through(&mut f, pair[0], pair[1])).collect();
+    let error = |piece: &Chebyshev| piece.tail() * 2.0 * piece.half;
+    while pieces.len() < most {
+        let worst = (0..pieces.len()).max_by(|&i, &j| error(&pieces[i]).total_cmp(&error(&pieces[j])));
+        let Some(worst) = worst.filter(|&worst| error(&pieces[worst]) > tolerance) else { break };
+        let (low, middle, high) = (pieces[worst].low(), pieces[worst].middle, pieces[worst].high());
+        if middle <= low || middle >= high {
+            break;
+        }
+        let halves = [Chebyshev::through(&mut f, low, middle), Chebyshev::through(&mut f, middle, high)];
+        pieces.splice(worst..=worst, halves);
+    }
+    let allowed = |piece: &Chebyshev| 0.1 * tolerance / (2.0 * piece.half);
+    pieces
+        .into_iter()
+        .map(|piece| {
+            let allowed = allowed(&piece);
+            piece.trimmed(allowed)
+        })
+        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn values_and_slopes_of_smooth_functions() {
+        let wave = Chebyshev::through(f64::sin, 0.2, 1.1);
+        let slope = wave.slope();
+        for x in [0.2, 0.31, 0.77, 1.1] {
+            assert!((wave.at(x) - x.sin()).abs() < 1e-14, "{x}");
+            assert!((slope.at(x) - x.cos()).abs() < 1e-11, "{x}");
+        }
+    }
+
+    #[test]
+    fn a_corner_costs_no_more_than_allowed() {
+        let corner = |x: f64| (x - 0.3).abs();
+        assert_eq!(pieces(corner, &[0.0, 1.0], 1e-300, 40).len(), 40);
+        assert_eq!(pieces(corner, &[0.0, 0.3, 1.0], 1e-12, 40).len(), 2);
+    }
 
     proptest! {
         /// Polynomials of lower degree are met at every place, with their slope.

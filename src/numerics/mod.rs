@@ -1,4 +1,4 @@
-//! Complex numbers, exponentials, roots, extrema, quadrature and special functions: no physics.
+//! Complex numbers, polynomials by pieces, exponentials, roots, extrema, quadrature and special functions: no physics.
 //!
 //! # Examples
 //! ```

@@ -9,6 +9,7 @@ use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::HalfSpace;
 use crate::contact::mapped::MappedContact;
 use crate::contact::model::ContactModel;
+use crate::contact::plastic::PlasticContact;
 use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
@@ -38,6 +39,7 @@ pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>
             bed_radius = radius_of_bed(plan, *work)?;
             Box::new(SpringBed::new(plan.ground(), count.get(), bed_radius, work.unwrap_or(0.0)))
         }
+        ContactLaw::Plastic(ball) => Box::new(PlasticContact::new(*ball)),
         ContactLaw::Continuous { relaxation, edge } => viscoelastic::continuous(plan, relaxation, edge.as_ref()),
         ContactLaw::ViscoelasticSprings { relaxation, count } => viscoelastic::springs(plan, relaxation, count.get()),
     };

@@ -48,6 +48,7 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
             ),
             None => of(sums(run), "continuous bed, exact in time: what the polynomials of its panels miss"),
         },
+        ContactLaw::Plastic(_) => of(1e-13, "yielding ball in closed form: rounding"),
         ContactLaw::ViscoelasticSprings { count, .. } => viscoelastic_springs_error(plan, run, count.get()),
     }
 }

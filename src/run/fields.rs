@@ -1,20 +1,15 @@
-//! Fields over the radius and under the axis.
+//! Fields over the radius.
 
 use super::table::{Column, Table};
 use super::unit::Unit;
-use crate::contact::loaded::Loaded;
 use crate::contact::model::ContactModel;
-use crate::contact::stress::StressRow;
 use crate::run::record::{Field, FieldRow, Record};
-use crate::scene::plan::Shared;
 use std::f64::consts::FRAC_PI_2;
 
 /// Radii inside the contact, denser towards the edge.
 const INSIDE: usize = 160;
 /// Radii outside, out to three times the reach of the contact.
 const OUTSIDE: usize = 64;
-/// Depths below the surface.
-const DEPTHS: usize = 96;
 
 /// Pressure, shear stress and surface of a contact; `None` where the bodies are apart.
 #[must_use]
@@ -85,19 +80,4 @@ pub fn pressure_table(fields: &[Field], records: &[Record]) -> Option<Table> {
     let table = Table::new("pressure").with_words("profile", labels).with(&COLUMNS, rows.iter());
     let table = if sheared { table.with(&[SHEAR], rows.iter()) } else { table };
     (!fields.is_empty()).then_some(table)
-}
-
-const STRESS: [Column<StressRow>; 4] = [
-    Column::new("depth", Unit::METRE, "depth z on the axis", |row| Some(row.depth)),
-    Column::new("axial", Unit::PASCAL, "axial σ_zz", |row| Some(row.axial)),
-    Column::new("radial", Unit::PASCAL, "radial σ_xx", |row| Some(row.radial)),
-    Column::new("largest_shear", Unit::PASCAL, "largest shear", |row| Some(row.shear)),
-];
-
-/// Stresses on the axis in the first body that can deform.
-#[must_use]
-pub fn stresses(shared: &Shared, loaded: &Loaded) -> Table {
-    let (one, other) = &shared.scene.bodies;
-    let rows = loaded.down_the_axis(DEPTHS, one.poisson().or(other.poisson()).unwrap_or(0.5));
-    Table::new("stress").with(&STRESS, rows.iter())
 }

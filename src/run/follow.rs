@@ -1,10 +1,10 @@
 //! A history followed stage by stage, record by record.
 
 use super::record::{Field, Record};
+use super::stresses::Carried;
 use super::{SimulationError, Wanted, fields};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::error::ContactError;
-use crate::contact::loaded::Loaded;
 use crate::contact::model::{ContactModel, Effort, Pose};
 use crate::contact::state::{Normal, Tangential};
 use crate::drive::course::{Course, Path};
@@ -30,8 +30,7 @@ pub(super) struct Run {
     jumps: Vec<(Normal, Normal)>,
     pub(super) notes: Vec<String>,
     /// The load of the contact at its greatest force, if it is wanted.
-    pub(super) loaded: Option<Loaded>,
-    greatest: f64,
+    pub(super) carried: Option<Carried>,
     /// Largest error of the force at the ends of the stages [N].
     pub(super) force_error: f64,
     /// Largest state at the ends of the stages.
@@ -107,8 +106,7 @@ impl Run {
             wanted,
             jumps: Vec::new(),
             notes: Vec::new(),
-            loaded: None,
-            greatest: 0.0,
+            carried: None,
             force_error: 0.0,
             effort: Effort::default(),
         };
@@ -212,10 +210,12 @@ impl Run {
     /// The present state as a record.
     fn record(&mut self) {
         let state = self.driver.state(self.contact.as_ref());
-        self.push(state, self.contact.tangential(), self.time);
-        if self.wanted.stresses && (self.loaded.is_none() || state.force > self.greatest) {
-            self.greatest = state.force;
-            self.loaded = self.contact.loading().and_then(|loading| loading.loaded()).or(self.loaded.take());
+        let tangential = self.contact.tangential();
+        self.push(state, tangential, self.time);
+        if self.wanted.stresses && self.carried.as_ref().is_none_or(|carried| carried.is_below(&state, tangential)) {
+            let loaded = self.contact.loading().and_then(|loading| loading.loaded());
+            let carried = loaded.map(|loaded| Carried::new(loaded, &state, tangential));
+            self.carried = carried.or(self.carried.take());
         }
     }
 

@@ -25,10 +25,12 @@ mod fields;
 mod follow;
 mod fretting;
 mod plane;
+mod plastic;
 pub mod named;
 pub mod record;
 mod results;
 mod rough;
+mod stresses;
 mod impact;
 pub mod table;
 pub mod unit;
@@ -40,7 +42,6 @@ pub use crate::contact::error::ContactError;
 pub use compose::{direct, sheared};
 pub use plane::in_pieces;
 
-use crate::contact::loaded::Loaded;
 use crate::drive::impact::ImpactError;
 use crate::input::problem::Problem;
 use crate::run::record::Outcome;
@@ -49,6 +50,7 @@ use crate::scene::plan::{Plan, RoundPlan};
 use curves::sliding;
 use follow::{Run, follow, pressure_at_largest_force};
 use results::Pressures;
+use stresses::Carried;
 
 /// Why a scene could not be run to its end.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -97,12 +99,12 @@ impl Wanted {
 /// What a solver finds, and the load of the contact at its greatest force where that was asked for.
 struct Solved {
     outcome: Outcome,
-    loaded: Option<Loaded>,
+    carried: Option<Carried>,
 }
 
 impl Solved {
     fn without_load(outcome: Outcome) -> Self {
-        Self { outcome, loaded: None }
+        Self { outcome, carried: None }
     }
 }
 
@@ -131,8 +133,9 @@ pub fn run(plan: &Plan, wanted: Wanted) -> Result<Outcome, SimulationError> {
 /// # Errors
 /// As for [`run`].
 pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
-    let kept = Wanted { stresses: wanted.stresses || warnings::can_yield(plan), ..wanted };
-    let Solved { mut outcome, loaded } = match plan {
+    let told = wanted.stresses || wanted.fields && stresses::are_at_hand(plan);
+    let kept = Wanted { stresses: told || warnings::can_yield(plan), ..wanted };
+    let Solved { mut outcome, carried } = match plan {
         Plan::Round(plan) => run_round(plan, kept),
         Plan::Impact(plan) => impact::run(plan, kept),
         Plan::Plane(plan) => plane::run(plan, wanted).map(Solved::without_load),
@@ -140,9 +143,14 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
         Plan::RoughImpact(plan) => impact::rough::run(plan, done).map(Solved::without_load),
     }?;
     let pressure = fields::pressure_table(&outcome.fields, &outcome.records);
-    let stresses = loaded.as_ref().filter(|_| wanted.stresses).map(|loaded| fields::stresses(plan, loaded));
+    let mapped = carried.as_ref().filter(|_| wanted.stresses);
+    let stresses = mapped.and_then(|carried| stresses::table(plan, carried));
     outcome.tables.splice(0..0, pressure.into_iter().chain(stresses));
-    outcome.warnings.extend(warnings::of(plan, &outcome.records, loaded.as_ref()));
+    outcome.results.extend(carried.iter().flat_map(|carried| stresses::results(plan, carried)));
+    outcome.results.extend(mapped.map(stresses::unit));
+    outcome.warnings.extend(warnings::of(plan, &outcome.records));
+    outcome.warnings.extend(carried.iter().flat_map(|carried| stresses::warnings(plan, carried)));
+    outcome.warnings.extend(mapped.and_then(|carried| stresses::remark(plan, carried)));
     if let Some(ratio) = warnings::pressure_on_ellipse(plan) {
         outcome.results.iter_mut().for_each(|named| named.scale("peak_pressure", ratio));
     }
@@ -167,6 +175,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));
+    results.extend(plastic::results(plan, &run.records));
     results.extend(wave::results(plan, &run.records));
     let outcome = Outcome {
         error_estimate: error::estimate(plan, &run),
@@ -184,7 +193,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
         records: run.records,
         fields: run.fields,
     };
-    Ok(Solved { outcome, loaded: run.loaded })
+    Ok(Solved { outcome, carried: run.carried })
 }
 
 /// The plan in words, with the springs and bytes that are known from the run alone.

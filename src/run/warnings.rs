@@ -2,8 +2,6 @@
 
 use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
-use crate::contact::loaded::Loaded;
-use crate::material::Body;
 use crate::scene::plan::{Plan, RoughImpactPlan, RoughPlan, Shared};
 use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
@@ -18,10 +16,10 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 
 /// The physics a user must know about the records of a scene.
 #[must_use]
-pub fn of(plan: &Plan, records: &[Record], loaded: Option<&Loaded>) -> Vec<String> {
+pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
     match plan {
-        Plan::Round(of) => round(plan, of.ground().profile(), records, loaded),
-        Plan::Impact(of) => round(plan, of.ground().profile(), records, loaded),
+        Plan::Round(of) => round(plan, of.ground().profile(), records),
+        Plan::Impact(of) => round(plan, of.ground().profile(), records),
         Plan::Plane(plan) => steep_waves(plan.section.rms_slope()).into_iter().collect(),
         Plan::Rough(RoughPlan { surface, .. })
         | Plan::RoughImpact(RoughImpactPlan { rough: RoughPlan { surface, .. }, .. }) => {
@@ -30,14 +28,12 @@ pub fn of(plan: &Plan, records: &[Record], loaded: Option<&Loaded>) -> Vec<Strin
     }
 }
 
-fn round(plan: &Plan, profile: &dyn Profile, records: &[Record], loaded: Option<&Loaded>) -> Vec<String> {
+fn round(plan: &Plan, profile: &dyn Profile, records: &[Record]) -> Vec<String> {
     let radii = records.iter().filter_map(|record| record.normal.contact_radius);
     let Some(a) = radii.max_by(f64::total_cmp) else { return Vec::new() };
     let shape =
         [steep(plan, profile, a), not_a_ball(plan, a), not_two_balls(plan, a), two_radii(plan), connected(profile, a)];
-    let found = shape.into_iter().chain([tabor(plan), coupled(plan)]);
-    let found: Vec<String> = found.flatten().collect();
-    found.into_iter().chain(loaded.into_iter().flat_map(|loaded| first_yield(plan, loaded))).collect()
+    shape.into_iter().chain([tabor(plan), coupled(plan)]).flatten().collect()
 }
 
 /// Whether a body has a yield stress.
@@ -144,13 +140,16 @@ fn not_two_balls(shared: &Shared, a: f64) -> Option<String> {
 fn not_a_ball(shared: &Shared, a: f64) -> Option<String> {
     let Shape::Paraboloid(paraboloid) = &shared.scene.shape else { return None };
     let part = a / paraboloid.radius.si();
+    let (one, other) = &shared.scene.bodies;
+    let yields = one.yields_at().or(other.yields_at()).is_some();
     if part >= 1.0 {
         return Some(format!(
             "the contact radius is {part:.2} times the radius of curvature: no ball has such a contact"
         ));
     }
     let difference = Sphere { radius: paraboloid.radius }.load_integral(a) / paraboloid.load_integral(a) - 1.0;
-    (difference > BALL).then(|| {
+    // A ball that yields is a paraboloid whatever it is called.
+    (difference > BALL && !yields).then(|| {
         format!(
             "a/R = {part:.2}: if the paraboloid stands for a ball, use Sphere(radius: …), whose force at this contact radius is {:.1} % larger",
             100.0 * difference
@@ -192,35 +191,6 @@ fn coupled(plan: &Plan) -> Option<String> {
     (plan.has_friction() && beta.abs() > 1e-9).then(|| {
         format!(
             "the pair breaks elastic similarity (Dundurs' β = {beta:.3}): normal and tangential contact are treated as independent, expect errors of this order in friction"
-        )
-    })
-}
-
-/// First yield below the surface: |σ_zz − σ_xx| on the axis reaches the yield stress. Two equal bodies
-/// yield together.
-fn first_yield(shared: &Shared, loaded: &Loaded) -> Vec<String> {
-    let (one, other) = &shared.scene.bodies;
-    if one == other {
-        return yielding(loaded, one).into_iter().collect();
-    }
-    let both = [("body 1: ", one), ("body 2: ", other)];
-    both.into_iter().filter_map(|(name, body)| Some(format!("{name}{}", yielding(loaded, body)?))).collect()
-}
-
-fn yielding(loaded: &Loaded, body: &Body) -> Option<String> {
-    let (poisson, limit) = (body.poisson()?, body.yield_stress()?);
-    let (a, mean) = (loaded.contact_radius(), loaded.mean_pressure());
-    if a > 0.0 && loaded.profile().pressure_integral(0.0, a).is_infinite() {
-        return Some(format!(
-            "the tip is a point: the elastic stress below it has no bound, so the body yields there at any load, above {limit:.3e} Pa; mean pressure {mean:.3e} Pa"
-        ));
-    }
-    let worst = loaded.hardest(poisson)?;
-    (a > 0.0 && 2.0 * worst.shear > limit).then(|| {
-        format!(
-            "the stress passes first yield: |σ_zz − σ_xx| = {:.3e} Pa at the depth {:.2} a, yield stress {limit:.3e} Pa, mean pressure {mean:.3e} Pa",
-            2.0 * worst.shear,
-            worst.depth / a,
         )
     })
 }

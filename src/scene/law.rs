@@ -19,6 +19,7 @@
 use super::parts::{Component, Solver};
 use crate::contact::adhesion::EdgeRule;
 use crate::contact::direct::QuasiStatic;
+use crate::contact::plastic::YieldingBall;
 use crate::contact::state::Tangential;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::attraction::Attraction;
@@ -144,6 +145,8 @@ pub enum Bodies<'l> {
     Elastic(ElasticAdhesion),
     /// Bodies with E*(t), and their adhesive edge if they have one.
     Viscoelastic(&'l Arc<Relaxation>, Option<&'l HeldEdge>),
+    /// Bodies that yield.
+    Plastic(&'l YieldingBall),
 }
 
 impl<'l> Bodies<'l> {
@@ -151,7 +154,7 @@ impl<'l> Bodies<'l> {
     #[must_use]
     pub fn relaxation(self) -> Option<&'l Arc<Relaxation>> {
         match self {
-            Self::Elastic(_) => None,
+            Self::Elastic(_) | Self::Plastic(_) => None,
             Self::Viscoelastic(relaxation, _) => Some(relaxation),
         }
     }
@@ -162,6 +165,7 @@ impl<'l> Bodies<'l> {
         match self {
             Self::Elastic(adhesion) => adhesion.edge_work(),
             Self::Viscoelastic(_, edge) => edge.map(|edge| edge.work),
+            Self::Plastic(_) => None,
         }
     }
 
@@ -169,7 +173,7 @@ impl<'l> Bodies<'l> {
     #[must_use]
     pub fn held_edge(self) -> Option<&'l HeldEdge> {
         match self {
-            Self::Elastic(_) => None,
+            Self::Elastic(_) | Self::Plastic(_) => None,
             Self::Viscoelastic(_, edge) => edge,
         }
     }
@@ -180,6 +184,16 @@ impl<'l> Bodies<'l> {
         match self {
             Self::Elastic(adhesion) => adhesion != ElasticAdhesion::None,
             Self::Viscoelastic(_, edge) => edge.is_some(),
+            Self::Plastic(_) => false,
+        }
+    }
+
+    /// The ball and its limit, if they yield.
+    #[must_use]
+    pub fn yielding(self) -> Option<&'l YieldingBall> {
+        match self {
+            Self::Elastic(_) | Self::Viscoelastic(..) => None,
+            Self::Plastic(ball) => Some(ball),
         }
     }
 
@@ -190,6 +204,7 @@ impl<'l> Bodies<'l> {
             Self::Viscoelastic(_, edge) => {
                 edge.map(|_| Component::VanishingRange).into_iter().chain([Component::Prony]).collect()
             }
+            Self::Plastic(_) => Vec::new(),
         }
     }
 }
@@ -220,6 +235,8 @@ pub enum ContactLaw {
         /// Number of springs.
         count: SpringCount,
     },
+    /// The closed form of a ball that yields.
+    Plastic(YieldingBall),
 }
 
 impl ContactLaw {
@@ -227,6 +244,7 @@ impl ContactLaw {
     #[must_use]
     pub fn solver(&self, friction: Option<&FrictionLaw>) -> Solver {
         match self {
+            Self::Plastic(_) => Solver::new("yielding ball", "the body yields: Hertz's contact, then a force that grows in a straight line, and Hertz's again over the dent it leaves (Thornton 1997), all in closed form; no spring is allocated"),
             Self::Direct(_) => Solver::new("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated"),
             Self::Springs { count, .. } => Solver::new("springs", format!("`springs: {count}` asks for the classical bed")),
             Self::Continuous { .. } => Solver::new("continuous bed", match friction {
@@ -244,7 +262,7 @@ impl ContactLaw {
     #[must_use]
     pub fn springs(&self) -> usize {
         match self {
-            Self::Direct(_) | Self::Continuous { .. } => 0,
+            Self::Direct(_) | Self::Continuous { .. } | Self::Plastic(_) => 0,
             Self::Springs { count, .. } => count.get(),
             Self::ViscoelasticSprings { count, .. } => count.get(),
         }
@@ -259,7 +277,9 @@ impl ContactLaw {
     pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
         match self {
             Self::Direct(adhesion) => Some(*adhesion),
-            Self::Springs { .. } | Self::Continuous { .. } | Self::ViscoelasticSprings { .. } => None,
+            Self::Springs { .. } | Self::Continuous { .. } | Self::ViscoelasticSprings { .. } | Self::Plastic(_) => {
+                None
+            }
         }
     }
 
@@ -272,6 +292,7 @@ impl ContactLaw {
             Self::Springs { work: None, .. } => Bodies::Elastic(ElasticAdhesion::None),
             Self::Continuous { relaxation, edge } => Bodies::Viscoelastic(relaxation, edge.as_ref()),
             Self::ViscoelasticSprings { relaxation, .. } => Bodies::Viscoelastic(relaxation, None),
+            Self::Plastic(ball) => Bodies::Plastic(ball),
         }
     }
 
@@ -299,6 +320,8 @@ pub enum ImpactLaw {
         /// Adhesive edge.
         edge: HeldEdge,
     },
+    /// Bodies that yield: the closed form of a ball.
+    Plastic(YieldingBall),
 }
 
 impl ImpactLaw {
@@ -318,6 +341,10 @@ impl ImpactLaw {
                 "mass on the continuous bed",
                 "the edge remembers: m d̈ = −F in straight steps of the depth, halved until they agree; the contact is that of a prescribed depth",
             ),
+            Self::Plastic(_) => Solver::new(
+                "energy of the yielding ball",
+                "the body yields: the work of the way in gives the greatest depth, what the dent gives back the speed of rebound; times in closed form too, no step is taken",
+            ),
         }
     }
 
@@ -325,7 +352,7 @@ impl ImpactLaw {
     pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
         match self {
             Self::Elastic(adhesion) => Some(*adhesion),
-            Self::Viscoelastic { .. } | Self::Held { .. } => None,
+            Self::Viscoelastic { .. } | Self::Held { .. } | Self::Plastic(_) => None,
         }
     }
 
@@ -336,6 +363,7 @@ impl ImpactLaw {
             Self::Elastic(adhesion) => Bodies::Elastic(*adhesion),
             Self::Viscoelastic { relaxation } => Bodies::Viscoelastic(relaxation, None),
             Self::Held { relaxation, edge } => Bodies::Viscoelastic(relaxation, Some(edge)),
+            Self::Plastic(ball) => Bodies::Plastic(ball),
         }
     }
 }

@@ -95,7 +95,7 @@ pub enum Plot {
     Radius,
     /// Pressure profile.
     Pressure,
-    /// Stress below the surface, on the axis.
+    /// Stress of von Mises over place and depth below the surface, and the stresses on the axis.
     Stress,
     /// Stored and dissipated energy.
     Energy,

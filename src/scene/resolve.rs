@@ -8,12 +8,13 @@ use super::rules::{self, Draft, Parts, Written};
 use super::surface::Surface;
 use super::{Scene, limits, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
+use crate::contact::plastic::{YIELD_PRESSURE, YieldingBall};
 use crate::contact::rough::EdgeWorks;
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
-use crate::material::Relaxation;
+use crate::material::{Body, Relaxation};
 use crate::scene::history::{EntryTraits, Impact};
 use crate::shape::{Profile, Shape};
 use std::num::NonZeroUsize;
@@ -131,15 +132,24 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let scene = &shared.scene;
     let adhesion = scene.adhesion.as_ref();
     let contact = match (shared.read.relaxation.clone(), scene.springs) {
-        (None, None) => match pinned(adhesion) {
-            Some(edge) => ContactLaw::Continuous { relaxation: Arc::new(unrelaxed(&shared)), edge: Some(edge) },
-            None => ContactLaw::Direct(elastic(adhesion)),
+        (None, None) => match (yielding(&shared), pinned(adhesion)) {
+            (Some(ball), _) => ContactLaw::Plastic(ball),
+            (None, Some(edge)) => ContactLaw::Continuous { relaxation: Arc::new(unrelaxed(&shared)), edge: Some(edge) },
+            (None, None) => ContactLaw::Direct(elastic(adhesion)),
         },
         (None, Some(count)) => ContactLaw::Springs { count, work: adhesion.map(|adhesion| adhesion.traits().work) },
         (Some(relaxation), asked) => viscoelastic(&shared, relaxation, asked),
     };
     let friction = scene.friction.as_ref().map(|friction| tangential(&shared, friction));
     RoundPlan { profile, contact, friction, shared }
+}
+
+/// The ball of bodies that yield, the softer one first.
+fn yielding(shared: &Shared) -> Option<YieldingBall> {
+    let (one, other) = &shared.scene.bodies;
+    let weaker = [one, other].into_iter().filter_map(Body::yields_at).reduce(f64::min)?;
+    let radius = shared.scene.shape.tip_radius()?;
+    Some(YieldingBall { radius, modulus: shared.pair.normal, limit: YIELD_PRESSURE * weaker })
 }
 
 /// A rough contact without friction.
@@ -228,7 +238,10 @@ fn impact_plan(shared: Shared, profile: Arc<dyn Profile>, impact: Impact) -> Imp
     let adhesion = shared.scene.adhesion.as_ref();
     let relaxation = shared.read.relaxation.clone();
     let law = match (relaxation, held_edge(adhesion), pinned(adhesion)) {
-        (None, _, None) => ImpactLaw::Elastic(elastic(adhesion)),
+        (None, _, None) => match yielding(&shared) {
+            Some(ball) => ImpactLaw::Plastic(ball),
+            None => ImpactLaw::Elastic(elastic(adhesion)),
+        },
         (None, _, Some(edge)) => ImpactLaw::Held { relaxation: Arc::new(unrelaxed(&shared)), edge },
         (Some(relaxation), None, _) => ImpactLaw::Viscoelastic { relaxation },
         (Some(relaxation), Some(edge), _) => ImpactLaw::Held { relaxation, edge },

@@ -34,6 +34,7 @@ const BODIES: &[&str] = &[
     "Rigid",
     "Elastic(young: \"2 MPa\", poisson: 0.5)",
     "Elastic(shear: 1e6, poisson: 0.3, yield_stress: 1e4)",
+    "Plastic(young: 1e9, poisson: 0.3, yield_stress: 1e6)",
     "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e5, terms: [(modulus: 1e6, time: 1)]))",
     "Viscoelastic(poisson: 0.5, shear: (terms: [(modulus: 1e6, time: 1)], viscosity: 10))",
     "Viscoelastic(poisson: 0.5, shear: (terms: \"no_such.csv\"))",

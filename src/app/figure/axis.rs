@@ -13,9 +13,19 @@ pub(super) struct Ruler {
 }
 
 impl Ruler {
-    fn new(axis: &Axis, range: AxisRange, ticks: Vec<Tick>) -> Self {
+    fn new(axis: &Axis, mut range: AxisRange, mut ticks: Vec<Tick>) -> Self {
+        if axis.falling {
+            range.falling = true;
+            ticks.iter_mut().for_each(|tick| tick.at = 1.0 - tick.at);
+        }
         let caption = unit::caption(&axis.label, &axis.unit, range.exponent);
         Self { range, ticks, caption }
+    }
+
+    /// A vertical axis of `length` px on its own, over the values between two ends.
+    pub(super) fn along_y(axis: &Axis, ends: (f64, f64), length: f64) -> Self {
+        let range = AxisRange::new(axis, Some(ends));
+        Self::new(axis, range, ticks(&range, Along::Y, length))
     }
 
     /// Width of the widest tick label in px.
@@ -33,7 +43,13 @@ impl Ruler {
 
 /// Horizontal and vertical axis of a panel of `size` px.
 pub(super) fn rulers(panel: &Panel, size: (f64, f64)) -> (Ruler, Ruler) {
-    let (x, y) = ends(panel);
+    let (mut x, mut y) = ends(panel);
+    if let Some(contours) = &panel.contours {
+        for end in [0, 1] {
+            x = contours.end(&contours.x, end).map_or(x, |value| join(x, value));
+            y = contours.end(&contours.y, end).map_or(y, |value| join(y, value));
+        }
+    }
     let x = AxisRange::new(&panel.x, x.map(|e| widened(e, guided(panel, &panel.x, Along::X))));
     let y = AxisRange::new(&panel.y, y.map(|e| widened(e, guided(panel, &panel.y, Along::Y))));
     (Ruler::new(&panel.x, x, ticks(&x, Along::X, size.0)), Ruler::new(&panel.y, y, ticks(&y, Along::Y, size.1)))

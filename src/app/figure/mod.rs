@@ -13,6 +13,7 @@
 mod axis;
 mod canvas;
 mod clearance;
+mod contour;
 mod curve;
 mod dash;
 mod guide;
@@ -28,6 +29,7 @@ mod thin;
 mod ticks;
 mod unit;
 
+pub use contour::Contours;
 pub use look::{Hue, Line, Mark, Marks};
 
 /// A titled grid of panels.
@@ -70,6 +72,8 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
+    /// Filled contours below everything else, with a bar of their colours beside the frame.
+    pub contours: Option<Contours>,
     /// Curves; those later in the legend are drawn over the earlier ones.
     pub series: Vec<Series>,
     /// Reference lines under the curves.
@@ -82,13 +86,21 @@ impl Panel {
     /// A panel without curves.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
-        Self { title: String::new(), x, y, series: Vec::new(), guides: Vec::new(), notes: Vec::new() }
+        let (contours, series, guides, notes) = (None, Vec::new(), Vec::new(), Vec::new());
+        Self { title: String::new(), x, y, contours, series, guides, notes }
     }
 
     /// The panel under a heading.
     #[must_use]
     pub fn titled(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
+        self
+    }
+
+    /// The panel over filled contours.
+    #[must_use]
+    pub fn over(mut self, contours: Contours) -> Self {
+        self.contours = Some(contours);
         self
     }
 
@@ -135,6 +147,8 @@ pub struct Axis {
     pub scale: Scale,
     /// Least and largest value shown; `None` follows the data.
     pub limits: (Option<f64>, Option<f64>),
+    /// Whether the values grow downwards or to the left, as depths do.
+    pub falling: bool,
 }
 
 impl Axis {
@@ -146,6 +160,13 @@ impl Axis {
     /// An axis with equal ratios.
     pub fn log(label: impl Into<String>, unit: impl Into<String>) -> Self {
         Self { scale: Scale::Log, ..Self::linear(label, unit) }
+    }
+
+    /// The axis with its values growing downwards or to the left.
+    #[must_use]
+    pub fn falling(mut self) -> Self {
+        self.falling = true;
+        self
     }
 
     /// The axis starting at `least`; what lies below is cut off.

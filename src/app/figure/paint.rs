@@ -4,6 +4,7 @@ use plotters::style::text_anchor::HPos;
 use plotters::style::{BLACK, RGBColor};
 
 use super::canvas::{Canvas, Dot, Pen, Type, Weight};
+use super::contour::{self, BAR, BAR_AT, Bar, Layers};
 use super::dash::{dashes, head, length};
 use super::guide::{self, Ruled};
 use super::legend::{self, Legend, Placed, SAMPLE, Sample, text_at};
@@ -16,6 +17,8 @@ use super::{Arrow, Scale, text, ticks};
 const GRID: Pen = Pen { colour: RGBColor(228, 228, 228), width: 0.7 };
 const ZERO: Pen = Pen { colour: RGBColor(150, 150, 150), width: 0.9 };
 const FRAME: Pen = Pen { colour: RGBColor(60, 60, 60), width: 1.0 };
+/// About an area of one colour.
+const OUTLINE: Pen = Pen { colour: RGBColor(70, 70, 70), width: 0.5 };
 const GUIDE: Pen = Pen { colour: RGBColor(105, 105, 105), width: 1.1 };
 /// Ink and gap of a guide in px.
 const GUIDE_DASHES: [f64; 2] = [3.0, 2.0];
@@ -24,8 +27,13 @@ const CAPTION: f64 = 12.0;
 
 /// Draws a panel with the upper left corner of its frame at the origin.
 pub(super) fn sheet(canvas: &mut Canvas, sheet: &Sheet) {
-    grid(canvas, sheet);
-    zero_lines(canvas, sheet);
+    match &sheet.layers {
+        Some(layers) => contours(canvas, layers, sheet.size),
+        None => {
+            grid(canvas, sheet);
+            zero_lines(canvas, sheet);
+        }
+    }
     sheet.guides.iter().for_each(|g| ruled(canvas, g));
     frame(canvas, sheet.size);
     for shown in &sheet.curves {
@@ -41,6 +49,38 @@ pub(super) fn sheet(canvas: &mut Canvas, sheet: &Sheet) {
     heading(canvas, sheet);
     captions(canvas, sheet);
     notes(canvas, sheet);
+}
+
+/// Areas of one colour with a fine line about each, and their bar beside the frame.
+fn contours(canvas: &mut Canvas, layers: &Layers, size: Dot) {
+    canvas.rectangle((0.0, 0.0), size, layers.ground);
+    for (outline, colour) in &layers.areas {
+        canvas.polygon(outline, *colour);
+        canvas.path(outline, OUTLINE);
+    }
+    bar(canvas, &layers.bar, size);
+}
+
+fn bar(canvas: &mut Canvas, bar: &Bar, (w, h): Dot) {
+    let (left, right) = (w + BAR_AT, w + BAR_AT + BAR);
+    let mut low = h;
+    for (end, colour) in &bar.bands {
+        let high = h - end * h;
+        canvas.rectangle((left, high), (right, low), *colour);
+        low = high;
+    }
+    let corners = [(left, 0.0), (right, 0.0), (right, h), (left, h), (left, 0.0), (right, 0.0)];
+    canvas.path(&corners, FRAME);
+    for tick in bar.ruler.ticks.iter().filter(|tick| !tick.label.is_empty()) {
+        let y = h - tick.at * h;
+        canvas.path(&[(left, y), (right + 3.5, y)], OUTLINE);
+        written(canvas, (right + 7.0, y + 1.0), &tick.label, regular(ticks::SIZE, BLACK, HPos::Left));
+    }
+    let (label, size) = contour::caption(bar, h);
+    if !label.is_empty() {
+        let at = (right + 9.0 + bar.ruler.widest() + 13.0, 0.5 * h);
+        canvas.upward_text(at, &label, regular(size, BLACK, HPos::Center));
+    }
 }
 
 fn grid(canvas: &mut Canvas, sheet: &Sheet) {

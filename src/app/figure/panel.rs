@@ -3,6 +3,7 @@
 use super::axis::{Ruler, rulers};
 use super::canvas::Dot;
 use super::clearance::Clearance;
+use super::contour::{Layers, layers};
 use super::curve::{DrawnCurve, Map, curve};
 use super::guide::{Ruled, rule};
 use super::legend::{self, Legend};
@@ -40,6 +41,7 @@ pub(super) struct Sheet {
     pub(super) heading: Vec<String>,
     pub(super) x: Ruler,
     pub(super) y: Ruler,
+    pub(super) layers: Option<Layers>,
     pub(super) curves: Vec<Shown>,
     pub(super) guides: Vec<Ruled>,
     pub(super) key: Key,
@@ -58,12 +60,14 @@ impl Sheet {
     pub(super) fn new(panel: &Panel, size: Dot, company: Company) -> Self {
         let (x, y) = rulers(panel, size);
         let map = Map { x: &x, y: &y, size };
+        let layers = panel.contours.as_ref().and_then(|contours| layers(contours, &map));
         let curves = curves(panel, &map);
         let guides = guides(panel, &map, &curves);
         let key = key(panel, &guides, company, size.0 + INDENT);
         Self {
             size,
             heading: text::wrap(&text::clean(&panel.title), HEADING * text::BOLD, size.0),
+            layers,
             curves,
             guides,
             key,
@@ -79,7 +83,8 @@ impl Sheet {
             Key::Beside(legend) if !legend.entries.is_empty() => 18.0 + legend.size.0,
             _ => 0.0,
         };
-        legend.max(self.x.overhang(self.size.0) + 4.0).max(14.0)
+        let bar = self.layers.as_ref().map_or(0.0, |layers| layers.bar.right());
+        legend.max(bar).max(self.x.overhang(self.size.0) + 4.0).max(14.0)
     }
 
     /// Px left of the frame.

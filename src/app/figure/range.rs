@@ -20,6 +20,8 @@ pub(super) struct AxisRange {
     /// Ends: values divided by 10ⁿ on a linear axis, decimal logarithms of values on a logarithmic one.
     pub(super) lo: f64,
     pub(super) hi: f64,
+    /// Whether the place of the lower end is one and that of the upper end zero.
+    pub(super) falling: bool,
 }
 
 impl AxisRange {
@@ -46,6 +48,7 @@ impl AxisRange {
             exponent,
             lo: if wide && limits.0.is_some() { lo } else { low },
             hi: if wide && limits.1.is_some() { hi } else { high },
+            falling: false,
         }
     }
 
@@ -56,7 +59,13 @@ impl AxisRange {
         let lo = if wide && limits.0.is_some() { lo } else { lo - pad };
         let hi = if wide && limits.1.is_some() { hi } else { hi + pad };
         let few = hi - lo <= FEW_DECADES;
-        Self { scale: Scale::Log, exponent: if few { unit::exponent(&axis.unit, ends.1) } else { 0 }, lo, hi }
+        Self {
+            scale: Scale::Log,
+            exponent: if few { unit::exponent(&axis.unit, ends.1) } else { 0 },
+            lo,
+            hi,
+            falling: false,
+        }
     }
 
     /// Whether the ticks are plain numbers, not powers of ten.
@@ -71,7 +80,8 @@ impl AxisRange {
                 Scale::Linear => shift(value, self.exponent),
                 Scale::Log => value.log10(),
             };
-            self.fraction(t)
+            let along = self.fraction(t);
+            if self.falling { 1.0 - along } else { along }
         })
     }
 

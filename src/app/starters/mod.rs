@@ -31,6 +31,7 @@ starters!(
     "oscillation",
     "friction",
     "fretting",
+    "plastic",
     "impact",
     "restitution",
     "oblique",

@@ -19,8 +19,10 @@ mod half_space;
 mod impact;
 mod ground;
 mod lying;
+mod plastic;
 mod rough;
 mod shapes;
+mod stress;
 mod viscoelastic;
 
 use super::case::{Attempt, Case};
@@ -41,10 +43,12 @@ pub fn all() -> Vec<Case> {
         shapes::CASES,
         lying::CASES,
         ground::CASES,
+        stress::CASES,
         adhesive::CASES,
         viscoelastic::CASES,
         friction::CASES,
         impact::CASES,
+        plastic::CASES,
         rough::CASES,
         half_space,
         estimates::CASES,

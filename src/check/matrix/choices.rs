@@ -71,12 +71,15 @@ pub(super) struct TwoBodies {
     pub(super) relaxes: bool,
 }
 
-pub(super) const BODIES: [TwoBodies; 5] = [
+const PLASTIC: &str = "Plastic(young: 2e6, poisson: 0.5, yield_stress: 2e4)";
+
+pub(super) const BODIES: [TwoBodies; 6] = [
     TwoBodies { name: "elastic", texts: [ELASTIC, "Rigid"], relaxes: false },
     TwoBodies { name: "both elastic", texts: [ELASTIC, ELASTIC], relaxes: false },
     TwoBodies { name: "viscoelastic", texts: [RELAXING, "Rigid"], relaxes: true },
     TwoBodies { name: "viscoelastic on elastic", texts: [RELAXING, ELASTIC], relaxes: true },
     TwoBodies { name: "two viscoelastic", texts: [RELAXING, OTHER], relaxes: true },
+    TwoBodies { name: "plastic", texts: [PLASTIC, ELASTIC], relaxes: false },
 ];
 
 /// Adhesion, as elastic bodies and as those that relax write it; `None` where it is nothing of its own.

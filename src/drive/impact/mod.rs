@@ -28,11 +28,13 @@
 
 mod driven;
 mod passage;
+mod plastic;
 mod springs;
 mod stepped;
 
 pub use driven::{Flight, StruckHalfSpace};
 pub use passage::Passage;
+pub use plastic::PlasticPassage;
 pub use springs::SpringPassage;
 pub use stepped::{SteppedMass, Watcher};
 

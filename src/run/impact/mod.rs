@@ -3,12 +3,14 @@
 mod elastic;
 mod held;
 mod oblique;
+mod plastic;
 mod viscoelastic;
 mod results;
 pub mod rough;
 mod steps;
 mod table;
 
+use super::stresses::Carried;
 use super::{SimulationError, Solved, Wanted};
 use crate::contact::loaded::Loaded;
 use crate::contact::mapped::known;
@@ -59,8 +61,9 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
     let deepest_radius = plan.profile.contact_radius(shown.radius);
     known(plan.profile.as_ref(), deepest_radius)
         .map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
+    let named = results::named(plan, (&rows, &records), deepest_radius, shown.field.as_ref());
     let outcome = Outcome {
-        results: results::named(plan, (&rows, &records), deepest_radius, shown.field.as_ref()),
+        results: named.into_iter().chain(plastic::results(plan, &shown.row)).collect(),
         records,
         fields: shown.field.into_iter().collect(),
         tables: std::iter::once(table::impacts(&rows)).chain(table::incidence(&incidence)).collect(),
@@ -69,7 +72,8 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
         plan: Parts { state_bytes: shown.bytes, ..plan.parts() },
     };
     // Stresses below the surface are those of a round contact.
-    Ok(Solved { outcome, loaded: shown.loaded.filter(|_| !plan.profile.is_mapped()) })
+    let loaded = shown.loaded.filter(|_| !plan.profile.is_mapped());
+    Ok(Solved { outcome, carried: loaded.map(Carried::without_friction) })
 }
 
 /// Follows the impact at one speed; records and fields only where `wanted`.
@@ -80,6 +84,7 @@ fn follow(plan: &ImpactPlan, speed: f64, wanted: Option<Wanted>) -> Result<Follo
         ImpactLaw::Elastic(adhesion) => elastic::follow(plan, *adhesion, normal, wanted),
         ImpactLaw::Viscoelastic { relaxation } => viscoelastic::follow(plan, relaxation, normal, wanted),
         ImpactLaw::Held { relaxation, edge } => held::follow(plan, (relaxation, edge), normal, wanted),
+        ImpactLaw::Plastic(ball) => Ok(plastic::follow(plan, ball, normal, wanted)),
     }?;
     within_bounds(plan, followed.row.rebound.greatest_depth)?;
     Ok(Followed { row: ImpactRow { speed, oblique, ..followed.row }, ..followed })
@@ -126,6 +131,7 @@ fn error_estimate(plan: &ImpactPlan, rows: &[ImpactRow]) -> ErrorEstimate {
             "energy of the direct path; contact time by quadrature, against one of half as many panels"
         }
         ImpactLaw::Viscoelastic { .. } => "steps of high order in time, against a run of sixteen times the tolerance",
+        ImpactLaw::Plastic(_) => "yielding ball in closed form: rounding",
         ImpactLaw::Held { .. } => "straight steps of the depth, their limit against that of steps twice as long",
     };
     ErrorEstimate { relative: tangential.fold(normal, f64::max), basis: basis.to_owned() }

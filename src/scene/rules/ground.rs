@@ -25,6 +25,7 @@ pub(super) fn beside(draft: &Draft<'_>) -> Option<Problem> {
             "layers that relax are known by one function of time, and so is the pair"
         }
         (Body::Layered(_), Body::Elastic(_) | Body::Viscoelastic(_) | Body::Layered(_)) => return None,
+        (_, Body::Plastic(_)) => "how it yields is known on a half-space",
         (_, _) => "the sum of both is neither a sheet of springs nor a power of the depth",
     };
     let what = format!("{name} against {} cannot be computed, for {why}: expected Rigid beside it", other.name());

@@ -14,6 +14,7 @@ mod draft;
 mod ground;
 mod history;
 mod parts;
+mod plastic;
 mod plots;
 
 pub use draft::Draft;
@@ -90,12 +91,17 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 35] = [
+pub const RULES: [Rule; 40] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Bodies, Bodies, ground::beside),
     Rule::once(Bodies, Shape, ground::under_shape),
     Rule::once(Bodies, Friction, ground::friction),
     Rule::once(Bodies, Adhesion, ground::adhesion),
+    Rule::once(Bodies, Bodies, plastic::on_viscoelastic),
+    Rule::once(Bodies, Shape, plastic::on_shape),
+    Rule::once(Bodies, Adhesion, plastic::under_adhesion),
+    Rule::once(Bodies, Friction, plastic::with_friction),
+    Rule::once(Bodies, Springs, plastic::on_springs),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),

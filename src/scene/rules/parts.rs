@@ -16,7 +16,7 @@ pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
     let (Body::Rigid, Body::Rigid) = draft.bodies(Look::Kind)? else { return None };
     refused(
         "bodies",
-        "two rigid bodies cannot be pressed together: expected at least one Elastic(…) or Viscoelastic(…)",
+        "two rigid bodies cannot be pressed together: expected at least one Elastic(…), Viscoelastic(…) or Plastic(…)",
     )
 }
 

@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::parts::is_without_bed;
+use super::plastic::yields;
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::Plot;
@@ -25,6 +26,11 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         .then_some("the stress below is computed of half-spaces that are alike at all depths: expected Force, Radius, Pressure or Energy");
     if of_plane.or(of_ground).is_some() {
         return of_plane.or(of_ground);
+    }
+    if plot == Plot::Stress && yields(draft)? {
+        return Some(
+            "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
+        );
     }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape => return None,

@@ -1,6 +1,5 @@
-//! Pressure over the radius and stress under the axis.
+//! Pressure over the radius.
 
-use super::curve::points;
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::run::record::{Field, FieldRow, Outcome};
@@ -101,11 +100,4 @@ fn curve(field: &Field) -> Series {
     let rows = field.rows.iter().filter(|row| row.radius <= 1.4 * reach);
     let label = format!("{}, a = {}", field.label, with_prefix(field.contact_radius, "m"));
     Series::new(label, rows.map(point))
-}
-
-/// Stresses on the axis at the largest force.
-pub fn stress(outcome: &Outcome) -> Panel {
-    let panel = Panel::new(Axis::linear("depth z on the axis", "m").from(0.0), Axis::linear("stress", "Pa"));
-    let Some([depth, stresses @ ..]) = outcome.table("stress").map(|table| &table.columns[..]) else { return panel };
-    stresses.iter().map(|stress| Series::new(stress.label, points(depth, stress))).fold(panel, Panel::with)
 }

@@ -7,6 +7,7 @@ mod friction;
 mod impacts;
 mod rough;
 mod shape;
+mod stress;
 
 use crate::app::figure::{Axis, Figure, Panel, Series};
 use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Outcome, Record};
@@ -78,7 +79,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Force => force(plan, outcome),
         Plot::Radius => radius(plan, records),
         Plot::Pressure => vec![fields::pressure(plan, outcome)],
-        Plot::Stress => vec![fields::stress(outcome)],
+        Plot::Stress => stress::panels(outcome),
         Plot::Energy => vec![energy(records)],
         Plot::Shape => indenter(plan, outcome).into_iter().collect(),
         Plot::Friction => vec![friction::loops(plan, records)],

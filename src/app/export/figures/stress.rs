@@ -1,0 +1,105 @@
+//! Stresses below the surface: the map of von Mises, and the axis.
+
+use crate::app::export::with_prefix;
+use crate::app::figure::{Axis, Contours, Hue, Line, Mark, Marks, Panel, Series};
+use crate::run::record::Outcome;
+use crate::run::table::{Filled, Table};
+
+/// Part of the points of the map that a colour is given to where the stress has no bound.
+const SHOWN: f64 = 0.985;
+
+/// The map of the stress of von Mises over place and depth in radii of the contact, and the stresses on the axis.
+pub fn panels(outcome: &Outcome) -> Vec<Panel> {
+    let Some(table) = outcome.table("stress") else { return Vec::new() };
+    let radius = outcome.number("stress_contact_radius_m").filter(|&a| a > 0.0);
+    let axis = on_axis(table, outcome.number("von_mises_largest_pa").is_some());
+    radius.and_then(|a| map(table, a, outcome)).into_iter().chain(axis).collect()
+}
+
+/// The places, the depths and the stresses of the table.
+fn columns(table: &Table) -> Option<(&Filled, &Filled, &[Filled])> {
+    match &table.columns[..] {
+        [place, depth, stresses @ ..] => Some((place, depth, stresses)),
+        _ => None,
+    }
+}
+
+fn map(table: &Table, a: f64, outcome: &Outcome) -> Option<Panel> {
+    let (place, depth, _) = columns(table)?;
+    let values = table.column("von_mises")?.numbers().to_vec();
+    let (x, y) = (distinct(place, a), distinct(depth, a));
+    let slides = place.quantity == "place";
+    let across = if slides { "place x/a along the sliding" } else { "radius r/a" };
+    let hardest = Hardest::of(outcome, a);
+    let bar = Axis::linear("von Mises stress", "Pa").from(0.0);
+    let bar = if hardest.is_some() { bar } else { bar.to(common(&values)?) };
+    let panel =
+        Panel::new(between(Axis::linear(across, "1"), &x), between(Axis::linear("depth z/a", "1"), &y).falling());
+    let contours = Contours { x, y, values, axis: bar };
+    let panel = panel.titled(format!("a = {}", with_prefix(a, "m"))).over(contours);
+    Some(match hardest {
+        Some(hardest) => panel.with(hardest.mark()),
+        None => panel.note("The stress has no bound under a sharp edge or tip: the darkest colour is cut off there."),
+    })
+}
+
+/// Where the stress is greatest, in radii of the contact, and what it is.
+struct Hardest {
+    place: (f64, f64),
+    von_mises: f64,
+}
+
+impl Hardest {
+    fn of(outcome: &Outcome, a: f64) -> Option<Self> {
+        let at = |name: &str| Some(outcome.number(name)? / a);
+        let place = (at("von_mises_largest_radius_m")?, at("von_mises_largest_depth_m")?);
+        Some(Self { place, von_mises: outcome.number("von_mises_largest_pa")? })
+    }
+
+    fn mark(&self) -> Series {
+        let label = format!("hardest: {} at z = {:.2} a", with_prefix(self.von_mises, "Pa"), self.place.1);
+        let dot = Series::new(label, [self.place]).line(Line::Absent).colour(Hue::Vermillion);
+        dot.marks(Marks::As(Mark::Diamond))
+    }
+}
+
+/// The stresses on the axis over the depth; those at the surface only where they are bounded.
+fn on_axis(table: &Table, bounded: bool) -> Option<Panel> {
+    let (place, depth, stresses) = columns(table)?;
+    let on_axis = |k: &usize| {
+        let [place, depth] = [place, depth].map(|column| column.numbers().get(*k).copied().flatten());
+        place.is_some_and(|place| place.abs() <= 0.0) && (bounded || depth.is_some_and(|depth| depth > 0.0))
+    };
+    let rows: Vec<usize> = (0..table.rows()).filter(on_axis).collect();
+    let number = |column: &Filled, k: usize| column.numbers().get(k).copied().flatten();
+    let curve = |stress: &Filled| {
+        let points = rows.iter().map(|&k| number(depth, k).zip(number(stress, k)));
+        Series::new(stress.label, points.collect::<Vec<_>>())
+    };
+    let panel = Panel::new(Axis::linear("depth z on the axis", "m").from(0.0), Axis::linear("stress", "Pa"));
+    let told = |stress: &&Filled| stress.quantity.starts_with("sigma") || stress.quantity == "von_mises";
+    // On the axis both stresses along the surface are one.
+    let same = |stress: &&Filled| !matches!(stress.quantity.as_str(), "sigma_tt" | "sigma_yy");
+    Some(stresses.iter().filter(told).filter(same).map(curve).fold(panel, Panel::with))
+}
+
+/// The different numbers of a column in ascending order, in radii of the contact.
+fn distinct(column: &Filled, a: f64) -> Vec<f64> {
+    let mut numbers: Vec<f64> = column.numbers().iter().flatten().copied().collect();
+    numbers.sort_by(f64::total_cmp);
+    numbers.dedup();
+    numbers.into_iter().map(|number| number / a).collect()
+}
+
+/// An axis over ascending places and nothing beyond.
+fn between(axis: Axis, places: &[f64]) -> Axis {
+    Axis { limits: (places.first().copied(), places.last().copied()), ..axis }
+}
+
+/// The value below which most of the map lies.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a count")]
+fn common(values: &[Option<f64>]) -> Option<f64> {
+    let mut values: Vec<f64> = values.iter().flatten().copied().collect();
+    values.sort_by(f64::total_cmp);
+    values.get((SHOWN * values.len() as f64) as usize).copied()
+}
