@@ -24,6 +24,8 @@ mod program;
 mod rough;
 #[cfg(feature = "cli")]
 mod scenes;
+#[cfg(feature = "cli")]
+mod sweep;
 #[cfg(all(feature = "cli", feature = "half-space"))]
 mod validation;
 #[cfg(feature = "text")]

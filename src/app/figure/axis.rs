@@ -18,6 +18,12 @@ impl Ruler {
         Self { range, ticks, caption }
     }
 
+    /// A ruler of its own that runs upwards over `length` px, around the data between two ends.
+    pub(super) fn upward(axis: &Axis, data: Option<(f64, f64)>, length: f64) -> Self {
+        let range = AxisRange::new(axis, data);
+        Self::new(axis, range, ticks(&range, Along::Y, length))
+    }
+
     /// Width of the widest tick label in px.
     pub(super) fn widest(&self) -> f64 {
         let widths = self.ticks.iter().map(|t| text::width(&t.label, SIZE));

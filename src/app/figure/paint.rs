@@ -6,6 +6,7 @@ use plotters::style::{BLACK, RGBColor};
 use super::canvas::{Canvas, Dot, Pen, Type, Weight};
 use super::dash::{dashes, head, length};
 use super::guide::{self, Ruled};
+use super::heat::{AWAY, Heat, STEPS, WIDE, colour};
 use super::legend::{self, Legend, Placed, SAMPLE, Sample, text_at};
 use super::look::{Line, Look, pattern};
 use super::mark::mark;
@@ -19,13 +20,20 @@ const FRAME: Pen = Pen { colour: RGBColor(60, 60, 60), width: 1.0 };
 const GUIDE: Pen = Pen { colour: RGBColor(105, 105, 105), width: 1.1 };
 /// Ink and gap of a guide in px.
 const GUIDE_DASHES: [f64; 2] = [3.0, 2.0];
+/// Px by which cells of colour overlap.
+const SEAM: f64 = 0.4;
 /// Font size of axis labels in px.
 const CAPTION: f64 = 12.0;
 
 /// Draws a panel with the upper left corner of its frame at the origin.
 pub(super) fn sheet(canvas: &mut Canvas, sheet: &Sheet) {
-    grid(canvas, sheet);
-    zero_lines(canvas, sheet);
+    match &sheet.heat {
+        Some(heat) => cells(canvas, heat, sheet.size),
+        None => {
+            grid(canvas, sheet);
+            zero_lines(canvas, sheet);
+        }
+    }
     sheet.guides.iter().for_each(|g| ruled(canvas, g));
     frame(canvas, sheet.size);
     for shown in &sheet.curves {
@@ -41,6 +49,31 @@ pub(super) fn sheet(canvas: &mut Canvas, sheet: &Sheet) {
     heading(canvas, sheet);
     captions(canvas, sheet);
     notes(canvas, sheet);
+}
+
+/// Cells, and the scale of their colours right of the frame.
+fn cells(canvas: &mut Canvas, heat: &Heat, (w, h): Dot) {
+    for cell in &heat.cells {
+        // Neighbours overlap by a hair, so that no seam shows; the later one covers it.
+        let (from, to) = ((cell.from.0, cell.from.1 - SEAM), (cell.to.0 + SEAM, cell.to.1));
+        canvas.rectangle((from.0, from.1.max(0.0)), (to.0.min(w), to.1), cell.colour);
+    }
+    let (left, right) = (w + AWAY, w + AWAY + WIDE);
+    for step in 0..STEPS {
+        let at = |step: u32| f64::from(step) / f64::from(STEPS);
+        let (top, bottom) = (h - h * at(step + 1), h - h * at(step));
+        canvas.rectangle((left, (top - SEAM).max(0.0)), (right, bottom), colour(at(step) + 0.5 / f64::from(STEPS)));
+    }
+    for tick in heat.ruler.ticks.iter().filter(|tick| !tick.label.is_empty()) {
+        let y = h - tick.at * h;
+        canvas.path(&[(right, y), (right + 4.0, y)], FRAME);
+        canvas.text((right + 7.0, y + 1.0), &tick.label, regular(ticks::SIZE, BLACK, HPos::Left));
+    }
+    let (label, size) = text::fit(&heat.ruler.caption, CAPTION, h);
+    if !label.is_empty() {
+        let at = (right + 7.0 + heat.ruler.widest() + 12.0, 0.5 * h);
+        canvas.upward_text(at, &label, regular(size, BLACK, HPos::Center));
+    }
 }
 
 fn grid(canvas: &mut Canvas, sheet: &Sheet) {

@@ -5,6 +5,7 @@ use super::canvas::Dot;
 use super::clearance::Clearance;
 use super::curve::{DrawnCurve, Map, curve};
 use super::guide::{Ruled, rule};
+use super::heat::{AWAY, Heat, WIDE};
 use super::legend::{self, Legend};
 use super::look::{Look, look};
 use super::{Arrow, Panel, text};
@@ -44,6 +45,7 @@ pub(super) struct Sheet {
     pub(super) guides: Vec<Ruled>,
     pub(super) key: Key,
     pub(super) notes: Vec<String>,
+    pub(super) heat: Option<Heat>,
 }
 
 /// Company of a panel on its figure.
@@ -68,6 +70,7 @@ impl Sheet {
             guides,
             key,
             notes: notes(panel, size.0 + INDENT),
+            heat: panel.cells.as_ref().map(|cells| Heat::new(cells, (&panel.x, &panel.y), &map)),
             x,
             y,
         }
@@ -79,7 +82,8 @@ impl Sheet {
             Key::Beside(legend) if !legend.entries.is_empty() => 18.0 + legend.size.0,
             _ => 0.0,
         };
-        legend.max(self.x.overhang(self.size.0) + 4.0).max(14.0)
+        let scale = self.heat.as_ref().map_or(0.0, |heat| AWAY + WIDE + 8.0 + heat.ruler.widest() + 22.0);
+        legend.max(self.x.overhang(self.size.0) + 4.0).max(14.0).max(scale)
     }
 
     /// Px left of the frame.
