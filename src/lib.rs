@@ -90,6 +90,8 @@ pub mod scene;
 pub mod run;
 #[cfg(feature = "text")]
 pub mod text;
+#[cfg(feature = "text")]
+pub mod sweep;
 pub mod prelude;
 #[cfg(feature = "half-space")]
 pub mod halfspace;

@@ -55,8 +55,22 @@ impl Colour {
 pub enum Voice {
     /// Results, messages and progress.
     Normal,
-    /// Errors only.
+    /// Warnings and errors.
     Quiet,
+    /// Errors only.
+    Silent,
+}
+
+impl Voice {
+    /// The voice of a program told so many times to be quiet.
+    #[must_use]
+    pub fn after(quiet: u8) -> Self {
+        match quiet {
+            0 => Self::Normal,
+            1 => Self::Quiet,
+            _ => Self::Silent,
+        }
+    }
 }
 
 /// Standard output and standard error.
@@ -121,9 +135,11 @@ impl Console {
         ProgressBar::new(count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
     }
 
-    /// Writes a warning to standard error unless the program is to be quiet.
+    /// Writes a warning to standard error unless the program is to say nothing but errors.
     pub fn warning(&self, text: &str) {
-        self.message(&format!("{}: {text}", self.paint.bold("warning")));
+        if self.voice != Voice::Silent {
+            Self::error(&format!("{}: {text}", self.paint.bold("warning")));
+        }
     }
 
     /// Says how it ended, and gives the exit code.

@@ -11,7 +11,21 @@ use std::path::Path;
 /// # Errors
 /// The file is missing, a directory, too large, or not UTF-8.
 pub fn read_text(path: &Path, largest: u64) -> Result<String, Fault> {
-    let bytes = read_bytes(path, largest)?;
+    text_of(path, read_bytes(path, largest)?)
+}
+
+/// The text of standard input, called `-`, if it has at most `largest` bytes.
+///
+/// # Errors
+/// It cannot be read, is too large, or not UTF-8.
+pub fn read_stdin(largest: u64) -> Result<String, Fault> {
+    let (path, mut bytes) = (Path::new("-"), Vec::new());
+    let read = io::stdin().lock().take(largest + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Fault::whole(path, unreadable(&error)))?;
+    if bytes.len() as u64 > largest { Err(too_large(path, largest)) } else { text_of(path, bytes) }
+}
+
+fn text_of(path: &Path, bytes: Vec<u8>) -> Result<String, Fault> {
     let mut text = String::from_utf8(bytes).map_err(|error| not_utf8(path, &error))?;
     if text.starts_with('\u{feff}') {
         text.drain(..'\u{feff}'.len_utf8());

@@ -62,9 +62,9 @@ impl Sketch {
         let scene = |shape| {
             let bodies = (elastic(0.75, 0.5)?, Body::Rigid);
             let (adhesion, friction) = (None, None);
-            let (accuracy, springs, steps, plots) = (None, None, None, None);
+            let (accuracy, springs, steps, plots, sweep) = (None, None, None, None, None);
             let (title, history) = (String::new(), Vec::new());
-            Ok(Scene { title, shape, bodies, adhesion, friction, history, accuracy, springs, steps, plots })
+            Ok(Scene { title, shape, bodies, adhesion, friction, history, accuracy, springs, steps, plots, sweep })
         };
         Self { scene: shape.and_then(scene), tables: InMemory::default() }
     }

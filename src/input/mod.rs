@@ -15,3 +15,4 @@
 pub mod problem;
 pub mod quantity;
 pub mod table;
+pub mod values;

@@ -5,6 +5,7 @@
 //! use springbed::run::unit::Unit;
 //!
 //! assert_eq!((Unit::PASCAL.symbol, Unit::PASCAL.ending), ("Pa", "_pa"));
+//! assert_eq!(Unit::of_name("final_speed_m_per_s"), ("final_speed", Unit::METRE_PER_SECOND));
 //! ```
 
 /// An SI unit: how it is written, and how names in files end with it.
@@ -47,4 +48,30 @@ impl Unit {
     pub const JOULE_PER_METRE: Self = Self { symbol: "J/m", ending: "_j_per_m", prefixed: true };
     /// An energy per area.
     pub const JOULE_PER_SQUARE_METRE: Self = Self { symbol: "J/m²", ending: "_j_per_m2", prefixed: true };
+
+    /// All units that names end with.
+    const NAMED: [Self; 14] = [
+        Self::METRE,
+        Self::PER_METRE,
+        Self::SECOND,
+        Self::METRE_PER_SECOND,
+        Self::RADIAN,
+        Self::RADIAN_PER_SECOND,
+        Self::NEWTON,
+        Self::NEWTON_PER_METRE,
+        Self::PASCAL,
+        Self::PASCAL_ROOT_METRE,
+        Self::JOULE,
+        Self::JOULE_PER_METRE,
+        Self::JOULE_PER_SQUARE_METRE,
+        Self::ONE,
+    ];
+
+    /// The quantity and the unit of a name in a file, such as `largest_force_n`.
+    #[must_use]
+    pub fn of_name(name: &str) -> (&str, Self) {
+        let ends = |unit: &&Self| name.ends_with(unit.ending);
+        let unit = Self::NAMED.iter().filter(ends).max_by_key(|unit| unit.ending.len()).copied().unwrap_or(Self::ONE);
+        (name.strip_suffix(unit.ending).unwrap_or(name), unit)
+    }
 }

@@ -23,6 +23,7 @@
 //!     springs: None,
 //!     steps: None,
 //!     plots: None,
+//!     sweep: None,
 //! };
 //! let plan = scene((steel, Body::Rigid)).resolve(&InMemory::default()).map_err(|problems| problems[0].clone())?;
 //! assert!((plan.pair.normal / 230.769e9 - 1.0).abs() < 1e-5);
@@ -43,12 +44,14 @@ pub mod reach;
 pub mod rules;
 pub mod stage;
 pub mod surface;
+pub mod swept;
 
 use crate::contact::adhesion::Adhesion;
 use crate::friction::Friction;
 use crate::input::quantity::Accuracy;
 use crate::material::Body;
 use crate::scene::history::Entry;
+use crate::scene::swept::Swept;
 use crate::shape::Shape;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroUsize;
@@ -84,6 +87,9 @@ pub struct Scene {
     /// Figures wanted; what suits the scene if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plots: Option<Vec<Plot>>,
+    /// Values that some of its places are to take, one scene for each; the scene itself is as if this were not there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<Swept>,
 }
 
 /// A figure one can ask for.

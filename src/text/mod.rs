@@ -18,6 +18,7 @@
 mod json;
 mod mend;
 mod names;
+pub mod place;
 mod position;
 mod ron;
 mod standin;
@@ -154,7 +155,8 @@ fn meant(text: &str, holder: &str, name: &str) -> Vec<String> {
 }
 
 /// Problems at their places in the text.
-fn placed(text: &str, problems: &[Problem]) -> Vec<TextError> {
+#[must_use]
+pub fn placed(text: &str, problems: &[Problem]) -> Vec<TextError> {
     let paths: Vec<&str> = problems.iter().map(|problem| problem.path.as_str()).collect();
     let places = walk::locate(text, &paths).into_iter().zip(problems);
     places.map(|(offset, problem)| TextError::at(text, offset, problem.to_string())).collect()

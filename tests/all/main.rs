@@ -26,6 +26,8 @@ mod rough;
 mod scenes;
 #[cfg(feature = "text")]
 mod stresses;
+#[cfg(feature = "cli")]
+mod sweep;
 #[cfg(all(feature = "cli", feature = "half-space"))]
 mod validation;
 #[cfg(feature = "text")]

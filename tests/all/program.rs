@@ -108,7 +108,7 @@ fn formats_quiet_and_json_do_what_they_say() {
     assert!(said.is_empty() && files.keys().all(|name| name.ends_with(".csv")), "{said}");
     let (_, said) = hertz_with(&["--format", "csv", "--json"]);
     let value: serde_json::Value = serde_json::from_str(&said).unwrap();
-    assert!(value["results"]["largest_force_n"].as_f64().unwrap() > 30.7);
+    assert!(value["scenes"][0]["results"]["largest_force_n"].as_f64().unwrap() > 30.7);
 }
 
 #[test]

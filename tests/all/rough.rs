@@ -108,8 +108,8 @@ fn a_height_map_is_the_same_in_every_form() {
     let said = forms.map(|bytes| run(scene, Some(&bytes), &["--json", "--format", "csv"]).1);
     assert!(said[0] == said[1] && said[1] == said[2]);
     let value: serde_json::Value = serde_json::from_str(&said[0]).unwrap();
-    assert!(value["results"]["rms_slope"].as_f64().unwrap() > 0.1);
-    assert!(value["results"]["peak_to_valley_m"].as_f64().unwrap() > 9e-7);
+    assert!(value["scenes"][0]["results"]["rms_slope"].as_f64().unwrap() > 0.1);
+    assert!(value["scenes"][0]["results"]["peak_to_valley_m"].as_f64().unwrap() > 9e-7);
 }
 
 /// A contact that grows out of its line is a failed run and says what length it wants.
@@ -162,7 +162,7 @@ fn a_wave_slides_by_its_friction_and_warns_of_its_slope() {
         let wave = "PlaneWave(amplitude: \"1 um\", wavelength: \"100 um\")";
         let (_, said) = run(&plane(wave, friction, "Press(to: 1, over: 1)"), None, &["--json", "--format", "csv"]);
         let value: serde_json::Value = serde_json::from_str(&said).unwrap();
-        value["results"]["gross_sliding_force_n"].as_f64().unwrap()
+        value["scenes"][0]["results"]["gross_sliding_force_n"].as_f64().unwrap()
     };
     assert!((sliding("friction: Coulomb(coefficient: 0.5),") - 0.5).abs() < 1e-12);
     let capped = sliding("friction: CoulombOrowan(coefficient: 0.5, shear_limit: \"10 kPa\"),");

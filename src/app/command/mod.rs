@@ -16,9 +16,10 @@ mod verify;
 
 use super::console::{Colour, Console, Failure, Voice};
 use super::run::Format;
+use super::sweep::{SweepArgs, gather};
 use super::{starters, write};
 use crate::check::study::Thoroughness;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -45,9 +46,9 @@ pub struct Common {
     /// Threads to compute on; all cores if not given. The results do not depend on it.
     #[arg(long, global = true, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
-    /// Say nothing but errors.
-    #[arg(long, short, global = true)]
-    pub quiet: bool,
+    /// Say nothing but warnings and errors; twice, nothing but errors.
+    #[arg(long, short, global = true, action = ArgAction::Count)]
+    pub quiet: u8,
     /// Results on standard output as JSON.
     #[arg(long, global = true)]
     pub json: bool,
@@ -60,9 +61,17 @@ pub struct Common {
 enum Command {
     /// Compute scenes; write tables, summaries and figures.
     Run {
-        /// Scene files.
+        /// Scene files, RON or JSON by their names; `-` is standard input.
         #[arg(required = true, value_name = "SCENE.ron")]
         scenes: Vec<PathBuf>,
+        #[command(flatten)]
+        sweep: SweepArgs,
+    },
+    /// Put the parts of sweeps together.
+    Gather {
+        /// Folder with what `run --part` has written.
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
     },
     /// Read and check scenes, compute nothing.
     Check {
@@ -136,8 +145,7 @@ pub fn main() -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
-    let voice = if common.quiet { Voice::Quiet } else { Voice::Normal };
-    let console = Console::new(common.color, voice);
+    let console = Console::new(common.color, Voice::after(common.quiet));
     console.end(prepared(&common).and_then(|()| answer(command, &common, &console)))
 }
 
@@ -153,7 +161,8 @@ fn prepared(common: &Common) -> Result<(), Failure> {
 
 fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Failure> {
     match command {
-        Command::Run { scenes } => run::run(&scenes, common, console),
+        Command::Run { scenes, sweep } => run::run(&scenes, &sweep, common, console),
+        Command::Gather { folder } => gather(&folder, common, console),
         Command::Check { scenes } => check::run(&scenes, common, console),
         Command::Explain { scene, .. } => match scene {
             Some(scene) => explain::run(&scene, common, console),

@@ -8,6 +8,7 @@ use crate::app::overwrite::{self, Outputs};
 use crate::app::progress::Progress;
 use crate::app::run::{Product, compute_watched, endings, products};
 use crate::app::scene_file::SceneFile;
+use crate::app::sweep::{Job, SweepArgs};
 use crate::app::write::write_all;
 use crate::run::in_pieces;
 use rayon::prelude::*;
@@ -25,27 +26,35 @@ struct Done {
 ///
 /// # Errors
 /// A scene is wrong (then none is run), a computation failed, or a file cannot be written.
-pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), Failure> {
+pub fn run(paths: &[PathBuf], swept: &SweepArgs, common: &Common, console: &Console) -> Result<(), Failure> {
     let scenes = load(paths)?;
-    no_clash(&scenes, common)?;
-    let done = all_done(&scenes, common, console);
-    let mut failed = Vec::new();
-    let mut jsons = Vec::new();
-    for (scene, done) in scenes.iter().zip(done) {
-        match done {
-            Ok(done) => jsons.push(said(&done, scene, common, console)?),
-            Err(message) => failed.push(format!("{}: {message}", scene.path.display())),
+    let jobs = scenes.iter().map(|scene| swept.job(scene)).collect::<Result<Vec<_>, Failure>>()?;
+    let all: Vec<(&SceneFile, Option<Job<'_>>)> = scenes.iter().zip(jobs).collect();
+    no_clash(&all, common)?;
+    let plain: Vec<&SceneFile> = all.iter().filter(|(_, job)| job.is_none()).map(|(scene, _)| *scene).collect();
+    let mut done = all_done(&plain, common, console).into_iter();
+    let (mut jsons, mut failed) = (Vec::new(), Vec::new());
+    for (scene, job) in &all {
+        if let Some(job) = job {
+            let swept = job.run(common, console)?;
+            jsons.extend(swept.json);
+            failed.extend(swept.failure);
+        } else {
+            match done.next() {
+                Some(Ok(done)) => jsons.push(said(&done, scene, common, console)?),
+                Some(Err(message)) => failed.push(format!("{}: {message}", scene.path.display())),
+                None => {}
+            }
         }
     }
     if common.json {
-        let text = if scenes.len() == 1 { jsons.concat() } else { format!("[\n{}]\n", jsons.join(",\n")) };
-        console.result(&text)?;
+        console.result(&export::json_of_all(&jsons))?;
     }
     if failed.is_empty() { Ok(()) } else { Err(Failure::Failed(failed.join("\n"))) }
 }
 
 /// The scenes in parallel under one bar; a scene alone under a bar of its own, as that of an ensemble.
-fn all_done(scenes: &[SceneFile], common: &Common, console: &Console) -> Vec<Result<Done, String>> {
+fn all_done(scenes: &[&SceneFile], common: &Common, console: &Console) -> Vec<Result<Done, String>> {
     if let [scene] = scenes {
         let progress = Progress::of("computing", console);
         return vec![done(scene, common, &|share| progress.done(share))];
@@ -57,9 +66,12 @@ fn all_done(scenes: &[SceneFile], common: &Common, console: &Console) -> Vec<Res
 }
 
 /// No file a scene can write may be read by a scene or written by another.
-fn no_clash(scenes: &[SceneFile], common: &Common) -> Result<(), Failure> {
-    let outputs: Vec<Outputs<'_>> = scenes.iter().map(|scene| outputs(scene, common)).collect();
-    overwrite::refuse(&common.out, &outputs)
+fn no_clash(all: &[(&SceneFile, Option<Job<'_>>)], common: &Common) -> Result<(), Failure> {
+    let outputs = all.iter().map(|(scene, job)| match job {
+        Some(job) => job.outputs(common),
+        None => outputs(scene, common),
+    });
+    overwrite::refuse(&common.out, &outputs.collect::<Vec<_>>())
 }
 
 fn outputs<'s>(scene: &'s SceneFile, common: &Common) -> Outputs<'s> {
@@ -69,7 +81,7 @@ fn outputs<'s>(scene: &'s SceneFile, common: &Common) -> Outputs<'s> {
 
 fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Result<Done, String> {
     let plan = &scene.plan;
-    let file = scene.path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let file = scene.file_name();
     let outcome = compute_watched(plan, &common.format, watch).map_err(|error| error.to_string())?;
     if let Some(why) = in_pieces(&outcome) {
         return Err(why.to_owned());

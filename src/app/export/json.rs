@@ -53,3 +53,11 @@ pub fn json(scene: &Scene, file: &str, outcome: &Outcome) -> Result<String, serd
     text.push('\n');
     Ok(text)
 }
+
+/// What `--json` prints of scenes whose JSON is known: of one the same shape as of many.
+#[must_use]
+pub fn json_of_all(scenes: &[String]) -> String {
+    let scenes: Vec<&str> = scenes.iter().map(|json| json.trim_end()).collect();
+    let version = env!("CARGO_PKG_VERSION");
+    format!("{{\"version\": \"{version}\", \"scenes\": [\n{}\n]}}\n", scenes.join(",\n"))
+}

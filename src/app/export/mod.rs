@@ -10,6 +10,7 @@
 mod comparison;
 mod json;
 mod summary;
+mod sweep;
 mod tables;
 mod validation;
 pub(crate) mod reports;
@@ -21,8 +22,11 @@ pub(crate) mod report_figures;
 
 pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]
-pub use figures::{comparison_figure, figures};
-pub use json::json;
+pub use figures::{comparison_figure, figures, sweep_figure};
+pub use json::{json, json_of_all};
 pub use summary::{summary, with_prefix};
+#[cfg(feature = "plot")]
+use sweep::ranges;
+pub use sweep::{sweep_json, sweep_summary, sweep_warnings};
 pub use tables::csv;
 pub use validation::validation;

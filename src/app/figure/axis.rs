@@ -22,9 +22,9 @@ impl Ruler {
         Self { range, ticks, caption }
     }
 
-    /// A vertical axis of `length` px on its own, over the values between two ends.
-    pub(super) fn along_y(axis: &Axis, ends: (f64, f64), length: f64) -> Self {
-        let range = AxisRange::new(axis, Some(ends));
+    /// A ruler of its own that runs upwards over `length` px, around the data between two ends.
+    pub(super) fn upward(axis: &Axis, data: Option<(f64, f64)>, length: f64) -> Self {
+        let range = AxisRange::new(axis, data);
         Self::new(axis, range, ticks(&range, Along::Y, length))
     }
 

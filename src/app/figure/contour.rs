@@ -68,7 +68,7 @@ impl Bar {
 
 /// The contours inside a frame; none without values.
 pub(super) fn layers(contours: &Contours, map: &Map) -> Option<Layers> {
-    let ruler = Ruler::along_y(&contours.axis, contours.range()?, map.size.1);
+    let ruler = Ruler::upward(&contours.axis, Some(contours.range()?), map.size.1);
     let inner = levels(&ruler);
     let ends: Vec<f64> = inner.iter().copied().chain([1.0]).collect();
     let colour = |band: usize| shade(band as f64 / inner.len().max(1) as f64);

@@ -17,6 +17,7 @@ mod contour;
 mod curve;
 mod dash;
 mod guide;
+mod heat;
 mod layout;
 mod legend;
 mod look;
@@ -80,14 +81,29 @@ pub struct Panel {
     pub guides: Vec<Guide>,
     /// Remarks printed below the panel, wrapped to its width.
     pub notes: Vec<String>,
+    /// Cells of colour under the curves, if any.
+    pub cells: Option<Cells>,
+}
+
+/// A number for every pair of two others, shown by colours.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cells {
+    /// Values along the horizontal axis, rising, at least two.
+    pub x: Vec<f64>,
+    /// Values along the vertical axis, rising, at least two.
+    pub y: Vec<f64>,
+    /// What is shown: all y of the first x, then those of the second; one that is missing stays white.
+    pub values: Vec<Option<f64>>,
+    /// What it is, and the spacing of its colours.
+    pub of: Axis,
 }
 
 impl Panel {
     /// A panel without curves.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
-        let (contours, series, guides, notes) = (None, Vec::new(), Vec::new(), Vec::new());
-        Self { title: String::new(), x, y, contours, series, guides, notes }
+        let (contours, cells, series, guides, notes) = (None, None, Vec::new(), Vec::new(), Vec::new());
+        Self { title: String::new(), x, y, contours, series, guides, notes, cells }
     }
 
     /// The panel under a heading.
@@ -108,6 +124,17 @@ impl Panel {
     #[must_use]
     pub fn with(mut self, series: Series) -> Self {
         self.series.push(series);
+        self
+    }
+
+    /// The panel with cells of colour; its axes end where they do.
+    #[must_use]
+    pub fn cells(mut self, cells: Cells) -> Self {
+        for (axis, values) in [(&mut self.x, &cells.x), (&mut self.y, &cells.y)] {
+            let edges = heat::edges(values, axis.scale);
+            axis.limits = (edges.first().copied(), edges.last().copied());
+        }
+        self.cells = Some(cells);
         self
     }
 

@@ -7,6 +7,7 @@ use super::canvas::{Canvas, Dot, Pen, Type, Weight};
 use super::contour::{self, BAR, BAR_AT, Bar, Layers};
 use super::dash::{dashes, head, length};
 use super::guide::{self, Ruled};
+use super::heat::{AWAY, Heat, STEPS, WIDE, colour};
 use super::legend::{self, Legend, Placed, SAMPLE, Sample, text_at};
 use super::look::{Line, Look, pattern};
 use super::mark::mark;
@@ -22,14 +23,17 @@ const OUTLINE: Pen = Pen { colour: RGBColor(70, 70, 70), width: 0.5 };
 const GUIDE: Pen = Pen { colour: RGBColor(105, 105, 105), width: 1.1 };
 /// Ink and gap of a guide in px.
 const GUIDE_DASHES: [f64; 2] = [3.0, 2.0];
+/// Px by which cells of colour overlap.
+const SEAM: f64 = 0.4;
 /// Font size of axis labels in px.
 const CAPTION: f64 = 12.0;
 
 /// Draws a panel with the upper left corner of its frame at the origin.
 pub(super) fn sheet(canvas: &mut Canvas, sheet: &Sheet) {
-    match &sheet.layers {
-        Some(layers) => contours(canvas, layers, sheet.size),
-        None => {
+    match (&sheet.layers, &sheet.heat) {
+        (Some(layers), _) => contours(canvas, layers, sheet.size),
+        (None, Some(heat)) => cells(canvas, heat, sheet.size),
+        (None, None) => {
             grid(canvas, sheet);
             zero_lines(canvas, sheet);
         }
@@ -79,6 +83,31 @@ fn bar(canvas: &mut Canvas, bar: &Bar, (w, h): Dot) {
     let (label, size) = contour::caption(bar, h);
     if !label.is_empty() {
         let at = (right + 9.0 + bar.ruler.widest() + 13.0, 0.5 * h);
+        canvas.upward_text(at, &label, regular(size, BLACK, HPos::Center));
+    }
+}
+
+/// Cells, and the scale of their colours right of the frame.
+fn cells(canvas: &mut Canvas, heat: &Heat, (w, h): Dot) {
+    for cell in &heat.cells {
+        // Neighbours overlap by a hair, so that no seam shows; the later one covers it.
+        let (from, to) = ((cell.from.0, cell.from.1 - SEAM), (cell.to.0 + SEAM, cell.to.1));
+        canvas.rectangle((from.0, from.1.max(0.0)), (to.0.min(w), to.1), cell.colour);
+    }
+    let (left, right) = (w + AWAY, w + AWAY + WIDE);
+    for step in 0..STEPS {
+        let at = |step: u32| f64::from(step) / f64::from(STEPS);
+        let (top, bottom) = (h - h * at(step + 1), h - h * at(step));
+        canvas.rectangle((left, (top - SEAM).max(0.0)), (right, bottom), colour(at(step) + 0.5 / f64::from(STEPS)));
+    }
+    for tick in heat.ruler.ticks.iter().filter(|tick| !tick.label.is_empty()) {
+        let y = h - tick.at * h;
+        canvas.path(&[(right, y), (right + 4.0, y)], FRAME);
+        canvas.text((right + 7.0, y + 1.0), &tick.label, regular(ticks::SIZE, BLACK, HPos::Left));
+    }
+    let (label, size) = text::fit(&heat.ruler.caption, CAPTION, h);
+    if !label.is_empty() {
+        let at = (right + 7.0 + heat.ruler.widest() + 12.0, 0.5 * h);
         canvas.upward_text(at, &label, regular(size, BLACK, HPos::Center));
     }
 }

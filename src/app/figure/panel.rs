@@ -6,6 +6,7 @@ use super::clearance::Clearance;
 use super::contour::{Layers, layers};
 use super::curve::{DrawnCurve, Map, curve};
 use super::guide::{Ruled, rule};
+use super::heat::{AWAY, Heat, WIDE};
 use super::legend::{self, Legend};
 use super::look::{Look, look};
 use super::{Arrow, Panel, text};
@@ -46,6 +47,7 @@ pub(super) struct Sheet {
     pub(super) guides: Vec<Ruled>,
     pub(super) key: Key,
     pub(super) notes: Vec<String>,
+    pub(super) heat: Option<Heat>,
 }
 
 /// Company of a panel on its figure.
@@ -72,6 +74,7 @@ impl Sheet {
             guides,
             key,
             notes: notes(panel, size.0 + INDENT),
+            heat: panel.cells.as_ref().map(|cells| Heat::new(cells, (&panel.x, &panel.y), &map)),
             x,
             y,
         }
@@ -84,7 +87,8 @@ impl Sheet {
             _ => 0.0,
         };
         let bar = self.layers.as_ref().map_or(0.0, |layers| layers.bar.right());
-        legend.max(bar).max(self.x.overhang(self.size.0) + 4.0).max(14.0)
+        let scale = self.heat.as_ref().map_or(0.0, |heat| AWAY + WIDE + 8.0 + heat.ruler.widest() + 22.0);
+        legend.max(bar).max(scale).max(self.x.overhang(self.size.0) + 4.0).max(14.0)
     }
 
     /// Px left of the frame.

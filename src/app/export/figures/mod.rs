@@ -8,6 +8,7 @@ mod impacts;
 mod rough;
 mod shape;
 mod stress;
+mod sweep;
 
 use crate::app::figure::{Axis, Figure, Panel, Series};
 use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Outcome, Record};
@@ -18,6 +19,7 @@ use crate::scene::plan::{ImpactPlan, Plan, RoundPlan};
 use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
+pub use sweep::sweep_figure;
 
 /// The force of a plane contact: per length.
 const LINE_FORCE: Column<Record> = Column { label: "force per length F", unit: Unit::NEWTON_PER_METRE, ..FORCE };
