@@ -18,6 +18,7 @@
 mod json;
 mod mend;
 mod names;
+pub mod place;
 mod position;
 mod ron;
 mod standin;
