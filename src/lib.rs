@@ -89,6 +89,8 @@ pub mod scene;
 pub mod run;
 #[cfg(feature = "text")]
 pub mod text;
+#[cfg(feature = "fit")]
+pub mod fit;
 pub mod prelude;
 #[cfg(feature = "half-space")]
 pub mod halfspace;

@@ -64,7 +64,7 @@ impl Sketch {
             let (adhesion, friction) = (None, None);
             let (accuracy, springs, steps, plots) = (None, None, None, None);
             let (title, history) = (String::new(), Vec::new());
-            Ok(Scene { title, shape, bodies, adhesion, friction, history, accuracy, springs, steps, plots })
+            Ok(Scene { title, shape, bodies, adhesion, friction, history, accuracy, springs, steps, plots, fit: None })
         };
         Self { scene: shape.and_then(scene), tables: InMemory::default() }
     }

@@ -23,6 +23,7 @@
 //!     springs: None,
 //!     steps: None,
 //!     plots: None,
+//!     fit: None,
 //! };
 //! let plan = scene((steel, Body::Rigid)).resolve(&InMemory::default()).map_err(|problems| problems[0].clone())?;
 //! assert!((plan.pair.normal / 230.769e9 - 1.0).abs() < 1e-5);
@@ -30,6 +31,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod fit;
 pub mod history;
 mod limits;
 mod read;
@@ -84,6 +86,9 @@ pub struct Scene {
     /// Figures wanted; what suits the scene if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plots: Option<Vec<Plot>>,
+    /// What is to be found from measured curves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fit: Option<fit::Measured>,
 }
 
 /// A figure one can ask for.

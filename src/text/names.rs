@@ -1,8 +1,8 @@
 //! Wrong names: the nearest right one and the list of all.
 
 /// The fields of a scene.
-pub const FIELDS: [&str; 10] =
-    ["title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots"];
+pub const FIELDS: [&str; 11] =
+    ["title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots", "fit"];
 
 /// `did you mean …? Known: …`, for a name that is not among `known`.
 pub fn advice(found: &str, known: &[&str]) -> String {

@@ -8,7 +8,9 @@
 //! ```
 
 mod comparison;
+mod fit;
 mod json;
+mod moduli;
 mod summary;
 mod tables;
 mod validation;
@@ -21,8 +23,10 @@ pub(crate) mod report_figures;
 
 pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]
-pub use figures::{comparison_figure, figures};
+pub use figures::{comparison_figure, figures, fit_figure, spectrum_figure};
+pub use fit::{Fitted, fit_json, fit_points, fit_text, fits_json, fits_table};
 pub use json::json;
+pub use moduli::{spectrum_json, spectrum_points, spectrum_text};
 pub use summary::{summary, with_prefix};
 pub use tables::csv;
 pub use validation::validation;
