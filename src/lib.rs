@@ -92,6 +92,8 @@ pub mod run;
 pub mod text;
 #[cfg(feature = "text")]
 pub mod sweep;
+#[cfg(feature = "fit")]
+pub mod fit;
 pub mod prelude;
 #[cfg(feature = "half-space")]
 pub mod halfspace;

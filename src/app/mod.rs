@@ -18,6 +18,7 @@ mod read;
 pub mod scene_file;
 mod matrix_file;
 pub mod table_file;
+pub mod data_file;
 mod write;
 mod overwrite;
 mod console;

@@ -64,7 +64,20 @@ impl Sketch {
             let (adhesion, friction) = (None, None);
             let (accuracy, springs, steps, plots, sweep) = (None, None, None, None, None);
             let (title, history) = (String::new(), Vec::new());
-            Ok(Scene { title, shape, bodies, adhesion, friction, history, accuracy, springs, steps, plots, sweep })
+            Ok(Scene {
+                title,
+                shape,
+                bodies,
+                adhesion,
+                friction,
+                history,
+                accuracy,
+                springs,
+                steps,
+                plots,
+                sweep,
+                fit: None,
+            })
         };
         Self { scene: shape.and_then(scene), tables: InMemory::default() }
     }

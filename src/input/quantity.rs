@@ -97,6 +97,12 @@ dimension!(
     sum of [("surface_1", 1.0), ("surface_2", 1.0), ("interface", -1.0)]
 );
 dimension!(
+    /// Stiffness, in newtons per metre.
+    NewtonPerMetre, "a stiffness", [
+        ("N/m", 1.0, 1.0), ("kN/m", 1e3, 1.0), ("mN/m", 1.0, 1e3), ("N/mm", 1e3, 1.0), ("nN/nm", 1.0, 1.0), ("pN/nm", 1.0, 1e3),
+    ]
+);
+dimension!(
     /// Velocity, in metres per second.
     MetrePerSecond, "a speed", [
         ("m/s", 1.0, 1.0), ("km/s", 1e3, 1.0), ("cm/s", 1.0, 1e2), ("mm/s", 1.0, 1e3), ("um/s", 1.0, 1e6),
@@ -181,6 +187,8 @@ pub type Force = Quantity<Newton, Finite>;
 pub type Duration = Quantity<Second, AboveZero>;
 /// Work of adhesion [J/m²]: the energy to part a unit of area.
 pub type WorkOfAdhesion = Quantity<JoulePerSquareMetre, NotNegative>;
+/// A positive stiffness of a spring [N/m].
+pub type SpringStiffness = Quantity<NewtonPerMetre, AboveZero>;
 /// A positive speed [m/s].
 pub type Speed = Quantity<MetrePerSecond, AboveZero>;
 /// An angular speed of either sign [rad/s].
@@ -287,6 +295,35 @@ impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
         };
         Self::checked(value * up / down, &format!("\"{text}\""))
     }
+}
+
+/// The SI units of all dimensions; that of a plain number is empty.
+pub const SI_UNITS: [&str; 13] = [
+    Metre::UNITS[0].0,
+    Pascal::UNITS[0].0,
+    Newton::UNITS[0].0,
+    Second::UNITS[0].0,
+    JoulePerSquareMetre::UNITS[0].0,
+    NewtonPerMetre::UNITS[0].0,
+    MetrePerSecond::UNITS[0].0,
+    RadianPerSecond::UNITS[0].0,
+    Hertz::UNITS[0].0,
+    Kilogram::UNITS[0].0,
+    PascalSecond::UNITS[0].0,
+    Radian::UNITS[0].0,
+    Unity::UNITS[0].0,
+];
+
+/// Size of `unit` in SI units of the dimension `D`, as numerator and denominator; `None` of a unit it does not have.
+///
+/// ```
+/// # use springbed::input::quantity::{Metre, size_of};
+/// assert_eq!(size_of::<Metre>("µm"), Some((1.0, 1e6)));
+/// assert_eq!(size_of::<Metre>("nN"), None);
+/// ```
+#[must_use]
+pub fn size_of<D: Dimension>(unit: &str) -> Option<(f64, f64)> {
+    D::UNITS.iter().find(|known| same_unit(unit, known.0)).map(|&(_, up, down)| (up, down))
 }
 
 struct QuantityVisitor<D, R>(PhantomData<(D, R)>);

@@ -24,6 +24,7 @@
 //!     steps: None,
 //!     plots: None,
 //!     sweep: None,
+//!     fit: None,
 //! };
 //! let plan = scene((steel, Body::Rigid)).resolve(&InMemory::default()).map_err(|problems| problems[0].clone())?;
 //! assert!((plan.pair.normal / 230.769e9 - 1.0).abs() < 1e-5);
@@ -31,6 +32,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod fit;
 pub mod history;
 mod limits;
 mod read;
@@ -90,6 +92,9 @@ pub struct Scene {
     /// Values that some of its places are to take, one scene for each; the scene itself is as if this were not there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep: Option<Swept>,
+    /// What is to be found from measured curves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fit: Option<fit::Measured>,
 }
 
 /// A figure one can ask for.

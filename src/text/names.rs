@@ -1,8 +1,10 @@
 //! Wrong names: the nearest right one and the list of all.
 
 /// The fields of a scene.
-pub const FIELDS: [&str; 11] =
-    ["title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots", "sweep"];
+pub const FIELDS: [&str; 12] = [
+    "title", "shape", "bodies", "adhesion", "friction", "history", "accuracy", "springs", "steps", "plots", "sweep",
+    "fit",
+];
 
 /// `did you mean …? Known: …`, for a name that is not among `known`.
 pub fn advice(found: &str, known: &[&str]) -> String {

@@ -21,29 +21,10 @@
 
 use super::names::advice;
 use crate::input::problem::Problem;
-use crate::input::quantity::{
-    Dimension, Hertz, JoulePerSquareMetre, Kilogram, Metre, MetrePerSecond, Newton, Pascal, PascalSecond, Radian,
-    RadianPerSecond, Second, Unity,
-};
+use crate::input::quantity::SI_UNITS;
 use crate::scene::Scene;
 /// A value as a scene in JSON has it.
 pub use serde_json::Value;
-
-/// SI units of the quantities a scene holds; a pure number has none.
-const UNITS: [&str; 12] = [
-    Metre::UNITS[0].0,
-    Pascal::UNITS[0].0,
-    Newton::UNITS[0].0,
-    Second::UNITS[0].0,
-    JoulePerSquareMetre::UNITS[0].0,
-    MetrePerSecond::UNITS[0].0,
-    RadianPerSecond::UNITS[0].0,
-    Hertz::UNITS[0].0,
-    Kilogram::UNITS[0].0,
-    PascalSecond::UNITS[0].0,
-    Radian::UNITS[0].0,
-    Unity::UNITS[0].0,
-];
 
 /// A scene whose values can be read and set by path.
 ///
@@ -93,7 +74,7 @@ impl Places {
             let scene = self.with(&[(path, Value::from(format!("{present:?} {unit}")))]);
             scene.is_ok_and(|scene| Self::of(&scene).is_ok_and(|places| places.number(path).is_some()))
         };
-        UNITS.into_iter().find(|unit| takes(unit))
+        SI_UNITS.into_iter().find(|unit| takes(unit))
     }
 
     fn made<P: AsRef<str>>(&self, values: &[(P, Value)]) -> Result<Scene, (String, String)> {

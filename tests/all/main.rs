@@ -9,6 +9,8 @@ mod circles;
 #[cfg(feature = "cli")]
 mod compare;
 mod elastic_laws;
+#[cfg(feature = "cli")]
+mod fit;
 mod friction;
 #[cfg(feature = "cli")]
 mod fuzz;

@@ -10,6 +10,7 @@ mod check;
 mod compare;
 mod delivery;
 mod explain;
+mod fit;
 mod report;
 mod run;
 mod verify;
@@ -109,6 +110,8 @@ enum Command {
         #[arg(value_name = "SCENE.ron")]
         scene: PathBuf,
     },
+    /// Find parameters of a scene from measured curves, and how sure they are.
+    Fit(fit::Arguments),
     /// Error against run time, behaviour at the extremes, throughput.
     Report {
         /// What to report.
@@ -174,6 +177,7 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
             verify::run(filter.as_deref().unwrap_or(""), form, console)
         }
         Command::Compare { scene } => compare::run(&scene, common, console),
+        Command::Fit(arguments) => fit::run(&arguments, common, console),
         Command::Report { topic, scene, thorough } => {
             let effort = if thorough { Thoroughness::Thorough } else { Thoroughness::Brief };
             report::run(topic, scene.as_deref(), effort, common, console)

@@ -8,7 +8,9 @@
 //! ```
 
 mod comparison;
+mod fit;
 mod json;
+mod moduli;
 mod summary;
 mod sweep;
 mod tables;
@@ -22,8 +24,10 @@ pub(crate) mod report_figures;
 
 pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]
-pub use figures::{comparison_figure, figures, sweep_figure};
+pub use figures::{comparison_figure, figures, fit_figure, spectrum_figure, sweep_figure};
+pub use fit::{Fitted, fit_json, fit_points, fit_text, fits_json, fits_table};
 pub use json::{json, json_of_all};
+pub use moduli::{spectrum_json, spectrum_points, spectrum_text};
 pub use summary::{summary, with_prefix};
 #[cfg(feature = "plot")]
 use sweep::ranges;

@@ -3,6 +3,7 @@
 mod comparison;
 mod curve;
 mod fields;
+mod fit;
 mod friction;
 mod impacts;
 mod rough;
@@ -19,6 +20,7 @@ use crate::scene::plan::{ImpactPlan, Plan, RoundPlan};
 use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
+pub use fit::{fit_figure, spectrum_figure};
 pub use sweep::sweep_figure;
 
 /// The force of a plane contact: per length.

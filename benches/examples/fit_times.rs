@@ -1,0 +1,114 @@
+//! How long a fit takes: `cargo run --release -p benches --example fit_times`.
+//!
+//! Data by closed forms and by whole runs, with noise; the median of repeats, one thread.
+
+use springbed::fit::prony::Moduli;
+use springbed::fit::{Curve, Options, Question};
+use springbed::prelude::*;
+use springbed::run::record::FORCE;
+use springbed::scene::Scene;
+use std::error::Error;
+use std::hint::black_box;
+use std::time::Instant;
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// Numbers in (−1/2, 1/2) of a linear congruential generator.
+fn noise(count: usize) -> Vec<f64> {
+    let mut seed = 11u64;
+    let mut draw = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+    };
+    (0..count).map(|_| draw()).collect()
+}
+
+fn curve(time: Option<Vec<f64>>, depth: Vec<f64>, force: &[f64]) -> Curve {
+    let largest = force.iter().fold(0.0, |largest: f64, force| largest.max(force.abs()));
+    let force = force.iter().zip(noise(depth.len())).map(|(force, noise)| force + 0.01 * largest * noise).collect();
+    Curve { rows: (2..depth.len() + 2).collect(), time, depth, force }
+}
+
+fn triangle(start: f64, deepest: f64, end: f64, half: usize) -> Vec<f64> {
+    let leg = |from: f64, to: f64| (0..half).map(move |k| from + (to - from) * k as f64 / half as f64);
+    leg(start, deepest).chain(leg(deepest, end)).collect()
+}
+
+/// The forces of a run under the depths of a table.
+fn forces(text: &str, time: &[f64], depth: &[f64]) -> Outcome<Vec<f64>> {
+    let tables = InMemory::default().with("drive.csv", &[("time_s", time), ("indentation_m", depth)]);
+    let plan = Notation::Ron.plan(text, &tables).map_err(|errors| errors[0].clone())?;
+    let outcome = run(&plan, Wanted { instants: false, ..Wanted::NOTHING })?;
+    let forces: Vec<f64> = outcome.records.iter().filter_map(|record| (FORCE.of)(record)).collect();
+    Ok(forces[forces.len() - depth.len()..].to_vec())
+}
+
+fn told(name: &str, mut work: impl FnMut() -> Outcome<()>) -> Outcome<()> {
+    work()?;
+    let mut times = Vec::new();
+    for _ in 0..15 {
+        let began = Instant::now();
+        work()?;
+        times.push(began.elapsed().as_secs_f64());
+    }
+    times.sort_by(f64::total_cmp);
+    println!("{name:60} {:8.2} ms", 1e3 * times[times.len() / 2]);
+    Ok(())
+}
+
+fn fitted(name: &str, scene: &str, free: &[&str], curve: &Curve) -> Outcome<()> {
+    let question = Question::new(&Scene::from_ron(scene)?, free, Options::default())?;
+    told(name, || {
+        black_box(question.fit(curve, &InMemory::default())?);
+        Ok(())
+    })
+}
+
+fn main() -> Outcome<()> {
+    let history = r#"history: [Indent(to: "1 um", over: 1)])"#;
+    let ball = r#"(shape: Paraboloid(radius: "5 um"), bodies: (Elastic(young: "1 kPa", poisson: 0.5), Rigid), "#;
+    let depth: Vec<f64> = (0..5000).map(|k| f64::from(k) * 6e-10).collect();
+    let force: Vec<f64> =
+        depth.iter().map(|z| 4.0 / 3.0 * 3.2e3 * (5e-6 * (z - 1.3e-6).max(0.0).powi(3)).sqrt()).collect();
+    let data = curve(None, depth, &force);
+    fitted("elastic, 5000 points, first touch and baseline", &format!("{ball}{history}"), &["bodies.0.young"], &data)?;
+
+    let lens = r#"(shape: Paraboloid(radius: "2.5 mm"), bodies: (Elastic(young: "4.8 MPa", poisson: 0.5), Rigid),
+        adhesion: Jkr(work: "42 mJ/m^2"), "#;
+    let depth = triangle(-3e-6, 20e-6, -9e-6, 1000);
+    let time: Vec<f64> = (0..depth.len()).map(|k| k as f64).collect();
+    let table = r#"history: [Table("drive.csv")])"#;
+    let data = curve(None, depth.clone(), &forces(&format!("{lens}{table}"), &time, &depth)?);
+    let start = format!("{lens}{history}").replace("4.8 MPa", "2 MPa").replace("42 mJ", "100 mJ");
+    let free = ["bodies.0.young=100 kPa..100 MPa", "adhesion.work=1 mJ/m^2..1 J/m^2"];
+    fitted("JKR, both ways, 2000 points, first touch and baseline", &start, &free, &data)?;
+
+    let cell = r#"(shape: Paraboloid(radius: "10 um"), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 300,
+        terms: [(modulus: 600, time: 0.05), (modulus: 300, time: 0.5)])), Rigid), "#;
+    let depth = triangle(-0.3e-6, 1.7e-6, -0.3e-6, 500);
+    let time: Vec<f64> = (0..depth.len()).map(|k| 2e-3 * k as f64).collect();
+    let data = curve(Some(time.clone()), depth.clone(), &forces(&format!("{cell}{table}"), &time, &depth)?);
+    let start = format!("{cell}{history}").replace("600", "400").replace("time: 0.5", "time: 0.8");
+    let free: Vec<String> = ["equilibrium", "terms.0.modulus", "terms.0.time", "terms.1.modulus", "terms.1.time"]
+        .iter()
+        .map(|place| format!("bodies.0.shear.{place}"))
+        .collect();
+    let free: Vec<&str> = free.iter().map(String::as_str).collect();
+    fitted("Ting's triangle, two terms, 1000 points, first touch", &start, &free, &data)?;
+
+    let frequency: Vec<f64> = (0..60).map(|k| 0.01 * 10f64.powf(0.1 * f64::from(k))).collect();
+    let sums = |f: f64| {
+        (0..10).fold((1e5, 0.0), |sum: (f64, f64), k| {
+            let x = std::f64::consts::TAU * f * 10f64.powf(-4.0 + 0.6 * f64::from(k));
+            (sum.0 + 1e6 * x * x / (1.0 + x * x), sum.1 + 1e6 * x / (1.0 + x * x))
+        })
+    };
+    let (storage, loss) = frequency.iter().map(|&f| sums(f)).unzip();
+    let moduli = Moduli { frequency, storage, loss };
+    let spectrum = moduli.spectrum()?;
+    println!("spectrum of ten terms: relative residual {:.1e}", spectrum.deviation);
+    told("Prony spectrum of ten terms from moduli", || {
+        black_box(moduli.spectrum()?);
+        Ok(())
+    })
+}

@@ -1,0 +1,143 @@
+"""Measured-looking data of known truth for `springbed fit`: closed forms of the theory and noise, no springbed.
+
+    python3 configs/fit/make_data.py        # writes the .csv files beside this script
+
+Truth stands in each function and in the head of each file. Needs NumPy.
+"""
+
+import pathlib
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).parent
+
+
+def correlated(rng, count, deviation, rho):
+    """Noise of the standard deviation `deviation` whose neighbours have the correlation `rho`."""
+    noise = np.empty(count)
+    noise[0] = rng.normal(0.0, deviation)
+    for k in range(1, count):
+        noise[k] = rho * noise[k - 1] + rng.normal(0.0, deviation * np.sqrt(1 - rho**2))
+    return noise
+
+
+def save(name, head, columns, form, separator=","):
+    lines = [separator.join(form % value for value in row) for row in zip(*columns)]
+    (HERE / name).write_text(head + "\n" + "\n".join(lines) + "\n", encoding="utf-8")
+
+
+def gel_sphere():
+    """Hertz: R = 5 um, E = 2.4 kPa, nu = 1/2, touched at z = 1.3 um, baseline 0.2 nN; noise 20 pN."""
+    rng = np.random.default_rng(1)
+    z = np.linspace(0.0, 3e-6, 1500)
+    depth = np.clip(z - 1.3e-6, 0.0, None)
+    force = 4 / 3 * 2.4e3 / 0.75 * np.sqrt(5e-6 * depth**3) + 0.2e-9
+    force += correlated(rng, z.size, 20e-12, 0.0)
+    save("gel_sphere.csv", "z [nm],force [nN]", (z * 1e9, force * 1e9), "%.5f")
+
+
+def jkr(depth, radius, modulus, work):
+    """Force of JKR at the depths of one way: none before touch, then the stable branch down to its end."""
+    a = np.geomspace(1e-3, 30.0, 200000) * (work * radius**2 / modulus) ** (1 / 3)
+    d = a**2 / radius - np.sqrt(2 * np.pi * a * work / modulus)
+    stable = np.argmin(d)
+    a, d = a[stable:], d[stable:]
+    radius_at = np.interp(depth, d, a)
+    for _ in range(4):  # Newton
+        off = radius_at**2 / radius - np.sqrt(2 * np.pi * radius_at * work / modulus) - depth
+        slope = 2 * radius_at / radius - 0.5 * np.sqrt(2 * np.pi * work / modulus / radius_at)
+        radius_at = np.maximum(radius_at - off / slope, a[0])
+    force = 4 / 3 * modulus * radius_at**3 / radius - np.sqrt(8 * np.pi * modulus * work * radius_at**3)
+    return force, d[0]
+
+
+def jkr_lens():
+    """JKR in and out: R = 2.5 mm, E* = 6.4 MPa, w = 42 mJ/m^2, touched at z = 4 um; noise 20 uN, correlated 0.8."""
+    rng = np.random.default_rng(2)
+    into = np.linspace(0.0, 24e-6, 600)
+    out = np.linspace(24e-6, -6e-6, 800)[1:]
+    force_in, _ = jkr(into - 4e-6, 2.5e-3, 6.4e6, 0.042)
+    force_in[into < 4e-6] = 0.0
+    force_out, last = jkr(out - 4e-6, 2.5e-3, 6.4e6, 0.042)
+    force_out[out - 4e-6 < last] = 0.0
+    z = np.concatenate([into, out])
+    force = np.concatenate([force_in, force_out]) + correlated(rng, z.size, 20e-6, 0.8)
+    save("jkr_lens.csv", "z;F\num;mN", (z * 1e6, force * 1e3), "%.6f", ";")
+
+
+def ting():
+    """Ting's triangle on a standard solid: R = 10 um, G(t) = 300 Pa + 900 Pa exp(-t/0.2 s), nu = 1/2, touched at 0.3 um.
+
+    F(t) = 4 sqrt(R)/3 int 4 G(t - s) d(depth^(3/2)); on the way out the integral ends at t1(t), where
+    int_{t1}^t G(t - s) v(s) ds = 0.
+    """
+    rng = np.random.default_rng(7)
+    radius, g0, g1, tau, speed, turn = 10e-6, 300.0, 900.0, 0.2, 2e-6, 1.0
+    time = np.linspace(0.0, 2.0, 401)
+    touch = 0.3e-6 / speed
+
+    def history(until, now):
+        """int_touch^until G(now - s) d/ds (v s)^(3/2) ds by Gauss-Legendre after s = touch + u^2."""
+        if until <= touch:
+            return 0.0
+        nodes, weights = np.polynomial.legendre.leggauss(60)
+        end = np.sqrt(until - touch)
+        u = 0.5 * end * (nodes + 1)
+        s = touch + u * u
+        rate = 1.5 * speed**1.5 * u * 2 * u
+        return 0.5 * end * np.sum(weights * (g0 + g1 * np.exp(-(now - s) / tau)) * rate)
+
+    def area(low, high):
+        """int_low^high G."""
+        return g0 * (high - low) + g1 * tau * (np.exp(-low / tau) - np.exp(-high / tau))
+
+    force = np.zeros_like(time)
+    for k, t in enumerate(time):
+        until = min(t, turn)
+        if t > turn:
+            # int_{t1}^{turn} G(t-s) ds = int_{turn}^{t} G(t-s) ds
+            low, high = touch, turn
+            balance = lambda s: area(t - turn, t - s) - area(0.0, t - turn)
+            if balance(touch) < 0:
+                continue
+            for _ in range(80):
+                middle = 0.5 * (low + high)
+                low, high = (middle, high) if balance(middle) > 0 else (low, middle)
+            until = 0.5 * (low + high)
+        force[k] = 4 / 3 * np.sqrt(radius) * 4 * history(until, t)
+    z = np.where(time < turn, speed * time, speed * (2 * turn - time))
+    force += correlated(rng, time.size, 20e-12, 0.0)
+    save("cell_ting.csv", "time_s\tz_um\tforce_nN", (time, z * 1e6, force * 1e9), "%.7g", "\t")
+
+
+def creep():
+    """Creep of a standard solid under a ball: R = 1 mm, 10 mN at once; J(t) = 1/G0 + (1/Ginf - 1/G0)(1 - exp(-t/q)).
+
+    d^(3/2) = 3 F J(t) (1 - nu) / (8 sqrt R), G0 = 1 MPa, Ginf = 0.4 MPa, tau = 2 s, so q = tau G0/Ginf = 5 s; noise 20 nm.
+    """
+    rng = np.random.default_rng(4)
+    time = np.linspace(0.0, 30.0, 301)
+    compliance = 1e-6 + (2.5e-6 - 1e-6) * (1 - np.exp(-time / 5.0))
+    depth = (3 * 10e-3 * compliance * 0.5 / (8 * np.sqrt(1e-3))) ** (2 / 3)
+    depth += correlated(rng, time.size, 20e-9, 0.0)
+    save("pdms_creep.csv", "Zeit (s);Weg (µm);Kraft (mN)", (time, depth * 1e6, np.full(time.size, 10.0)), "%.5f", ";")
+    path = HERE / "pdms_creep.csv"
+    path.write_text(path.read_text(encoding="utf-8").replace(".", ","), encoding="utf-8")
+
+
+def rubber_moduli():
+    """Storage and loss moduli of five terms, 1 % noise: G = 0.2 MPa + sum g w^2 t^2/(1 + w^2 t^2)."""
+    rng = np.random.default_rng(5)
+    terms = [(40e6, 1e-4), (20e6, 1e-3), (8e6, 1e-2), (2e6, 1e-1), (0.5e6, 1.0)]
+    frequency = np.geomspace(1e-2, 1e4, 61)
+    w = 2 * np.pi * frequency
+    storage = 0.2e6 + sum(g * (w * t) ** 2 / (1 + (w * t) ** 2) for g, t in terms)
+    loss = sum(g * w * t / (1 + (w * t) ** 2) for g, t in terms)
+    storage *= 1 + 0.01 * rng.normal(size=w.size)
+    loss *= 1 + 0.01 * rng.normal(size=w.size)
+    save("rubber_moduli.csv", "frequency [Hz],G' [MPa],G'' [MPa]", (frequency, storage / 1e6, loss / 1e6), "%.6e")
+
+
+if __name__ == "__main__":
+    for make in (gel_sphere, jkr_lens, ting, creep, rubber_moduli):
+        make()

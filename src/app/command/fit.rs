@@ -1,0 +1,288 @@
+//! `springbed fit`: parameters of a scene from measured curves.
+
+use super::Common;
+use super::delivery::Findings;
+use crate::app::console::{Console, Failure};
+use crate::app::data_file::{Data, Wanted};
+use crate::app::export::{self, Fitted};
+use crate::app::scene_file::SceneFile;
+use crate::app::table_file::TableFiles;
+use crate::contact::adhesion::equilibrium::Control;
+use crate::fit::{Options, Question};
+use crate::input::quantity::{Displacement, Force, SpringStiffness};
+use crate::scene::Scene;
+use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Measured, Way};
+use clap::Args;
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// What a fit is asked for.
+#[derive(Debug, Clone, Args)]
+pub struct Arguments {
+    /// Scene file; its values are where the search starts, its `fit` says what is not said here.
+    #[arg(value_name = "SCENE.ron", required_unless_present = "moduli")]
+    scene: Option<PathBuf>,
+    /// Data files; each is fitted by itself.
+    #[arg(value_name = "DATA")]
+    data: Vec<PathBuf>,
+    /// Free parameter and its range, such as `bodies.0.young=1 kPa..1 MPa`; may be given several times.
+    #[arg(long, value_name = "PATH=LO..HI")]
+    free: Vec<String>,
+    /// Columns of the data, such as "depth=z [nm], force=F [nN], time=t [s]"; by their names if not given.
+    #[arg(long, value_name = "COLUMNS", allow_hyphen_values = true)]
+    columns: Option<String>,
+    /// Stiffness of the cantilever, for data of deflection and piezo, such as "0.05 N/m".
+    #[arg(long, value_name = "STIFFNESS")]
+    spring: Option<SpringStiffness>,
+    /// Line under the force: absent, constant (the default) or linear.
+    #[arg(long, value_name = "KIND", value_parser = baseline)]
+    baseline: Option<Baseline>,
+    /// First touch: free (the default), or at the zero of the depths.
+    #[arg(long, value_name = "WHERE", value_parser = contact)]
+    contact: Option<FirstTouch>,
+    /// What drives, depth or force; that of the first entry of the history if not given.
+    #[arg(long, value_name = "WHAT", value_parser = drive)]
+    drive: Option<Drive>,
+    /// Way that counts: both (the default), in or out.
+    #[arg(long, value_name = "WAY", value_parser = way)]
+    way: Option<Way>,
+    /// Depths that count, as measured, such as "-1 um..300 nm"; forces where they drive.
+    #[arg(long, value_name = "LO..HI", allow_hyphen_values = true)]
+    range: Option<String>,
+    /// Points far off count less.
+    #[arg(long)]
+    robust: bool,
+    /// Relaxation spectrum from storage and loss moduli over frequency, instead of curves.
+    #[arg(long, value_name = "DATA", conflicts_with_all = ["scene", "data", "free"])]
+    moduli: Option<PathBuf>,
+}
+
+fn baseline(text: &str) -> Result<Baseline, String> {
+    match text {
+        "absent" => Ok(Baseline::Absent),
+        "constant" => Ok(Baseline::Constant),
+        "linear" => Ok(Baseline::Linear),
+        _ => Err("expected absent, constant or linear".to_owned()),
+    }
+}
+
+fn contact(text: &str) -> Result<FirstTouch, String> {
+    match text {
+        "free" => Ok(FirstTouch::Free),
+        "zero" => Ok(FirstTouch::Zero),
+        _ => Err("expected free or zero".to_owned()),
+    }
+}
+
+fn drive(text: &str) -> Result<Drive, String> {
+    match text {
+        "depth" => Ok(Drive::Depth),
+        "force" => Ok(Drive::Force),
+        _ => Err("expected depth or force".to_owned()),
+    }
+}
+
+fn way(text: &str) -> Result<Way, String> {
+    match text {
+        "both" => Ok(Way::Both),
+        "in" => Ok(Way::In),
+        "out" => Ok(Way::Out),
+        _ => Err("expected both, in or out".to_owned()),
+    }
+}
+
+impl Arguments {
+    /// What the scene at `path` asks for, and in its place what is asked for here.
+    fn over(&self, scene: &SceneFile) -> Measured {
+        let written = scene.plan.scene.fit.clone().unwrap_or_default();
+        let folder = scene.path.parent().unwrap_or_else(|| Path::new(""));
+        let data = written.data.iter().map(|path| folder.join(path)).collect();
+        Measured {
+            data: if self.data.is_empty() { data } else { self.data.clone() },
+            free: if self.free.is_empty() { written.free } else { self.free.clone() },
+            columns: self.columns.clone().unwrap_or(written.columns),
+            spring: self.spring.or(written.spring),
+            baseline: self.baseline.unwrap_or(written.baseline),
+            contact: self.contact.unwrap_or(written.contact),
+            drive: self.drive.or(written.drive),
+            way: self.way.unwrap_or(written.way),
+            range: self.range.clone().unwrap_or(written.range),
+            loss: if self.robust { Loss::Robust } else { written.loss },
+        }
+    }
+}
+
+/// Fits curves, each by itself, on all threads.
+///
+/// # Errors
+/// The scene, a parameter or a range is wrong; a curve cannot be fitted (the others are); a file cannot be written.
+pub fn run(arguments: &Arguments, common: &Common, console: &Console) -> Result<(), Failure> {
+    if let Some(path) = &arguments.moduli {
+        return moduli(path, arguments, common, console);
+    }
+    let Some(path) = &arguments.scene else {
+        return Err(Failure::Usage("there is no scene: expected SCENE.ron".to_owned()));
+    };
+    let scene = SceneFile::load(path).map_err(Failure::Scene)?;
+    let measured = arguments.over(&scene);
+    if measured.data.is_empty() {
+        return Err(Failure::Usage(
+            "there are no data: expected files behind the scene, or fit: (data: [...]) in it".to_owned(),
+        ));
+    }
+    let (question, wanted) = asked(&measured, &scene.plan.scene)?;
+    let stems = stems(&measured.data)?;
+    not_over_inputs(&measured.data, &scene, &stems, common)?;
+    let progress = console.progress(measured.data.len(), "curves");
+    let fits: Vec<Result<Fitted, (&PathBuf, String)>> = measured
+        .data
+        .par_iter()
+        .map(|path| {
+            let fit = fitted(&question, &scene, path, &wanted).map_err(|error| (path, error));
+            progress.inc(1);
+            fit
+        })
+        .collect();
+    progress.finish_and_clear();
+    for fit in fits.iter().flatten() {
+        for note in fit.data_notes.iter().chain(&fit.fit.notes) {
+            console.warning(&format!("{}: {note}", fit.file));
+        }
+    }
+    let rows: Vec<(String, Result<&Fitted, &str>)> = fits.iter().map(row).collect();
+    findings(&question, &rows, &stems)?.deliver(common, console)?;
+    let bad: Vec<String> =
+        fits.iter().filter_map(|fit| fit.as_ref().err()).map(|(path, error)| told(path, error)).collect();
+    if bad.is_empty() { Ok(()) } else { Err(Failure::Failed(bad.join("\n"))) }
+}
+
+/// An error with its file, unless it begins with it.
+fn told(path: &Path, error: &str) -> String {
+    let name = path.display().to_string();
+    if error.starts_with(&name) { error.to_owned() } else { format!("{name}: {error}") }
+}
+
+fn row<'f>(fit: &'f Result<Fitted, (&PathBuf, String)>) -> (String, Result<&'f Fitted, &'f str>) {
+    match fit {
+        Ok(fitted) => (fitted.file.clone(), Ok(fitted)),
+        Err((path, error)) => (path.display().to_string(), Err(error)),
+    }
+}
+
+fn asked(measured: &Measured, scene: &Scene) -> Result<(Question, Wanted), Failure> {
+    let wanted = Wanted::read(&measured.columns, measured.spring.map(SpringStiffness::si));
+    let wanted = wanted.map_err(|what| Failure::Usage(format!("columns: {what}")))?;
+    let Measured { baseline, contact, drive, way, loss, .. } = *measured;
+    let mut options = Options { baseline, contact, drive, way, loss, ..Options::default() };
+    let question =
+        |options| Question::new(scene, &measured.free, options).map_err(|error| Failure::Usage(error.to_string()));
+    if !measured.range.is_empty() {
+        let control = question(options)?.control();
+        options.range = range(&measured.range, control).map_err(|what| Failure::Usage(format!("range: {what}")))?;
+    }
+    Ok((question(options)?, wanted))
+}
+
+fn range(text: &str, control: Control) -> Result<(f64, f64), String> {
+    let (low, high) = text.split_once("..").ok_or_else(|| format!("\"{text}\" is no range: expected LO..HI"))?;
+    let end = |text: &str, open: f64| match control {
+        _ if text.trim().is_empty() => Ok(open),
+        Control::Indentation => text.parse().map(Displacement::si).map_err(|error| error.to_string()),
+        Control::Force => text.parse().map(Force::si).map_err(|error| error.to_string()),
+    };
+    let (low, high) = (end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?);
+    if low < high { Ok((low, high)) } else { Err(format!("\"{text}\" is empty: expected the smaller end first")) }
+}
+
+fn fitted(question: &Question, scene: &SceneFile, path: &Path, wanted: &Wanted) -> Result<Fitted, String> {
+    let data = Data::load(path, wanted).map_err(|fault| format!("{}: {}", fault.file.display(), fault.message))?;
+    let curve = data.curve().map_err(|fault| format!("{}: {}", fault.file.display(), fault.message))?;
+    let tables = TableFiles::beside(&scene.path);
+    let fit = question.fit(&curve, &tables).map_err(|error| error.to_string())?;
+    let fitted = question.scene(&fit.values).map_err(|error| error.to_string())?;
+    Ok(Fitted { file: path.display().to_string(), scene: fitted, curve, fit, data_notes: data.notes })
+}
+
+/// Stems of the data files, by which the outputs are called.
+fn stems(data: &[PathBuf]) -> Result<Vec<String>, Failure> {
+    let stem =
+        |path: &PathBuf| path.file_stem().map_or_else(|| "data".to_owned(), |stem| stem.to_string_lossy().into());
+    let stems: Vec<String> = data.iter().map(stem).collect();
+    let mut seen = BTreeSet::new();
+    match stems.iter().find(|stem| !seen.insert(stem.as_str())) {
+        None => Ok(stems),
+        Some(twice) => Err(Failure::Usage(format!(
+            "two data files are called {twice}: expected different names, for {twice}.fit.json"
+        ))),
+    }
+}
+
+/// No file written may be one that is read.
+fn not_over_inputs(data: &[PathBuf], scene: &SceneFile, stems: &[String], common: &Common) -> Result<(), Failure> {
+    let real = |path: &Path| path.canonicalize().ok();
+    let read: BTreeSet<PathBuf> =
+        data.iter().chain([&scene.path]).chain(&scene.tables).filter_map(|path| real(path)).collect();
+    let names = stems.iter().flat_map(|stem| ENDINGS.map(|ending| format!("{stem}{ending}")));
+    let over = names
+        .chain([ALL.to_owned()])
+        .find(|name| real(&common.out.join(name)).is_some_and(|path| read.contains(&path)));
+    match over {
+        None => Ok(()),
+        Some(name) => {
+            let path = common.out.join(name);
+            Err(Failure::Usage(format!(
+                "{} would be written over, and it is read: expected another folder in --out",
+                path.display()
+            )))
+        }
+    }
+}
+
+const ENDINGS: [&str; 3] = [".fit.csv", ".fit.json", ".fit.svg"];
+/// The table of several fits.
+const ALL: &str = "fits.csv";
+
+fn findings(
+    question: &Question,
+    rows: &[(String, Result<&Fitted, &str>)],
+    stems: &[String],
+) -> Result<Findings, Failure> {
+    let mut files = Vec::new();
+    for ((_, fit), stem) in rows.iter().zip(stems) {
+        let Ok(fit) = fit else { continue };
+        files.push((format!("{stem}.fit.csv"), export::fit_points(fit).map_err(Failure::failed)?));
+        files.push((format!("{stem}.fit.json"), export::fit_json(fit).map_err(Failure::failed)?));
+        #[cfg(feature = "plot")]
+        files.push((format!("{stem}.fit.svg"), export::fit_figure(fit).svg()));
+    }
+    if rows.len() > 1 {
+        files.push((ALL.to_owned(), export::fits_table(question.free(), rows).map_err(Failure::failed)?));
+    }
+    let good: Vec<&Fitted> = rows.iter().filter_map(|(_, fit)| fit.ok()).collect();
+    let table = good.iter().map(|fit| export::fit_text(fit)).collect::<Vec<_>>().join("\n");
+    Ok(Findings { table, json: export::fits_json(&good).map_err(Failure::failed)?, files })
+}
+
+/// A spectrum from moduli over frequency.
+fn moduli(path: &Path, arguments: &Arguments, common: &Common, console: &Console) -> Result<(), Failure> {
+    let wanted = Wanted::read(arguments.columns.as_deref().unwrap_or(""), None);
+    let wanted = wanted.map_err(|what| Failure::Usage(format!("columns: {what}")))?;
+    let data = Data::load(path, &wanted).and_then(|data| data.moduli().map(|moduli| (moduli, data.notes)));
+    let (moduli, notes) = data.map_err(|fault| Failure::Scene(vec![fault]))?;
+    for note in notes {
+        console.warning(&format!("{}: {note}", path.display()));
+    }
+    let stem = stems(&[path.to_owned()])?.concat();
+    let spectrum = moduli.spectrum().map_err(|error| Failure::Failed(format!("{}: {error}", path.display())))?;
+    let file = path.display().to_string();
+    let files =
+        vec![(format!("{stem}.moduli.csv"), export::spectrum_points(&moduli, &spectrum).map_err(Failure::failed)?)];
+    #[cfg(feature = "plot")]
+    let files =
+        [files, vec![(format!("{stem}.moduli.svg"), export::spectrum_figure(&moduli, &spectrum).svg())]].concat();
+    let json = export::spectrum_json(&file, &spectrum).map_err(Failure::failed)?;
+    Findings { table: export::spectrum_text(&file, &spectrum), json, files }
+        .named(&format!("{stem}.moduli"))
+        .deliver(common, console)
+}

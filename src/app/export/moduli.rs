@@ -1,0 +1,68 @@
+//! Relaxation spectra as lines, tables and JSON.
+
+use super::summary::with_prefix;
+use super::tables::{cell, text};
+use crate::fit::prony::{Moduli, Spectrum};
+use serde::Serialize;
+use std::fmt::Write as _;
+
+#[derive(Serialize)]
+struct Summary<'s> {
+    version: &'static str,
+    data: &'s str,
+    equilibrium_pa: f64,
+    terms: Vec<Term>,
+    relative_deviation: f64,
+    smoothing: f64,
+}
+
+#[derive(Serialize)]
+struct Term {
+    modulus: f64,
+    time: f64,
+}
+
+/// A spectrum as JSON; `file` is the name of the data.
+///
+/// # Errors
+/// A number cannot be written as JSON.
+pub fn spectrum_json(file: &str, spectrum: &Spectrum) -> Result<String, serde_json::Error> {
+    let terms = spectrum.terms.iter().map(|&(modulus, time)| Term { modulus, time }).collect();
+    let summary = Summary {
+        version: env!("CARGO_PKG_VERSION"),
+        data: file,
+        equilibrium_pa: spectrum.equilibrium,
+        terms,
+        relative_deviation: spectrum.deviation,
+        smoothing: spectrum.smoothing,
+    };
+    serde_json::to_string_pretty(&summary).map(|text| format!("{text}\n"))
+}
+
+/// Measured moduli and those of the spectrum.
+///
+/// # Errors
+/// The text cannot be put together.
+pub fn spectrum_points(moduli: &Moduli, spectrum: &Spectrum) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["frequency_hz", "storage_pa", "loss_pa", "model_storage_pa", "model_loss_pa"])?;
+    for ((&frequency, &storage), &loss) in moduli.frequency.iter().zip(&moduli.storage).zip(&moduli.loss) {
+        let model = spectrum.at(frequency);
+        writer.write_record([frequency, storage, loss, model.0, model.1].map(|number| cell(Some(number))))?;
+    }
+    text(writer)
+}
+
+/// A spectrum as lines, with the piece of a scene that says it.
+#[must_use]
+pub fn spectrum_text(file: &str, spectrum: &Spectrum) -> String {
+    let mut lines = format!("{file}\n  equilibrium  {}\n", with_prefix(spectrum.equilibrium, "Pa"));
+    for &(modulus, time) in &spectrum.terms {
+        let _ = writeln!(lines, "  {:>12} with {}", with_prefix(modulus, "Pa"), with_prefix(time, "s"));
+    }
+    let _ = writeln!(lines, "  relative residual {:.2e}", spectrum.deviation);
+    let term = |&(modulus, time): &(f64, f64)| format!("(modulus: {modulus:.5e}, time: {time:.5e})");
+    let terms: Vec<String> = spectrum.terms.iter().map(term).collect();
+    let _ = writeln!(lines, "shear: (equilibrium: {:.5e}, terms: [{}])", spectrum.equilibrium, terms.join(", "));
+    lines
+}

@@ -1,0 +1,77 @@
+//! The force of an adhesive contact led through a row of depths, without a run.
+//!
+//! On a smooth shape whose slope grows the equilibrium d(a) = g(a) − Δl(a) falls to its least value at one radius and
+//! rises from there on: the contact joins at d = 0, follows the rising branch, and parts at the least depth.
+
+use crate::contact::adhesion::equilibrium::{Control, Equilibrium, Search};
+use crate::contact::adhesion::line::EdgeLine;
+use crate::numerics::root;
+use crate::shape::Rim;
+
+/// The stable branch of an adhesive contact.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    line: EdgeLine,
+    /// Radius [m] at which a retraction parts the bodies.
+    last: f64,
+    /// Depth [m] there.
+    least: f64,
+}
+
+/// The most steps of Newton's rule, which squares the error, before the root is bracketed instead.
+const STEPS: usize = 30;
+
+/// Part of the scale of a shape below which no contact is looked for.
+const SMALL: f64 = 1e-12;
+
+impl Branch {
+    /// The branch of `line`; `None` if there may be more than one.
+    pub fn of(line: EdgeLine) -> Option<Self> {
+        let profile = line.ground().profile();
+        let one = line.search() == Search::Once && profile.flat_radius() <= 0.0 && profile.first_fall().is_none();
+        if !one || matches!(profile.rim(), Rim::Wall(_)) {
+            return None;
+        }
+        let slope = |a: f64| line.slope(Control::Indentation, a);
+        let (low, high) = root::bracket_upwards(slope, SMALL * line.scale(), line.scale(), line.end())?;
+        let last = root::within(slope, low, high);
+        let least = line.value(Control::Indentation, last);
+        (least < 0.0).then_some(Self { line, last, least })
+    }
+
+    /// Forces [N] and slopes dF/dd [N/m] at the depths `depths` [m] in their order, first touch at `contact`.
+    ///
+    /// # Errors
+    /// A depth is not met.
+    pub fn followed(&self, depths: &[f64], contact: f64) -> Result<(Vec<f64>, Vec<f64>), String> {
+        let (mut joined, mut radius) = (false, self.last);
+        let mut follow = |d: f64| {
+            joined = d >= self.least && (joined || d >= 0.0);
+            if !joined {
+                return Ok((0.0, 0.0));
+            }
+            radius = self.radius(d, radius).ok_or_else(|| format!("no contact has the depth {d:e} m"))?;
+            let force = self.line.value(Control::Force, radius);
+            Ok((force, self.line.slope(Control::Force, radius) / self.line.slope(Control::Indentation, radius)))
+        };
+        let states: Result<Vec<(f64, f64)>, String> = depths.iter().map(|d| follow(d - contact)).collect();
+        Ok(states?.into_iter().unzip())
+    }
+
+    /// The radius [m] on the branch at the depth `d` [m], searched from the radius `near` on.
+    fn radius(&self, d: f64, near: f64) -> Option<f64> {
+        let mut a = near.max(self.last * (1.0 + 1e-3));
+        for _ in 0..STEPS {
+            let off = self.line.value(Control::Indentation, a) - d;
+            let step = off / self.line.slope(Control::Indentation, a);
+            let next = (a - step).max(0.5 * (a + self.last)).min(self.line.end());
+            if (next - a).abs() <= 4.0 * f64::EPSILON * a {
+                return Some(next);
+            }
+            a = next;
+        }
+        let residual = |a: f64| self.line.value(Control::Indentation, a) - d;
+        let (low, high) = root::bracket_upwards(residual, self.last, 2.0 * self.last, self.line.end())?;
+        Some(root::within(residual, low, high))
+    }
+}

@@ -1,0 +1,271 @@
+//! Parameters of a scene from measured curves, and how sure they are.
+//!
+//! The scene is led through the drive of the data, as [`run`](crate::run::run) would lead it, and what it answers is
+//! held against what was measured. Free parameters count on their natural scale (the logarithm of what is positive);
+//! first touch and a baseline are found beside them. Intervals hold with 95 %, for noise whose neighbours may be
+//! alike; where the sum of squares is no parabola they are read off its profile.
+//!
+//! # Examples
+//! ```
+//! use springbed::fit::{Curve, Options, Question};
+//! use springbed::prelude::*;
+//! use springbed::scene::Scene;
+//!
+//! // F = (4/3)E*√R d^{3/2} with E* = 4/3 kPa and R = 1 mm, touched at 2 µm of the drive.
+//! let depth: Vec<f64> = (0..200).map(|k| f64::from(k) * 1e-7).collect();
+//! let force = depth.iter().map(|d| 4.0 / 3.0 * 4e3 / 3.0 * (1e-3 * (d - 2e-6f64).max(0.0).powi(3)).sqrt()).collect();
+//! let curve = Curve { rows: (2..202).collect(), depth, force, time: None };
+//! let scene = Scene::from_ron(r#"(shape: Paraboloid(radius: "1 mm"), bodies: (Elastic(young: "5 kPa", poisson: 0.5), Rigid),
+//!     history: [Indent(to: "10 um", over: 1)])"#)?;
+//! let question = Question::new(&scene, &["bodies.0.young=100 Pa..1 MPa"], Options::default())?;
+//! let fit = question.fit(&curve, &InMemory::default())?;
+//! assert!((fit.parameters[0].value / 1e3 - 1.0).abs() < 1e-6);
+//! assert!((fit.parameter("contact_point").unwrap().value / 2e-6 - 1.0).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod adhesive;
+mod answer;
+mod curve;
+mod frame;
+mod free;
+mod interval;
+mod model;
+mod noise;
+pub mod prony;
+mod remembering;
+mod solve;
+mod start;
+mod verdict;
+
+pub use answer::{Estimate, Fit};
+pub use curve::Curve;
+pub use free::Free;
+pub use verdict::Noise;
+
+use crate::contact::adhesion::equilibrium::Control;
+use crate::input::problem::Problem;
+use crate::input::table::Tables;
+use crate::scene::Scene;
+use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Way};
+use crate::scene::history::Entry;
+use crate::text::place::{Places, Value};
+use frame::Frame;
+use interval::huber;
+use model::Model;
+use noise::Moments;
+use solve::{Found, Task};
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FitError {
+    /// A free parameter is not right.
+    #[error("{0}")]
+    Free(String),
+    /// There is no such place in the scene.
+    #[error(transparent)]
+    Place(#[from] Problem),
+    /// The data cannot be fitted.
+    #[error("{0}")]
+    Data(String),
+    /// The scene cannot be computed.
+    #[error("{0}")]
+    Scene(String),
+}
+
+/// What a fit takes for granted and what it looks for beside the parameters of the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Line under the response.
+    pub baseline: Baseline,
+    /// Where first touch is; under a force it is the baseline of the depth.
+    pub contact: FirstTouch,
+    /// What drives; that of the first entry of the history if `None`.
+    pub drive: Option<Drive>,
+    /// The ways that count.
+    pub way: Way,
+    /// Least and largest drive that counts [m or N].
+    pub range: (f64, f64),
+    /// How points far off count.
+    pub loss: Loss,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        let range = (f64::NEG_INFINITY, f64::INFINITY);
+        Self {
+            baseline: Baseline::default(),
+            contact: FirstTouch::default(),
+            drive: None,
+            way: Way::default(),
+            range,
+            loss: Loss::default(),
+        }
+    }
+}
+
+/// A scene with what is free in it.
+#[derive(Debug, Clone)]
+pub struct Question {
+    places: Places,
+    free: Vec<Free>,
+    options: Options,
+    control: Control,
+    /// Relative error of the scene.
+    accuracy: f64,
+}
+
+/// Points more than parameters that a fit needs.
+const SPARE: usize = 3;
+/// The most points a start is looked for with, where an answer is cheap and where it is not.
+const FEW: (usize, usize) = (200, 60);
+/// Rounds in which weights or the correlation of the noise are found.
+const ROUNDS: usize = 3;
+/// Relative change of parameters or sum of squares at which a search ends.
+const TOLERANCE: f64 = 1e-12;
+
+impl Question {
+    /// A scene and its free parameters, each `PATH=LO..HI` or `PATH`.
+    ///
+    /// # Errors
+    /// There is no such parameter, or its range is not right.
+    pub fn new(scene: &Scene, free: &[impl AsRef<str>], options: Options) -> Result<Self, FitError> {
+        let places = Places::of(scene)?;
+        let free: Vec<Free> = free.iter().map(|text| Free::read(&places, text.as_ref())).collect::<Result<_, _>>()?;
+        if free.is_empty() {
+            return Err(FitError::Free("nothing is free: expected a PATH such as bodies.0.young=1 kPa..1 MPa".into()));
+        }
+        for (at, one) in free.iter().enumerate() {
+            if free[..at].iter().any(|other| other.path == one.path) {
+                return Err(FitError::Free(format!("{} is free twice: expected it once", one.path)));
+            }
+        }
+        let by_scene = match scene.history.first() {
+            Some(Entry::Impact(_)) => {
+                let what = "an impact has no curve of depths and forces: expected a scene that is led by a history";
+                return Err(FitError::Scene(what.to_owned()));
+            }
+            Some(Entry::Press(_) | Entry::HoldForce(_)) => Control::Force,
+            _ => Control::Indentation,
+        };
+        let control = match options.drive {
+            Some(Drive::Depth) => Control::Indentation,
+            Some(Drive::Force) => Control::Force,
+            None => by_scene,
+        };
+        let accuracy = scene.accuracy.map_or(1e-6, |accuracy| accuracy.si());
+        Ok(Self { places, free, options, control, accuracy })
+    }
+
+    /// What drives: depth or force.
+    #[must_use]
+    pub fn control(&self) -> Control {
+        self.control
+    }
+
+    /// What is free.
+    #[must_use]
+    pub fn free(&self) -> &[Free] {
+        &self.free
+    }
+
+    /// The scene at the free values `values` [SI units].
+    ///
+    /// # Errors
+    /// A value is out of its range.
+    pub fn scene(&self, values: &[f64]) -> Result<Scene, FitError> {
+        let set = self.free.iter().zip(values).map(|(free, &value)| (free.path.as_str(), Value::from(value)));
+        Ok(self.places.with(&set.collect::<Vec<_>>())?)
+    }
+
+    /// The parameters at which the scene is nearest to `curve`; `tables` has what the scene names.
+    ///
+    /// # Errors
+    /// There are too few points, or the scene cannot be computed anywhere in the ranges.
+    pub fn fit(&self, curve: &Curve, tables: &dyn Tables) -> Result<Fit, FitError> {
+        let touch = self.options.contact == FirstTouch::Free && self.control == Control::Indentation;
+        let used = self.used(curve);
+        let needed = self.free.len() + 3 + SPARE;
+        if used.len() < needed {
+            let what = format!("{} points count: expected at least {needed}", used.len());
+            return Err(FitError::Data(what));
+        }
+        let model = Model { places: &self.places, free: &self.free, tables, curve, control: self.control };
+        let frame = Frame::new(curve.driven(self.control), used, self.options.baseline);
+        // Slopes by differences: half of the digits of what the scene is computed to.
+        let step = if self.control == Control::Force { self.accuracy.sqrt() } else { 1e-7 };
+        let task = Task { model, frame: &frame, touch, step, kept: None };
+        let found = self.nearest(&task)?;
+        let (frame, found) = self.weighed(task, found)?;
+        answer::told(self, Task { frame: &frame, ..task }, found)
+    }
+
+    /// The points that count.
+    fn used(&self, curve: &Curve) -> Vec<usize> {
+        let drive = curve.driven(self.control);
+        let turn = (0..drive.len()).max_by(|&a, &b| drive[a].total_cmp(&drive[b])).unwrap_or(0);
+        let way = |at: &usize| match self.options.way {
+            Way::Both => true,
+            Way::In => *at <= turn,
+            Way::Out => *at >= turn,
+        };
+        let (low, high) = self.options.range;
+        (0..drive.len()).filter(way).filter(|&at| (low..=high).contains(&drive[at])).collect()
+    }
+
+    /// The nearest of the places found from several starts with a few points, searched for with all of them.
+    fn nearest(&self, task: &Task<'_>) -> Result<Found, FitError> {
+        let cheap = task.model.is_cheap();
+        let few = task.model.curve.thinned(&task.frame.used, self.control, if cheap { FEW.0 } else { FEW.1 });
+        let frame = Frame::new(few.driven(self.control), (0..few.len()).collect(), self.options.baseline);
+        let rough = Task { model: Model { curve: &few, ..task.model }, frame: &frame, ..*task };
+        let found = start::starts(&rough).into_iter().filter_map(|place| rough.solved(&place, 1e-6).ok());
+        let place = found.min_by(|a, b| a.squares.total_cmp(&b.squares)).map(|found| found.place);
+        let place = place.ok_or_else(|| FitError::Scene(self.why_not(task)))?;
+        task.solved(&place, TOLERANCE).map_err(FitError::Scene)
+    }
+
+    /// What is wrong with the scene at its own values.
+    fn why_not(&self, task: &Task<'_>) -> String {
+        let values = self.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
+        let drive = task.model.curve.driven(self.control);
+        let contact = if task.touch { drive.iter().copied().fold(f64::MAX, f64::min) } else { 0.0 };
+        let error = task.answer(&solve::Place { values, contact }).err();
+        error.unwrap_or_else(|| "the scene cannot be computed anywhere in the ranges".to_owned())
+    }
+
+    /// The frame of the noise the residuals show, and the answer in it.
+    fn weighed(&self, task: Task<'_>, mut found: Found) -> Result<(Frame, Found), FitError> {
+        let mut frame = task.frame.clone();
+        if self.options.loss == Loss::Robust {
+            for _ in 0..ROUNDS {
+                let rest = task.rest(&found.answer);
+                frame = task.frame.with(huber(task.frame, &rest, &frame.baseline(&rest)), 0.0);
+                found = Task { frame: &frame, ..task }.solved(&found.place, TOLERANCE).map_err(FitError::Scene)?;
+            }
+        }
+        for _ in 0..ROUNDS {
+            let columns = answer::columns(&Task { frame: &frame, ..task }, &found).map_err(FitError::Scene)?;
+            let rho = Moments::of(&frame, &columns, &task.rest(&found.answer)).most_likely().correlation;
+            if (rho - frame.correlation).abs() <= 1e-3 * (1.0 - rho.abs()) || self.is_exact(&task, &found) {
+                break;
+            }
+            frame = frame.with(frame.weights.clone(), rho);
+            found = Task { frame: &frame, ..task }.solved(&found.place, TOLERANCE).map_err(FitError::Scene)?;
+        }
+        Ok((frame, found))
+    }
+
+    /// Whether no more is left than what the scene is computed to.
+    fn is_exact(&self, task: &Task<'_>, found: &Found) -> bool {
+        let largest = found.answer.response.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let rest = task.rest(&found.answer);
+        let rest = interval::without(task.frame, &rest, &task.frame.baseline(&rest));
+        rest.iter().all(|x| x.abs() <= self.floor() * largest)
+    }
+
+    /// Relative error of what the scene answers.
+    fn floor(&self) -> f64 {
+        if self.control == Control::Force { self.accuracy } else { 1e-9 }
+    }
+}

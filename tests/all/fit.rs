@@ -1,0 +1,308 @@
+//! Fits: recovery of what made the data, honest intervals, wrong models noticed, bad data refused with their row.
+
+use proptest::prelude::*;
+use springbed::app::data_file::{Data, Wanted};
+use springbed::fit::{Curve, Fit, FitError, Options, Question};
+use springbed::prelude::*;
+use springbed::run::record::{FORCE, INDENTATION};
+use springbed::scene::Scene;
+use springbed::scene::fit::Baseline;
+use std::path::Path;
+
+fn scene(text: &str) -> Scene {
+    Scene::from_ron(text).unwrap()
+}
+
+fn fit(scene: &Scene, free: &[&str], curve: &Curve, options: Options) -> Result<Fit, FitError> {
+    Question::new(scene, free, options)?.fit(curve, &InMemory::default())
+}
+
+fn curve(time: Option<Vec<f64>>, depth: Vec<f64>, force: Vec<f64>) -> Curve {
+    Curve { rows: (2..depth.len() + 2).collect(), time, depth, force }
+}
+
+/// Normal noise whose neighbours have the correlation ρ, by Box & Muller from a linear congruential generator.
+struct Noise {
+    seed: u64,
+    rho: f64,
+    last: f64,
+}
+
+impl Noise {
+    fn new(seed: u64, rho: f64) -> Self {
+        let mut noise = Self { seed: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15), rho, last: 0.0 };
+        // What it starts from is forgotten: ten lengths of the longest correlation tried.
+        (0..1000).for_each(|_| {
+            noise.next();
+        });
+        noise
+    }
+
+    fn even(&mut self) -> f64 {
+        self.seed = self.seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.seed >> 11) as f64 + 0.5) / (1u64 << 53) as f64
+    }
+
+    /// Of deviation one.
+    fn next(&mut self) -> f64 {
+        let (size, angle) = ((-2.0 * self.even().ln()).sqrt(), std::f64::consts::TAU * self.even());
+        self.last = self.rho * self.last + (1.0 - self.rho * self.rho).sqrt() * size * angle.cos();
+        self.last
+    }
+}
+
+const BALL: &str = r#"(shape: Paraboloid(radius: "5 um"), bodies: (Elastic(young: "1 kPa", poisson: 0.5), Rigid),
+    history: [Indent(to: "1 um", over: 1)])"#;
+
+/// Hertz: E = 2.4 kPa touched at 1.3 µm over a baseline of 0.2 nN, with noise of `deviation` [N].
+fn hertz(count: usize, deviation: f64, mut noise: Noise) -> Curve {
+    let depth: Vec<f64> = (0..count).map(|k| 3e-6 * k as f64 / (count - 1) as f64).collect();
+    let force = |d: f64| 4.0 / 3.0 * 3.2e3 * (5e-6 * d.max(0.0).powi(3)).sqrt() + 0.2e-9;
+    let force = depth.iter().map(|z| force(z - 1.3e-6) + deviation * noise.next()).collect();
+    curve(None, depth, force)
+}
+
+fn near(fit: &Fit, path: &str, truth: f64, bound: f64) {
+    let value = fit.parameter(path).unwrap().value;
+    assert!((value / truth - 1.0).abs() < bound, "{path} {value} {truth}");
+}
+
+#[test]
+fn hertz_is_recovered() {
+    let found =
+        fit(&scene(BALL), &["bodies.0.young=10 Pa..1 MPa"], &hertz(500, 0.0, Noise::new(1, 0.0)), Options::default());
+    let found = found.unwrap();
+    near(&found, "bodies.0.young", 2.4e3, 1e-6);
+    near(&found, "contact_point", 1.3e-6, 1e-6);
+    near(&found, "baseline", 0.2e-9, 1e-6);
+    assert!(!found.rejected, "{:?}", found.notes);
+}
+
+#[test]
+fn a_tilt_is_noticed_and_recovered() {
+    let mut data = hertz(600, 5e-12, Noise::new(2, 0.0));
+    data.force.iter_mut().zip(&data.depth).for_each(|(force, z)| *force += 3e-4 * z);
+    let free = ["bodies.0.young"];
+    let flat = fit(&scene(BALL), &free, &data, Options::default()).unwrap();
+    assert!(flat.notes.iter().any(|note| note.contains("tilted")), "{:?}", flat.notes);
+    let tilted = fit(&scene(BALL), &free, &data, Options { baseline: Baseline::Linear, ..Options::default() }).unwrap();
+    near(&tilted, "tilt", 3e-4, 0.1);
+    near(&tilted, "bodies.0.young", 2.4e3, 0.01);
+    assert!(!tilted.rejected, "{:?}", tilted.notes);
+}
+
+/// What the scene `text` answers at the rows of a table, through a whole run.
+fn answered(text: &str, names: [&str; 2], time: &[f64], drive: &[f64]) -> Vec<f64> {
+    let tables = InMemory::default().with("drive.csv", &[(names[0], time), (names[1], drive)]);
+    let plan = Notation::Ron.plan(text, &tables).unwrap();
+    let outcome = run(&plan, ROWS_ONLY).unwrap();
+    let column = if names[1] == "force_n" { INDENTATION } else { FORCE };
+    let answers: Vec<f64> = outcome.records.iter().map(|record| (column.of)(record).unwrap_or(0.0)).collect();
+    answers[answers.len() - drive.len()..].to_vec()
+}
+
+const ROWS_ONLY: springbed::run::Wanted = springbed::run::Wanted { instants: false, ..springbed::run::Wanted::NOTHING };
+
+/// Up to `deepest` from `start` and back to `end`.
+fn triangle(start: f64, deepest: f64, end: f64, half: usize) -> Vec<f64> {
+    let leg = |from: f64, to: f64| (0..half).map(move |k| from + (to - from) * k as f64 / half as f64);
+    leg(start, deepest).chain(leg(deepest, end)).chain([end]).collect()
+}
+
+#[test]
+fn both_ways_of_an_adhesive_lens_are_recovered() {
+    let text = |young: &str, work: &str| {
+        format!(
+            r#"(shape: Paraboloid(radius: "2.5 mm"), bodies: (Elastic(young: "{young}", poisson: 0.5), Rigid),
+            adhesion: Jkr(work: "{work}"), history: [Table("drive.csv")])"#
+        )
+    };
+    let depth = triangle(-3e-6, 20e-6, -9e-6, 200);
+    let time: Vec<f64> = (0..depth.len()).map(|k| k as f64).collect();
+    let force = answered(&text("4.8 MPa", "42 mJ/m^2"), ["time_s", "indentation_m"], &time, &depth);
+    let moved: Vec<f64> = depth.iter().map(|d| d + 5e-6).collect();
+    let start = text("2 MPa", "100 mJ/m^2").replace("Table(\"drive.csv\")", "Indent(to: \"1 um\", over: 1)");
+    let free = ["bodies.0.young=100 kPa..100 MPa", "adhesion.work=1 mJ/m^2..1 J/m^2"];
+    let found = fit(&scene(&start), &free, &curve(None, moved, force), Options::default()).unwrap();
+    near(&found, "bodies.0.young", 4.8e6, 1e-6);
+    near(&found, "adhesion.work", 0.042, 1e-6);
+    near(&found, "contact_point", 5e-6, 1e-6);
+}
+
+const CELL: &str = r#"(shape: Paraboloid(radius: "10 um"), bodies: (Viscoelastic(poisson: 0.5,
+    shear: (equilibrium: EQUILIBRIUM, terms: [(modulus: MODULUS, time: TIME)])), Rigid), history: [HISTORY])"#;
+
+fn cell(equilibrium: &str, modulus: &str, time: &str, history: &str) -> String {
+    let text = CELL.replace("EQUILIBRIUM", equilibrium).replace("MODULUS", modulus);
+    text.replace("TIME", time).replace("HISTORY", history)
+}
+
+const SPECTRUM: [&str; 3] = [
+    "bodies.0.shear.equilibrium=10 Pa..10 kPa",
+    "bodies.0.shear.terms.0.modulus=10 Pa..10 kPa",
+    "bodies.0.shear.terms.0.time=10 ms..10 s",
+];
+
+/// The short cut of the fit against the continuous bed of the run, to rounding: what made the data is found again.
+#[test]
+fn a_triangle_of_ting_is_recovered() {
+    let depth = triangle(-0.3e-6, 1.7e-6, -0.3e-6, 100);
+    let time: Vec<f64> = (0..depth.len()).map(|k| 0.01 * k as f64).collect();
+    let force =
+        answered(&cell("300", "900", "0.2", r#"Table("drive.csv")"#), ["time_s", "indentation_m"], &time, &depth);
+    let start = scene(&cell("500", "500", "0.5", r#"Indent(to: "1 um", over: 1)"#));
+    let found = fit(&start, &SPECTRUM, &curve(Some(time), depth, force), Options::default()).unwrap();
+    near(&found, "bodies.0.shear.equilibrium", 300.0, 1e-6);
+    near(&found, "bodies.0.shear.terms.0.modulus", 900.0, 1e-6);
+    near(&found, "bodies.0.shear.terms.0.time", 0.2, 1e-6);
+    assert!(found.parameter("contact_point").unwrap().value.abs() < 1e-12);
+}
+
+/// Under a force: the depth creeps, d^{3/2} = 3F(1 − ν)J(t)/8√R.
+#[test]
+fn creep_is_recovered() {
+    let time: Vec<f64> = (0..60).map(|k| 0.02 * f64::from(k)).collect();
+    // G₀ = 1200 Pa, G∞ = 300 Pa, so that creep takes τG₀/G∞ = 0.8 s.
+    let compliance = |t: f64| 1.0 / 1200.0 + (1.0 / 300.0 - 1.0 / 1200.0) * (1.0 - (-t / 0.8f64).exp());
+    let depth = |t: &f64| (3.0 * 1e-9 * 0.5 * compliance(*t) / (8.0 * 10e-6f64.sqrt())).powf(2.0 / 3.0);
+    let data = curve(Some(time.clone()), time.iter().map(depth).collect(), vec![1e-9; 60]);
+    let start = scene(&cell("500", "500", "0.5", "HoldForce(over: 1)"));
+    let found = fit(&start, &SPECTRUM, &data, Options { baseline: Baseline::Absent, ..Options::default() }).unwrap();
+    // The run follows a force to its accuracy, 1e-6; the parameters take some of it times their conditioning.
+    near(&found, "bodies.0.shear.equilibrium", 300.0, 1e-5);
+    near(&found, "bodies.0.shear.terms.0.modulus", 900.0, 1e-5);
+    near(&found, "bodies.0.shear.terms.0.time", 0.2, 1e-5);
+}
+
+/// Of `count` curves the number whose interval holds E, and the mean of (E − truth)/error.
+fn coverage(count: u64, points: usize, rho: f64) -> (usize, f64) {
+    let one = |seed: u64| {
+        let data = hertz(points, 20e-12, Noise::new(seed, rho));
+        let found = fit(&scene(BALL), &["bodies.0.young=100 Pa..100 kPa"], &data, Options::default()).unwrap();
+        let young = found.parameter("bodies.0.young").unwrap().clone();
+        let held = young.low.unwrap() <= 2.4e3 && 2.4e3 <= young.high.unwrap();
+        (held, (young.value - 2.4e3) / young.standard_error.unwrap())
+    };
+    let found: Vec<(bool, f64)> = (1..=count).map(one).collect();
+    (found.iter().filter(|one| one.0).count(), found.iter().map(|one| one.1).sum::<f64>() / count as f64)
+}
+
+/// 200 curves hold the truth 190 times; 4 standard deviations of the binomial law are 12.
+#[test]
+fn intervals_hold_the_truth_as_often_as_they_say() {
+    for rho in [0.0, 0.9] {
+        let (held, bias) = coverage(200, 400, rho);
+        assert!((178..=200).contains(&held), "{rho}: {held} of 200");
+        assert!(bias.abs() < 4.0 / 200f64.sqrt(), "{rho}: bias {bias}");
+    }
+}
+
+/// `FIT_CURVES=500 cargo test --release --test all coverage_of_many -- --ignored --nocapture`
+#[test]
+#[ignore = "minutes"]
+fn coverage_of_many_curves() {
+    let count: u64 = std::env::var("FIT_CURVES").ok().and_then(|count| count.parse().ok()).unwrap_or(500);
+    for rho in [0.0, 0.5, 0.9, 0.99] {
+        let (held, bias) = coverage(count, 1000, rho);
+        println!("correlation {rho}: {held} of {count} hold the truth, bias {bias:.3} standard errors");
+        let deviation = (0.95 * 0.05 * count as f64).sqrt();
+        assert!((held as f64 - 0.95 * count as f64).abs() < 4.0 * deviation + 0.02 * count as f64);
+    }
+}
+
+#[test]
+fn a_wrong_shape_is_noticed() {
+    let cone = scene(&BALL.replace(r#"Paraboloid(radius: "5 um")"#, "Cone(slope: 0.5)"));
+    for rho in [0.0, 0.8] {
+        let data = hertz(800, 20e-12, Noise::new(5, rho));
+        let free = ["bodies.0.young=100 Pa..100 kPa"];
+        let wrong = fit(&cone, &free, &data, Options::default()).unwrap();
+        assert!(
+            wrong.rejected && wrong.notes.iter().any(|note| note.contains("speak against")),
+            "{rho} {:?}",
+            wrong.notes
+        );
+        let right = fit(&scene(BALL), &free, &data, Options::default()).unwrap();
+        assert!(!right.rejected, "{rho} {:?}", right.notes);
+        assert!(right.aic < wrong.aic);
+    }
+}
+
+#[test]
+fn what_the_data_cannot_tell_is_said() {
+    // F ∝ E√R: only the product.
+    let data = hertz(400, 20e-12, Noise::new(3, 0.0));
+    let free = ["bodies.0.young=100 Pa..100 kPa", "shape.radius=1 um..100 um"];
+    let found = fit(&scene(BALL), &free, &data, Options::default()).unwrap();
+    assert!(found.notes.iter().any(|note| note.contains("apart")), "{:?}", found.notes);
+    let found = fit(&scene(BALL), &["bodies.0.young=3 kPa..100 kPa"], &data, Options::default()).unwrap();
+    assert!(found.notes.iter().any(|note| note.contains("end of its range")), "{:?}", found.notes);
+}
+
+#[test]
+fn wrong_questions_are_refused() {
+    let refused = |free: &[&str]| {
+        let asked = Question::new(&scene(BALL), free, Options::default());
+        asked.map(|_| ()).unwrap_err().to_string()
+    };
+    assert!(refused(&[]).contains("nothing is free"));
+    assert!(refused(&["bodies.0.yung"]).contains("did you mean `young`"));
+    assert!(refused(&["bodies.0.young=1 kPa"]).contains("expected bodies.0.young=LO..HI"));
+    assert!(refused(&["bodies.0.young=1 kPa..1 mm"]).contains("has the unit \"mm\""));
+    assert!(refused(&["bodies.0.young=2 kPa..1 kPa"]).contains("smaller end first"));
+    assert!(refused(&["bodies.0.young", "bodies.0.young"]).contains("twice"));
+    let few = curve(None, vec![0.0, 1e-6], vec![0.0, 1e-9]);
+    let error = fit(&scene(BALL), &["bodies.0.young"], &few, Options::default()).unwrap_err();
+    assert!(error.to_string().contains("2 points count"), "{error}");
+}
+
+fn read(text: &str, columns: &str) -> Result<Curve, String> {
+    let wanted = Wanted::read(columns, None)?;
+    let data = Data::parse(Path::new("x.csv"), text, &wanted).map_err(|fault| fault.message)?;
+    data.curve().map_err(|fault| fault.message)
+}
+
+#[test]
+fn data_are_read_as_they_come() {
+    let right = |text: &str, columns: &str| {
+        let curve = read(text, columns).unwrap();
+        assert_eq!((curve.depth[1], curve.force[1]), (1.5e-7, 2.5e-9), "{text}");
+        curve
+    };
+    right("z [nm],F [nN]\n0,0\n150,2.5\n", "");
+    right("# probe 7\n# force in nN\nForce (nN);Indentation (µm)\n0,0;0,0\n2,5;0,15\n", "");
+    right("time_s\tindentation_m\tforce_n\n0\t0\t0\n1\t1.5e-7\t2.5e-9\n", "");
+    right("a;b\nnm;nN\n0;0\n150;2,5\n", "depth=a, force=b");
+    right("0 0\n150 2.5\n", "depth=1 [nm], force=2 [nN]");
+    let flipped = right("height,deflection\n0,0\n150,-2.5\n", "depth=height [nm], force=-deflection [nN]");
+    assert_eq!(flipped.rows, [2, 3]);
+}
+
+#[test]
+fn bad_data_are_refused_with_their_row() {
+    let refused = |text: &str| read(text, "").unwrap_err();
+    let head = "t [s],z [nm],F [nN]\n0,0,0\n1,1,1\n";
+    assert_eq!(refused(&format!("{head}2,NaN,1\n3,3,3\n")), "row 4: z: \"NaN\" is not finite: expected a number");
+    assert_eq!(refused(&format!("{head}2,,1\n3,3,3\n")), "row 4: z: the cell is empty: expected a number");
+    assert!(refused(&format!("{head}2,x,1\n3,3,3\n")).contains("row 4: z: \"x\" is not a number"));
+    assert!(refused(&format!("{head}2,2\n3,3,3\n")).contains("row 4: F: the row has 2 cells: expected 3"));
+    assert!(refused(&format!("{head}0.5,2,2\n")).contains("row 4: the time goes from 1.0 s to 0.5 s"));
+    assert!(refused("hello\nworld\n").contains("no table of numbers"));
+    assert!(refused("a,b\n1,2\n").contains("no column of forces"));
+    assert!(refused("z,depth,F\n1,2,3\n").contains("may be in \"z\" or in \"depth\""));
+    assert!(refused("z [nm],F [bananas]\n1,2\n").contains("no column of forces"));
+    assert!(read("z,F\n1,2\n", "depht=z").unwrap_err().contains("did you mean `depth`"));
+    assert!(read("z,F\n1,2\n", "depth=y").unwrap_err().contains("there is no column \"y\""));
+}
+
+proptest! {
+    /// Bytes of all kinds, and tables with bytes put in, are read or refused.
+    #[test]
+    fn no_data_make_the_reader_panic(text in "[ -~\t\n;,µ\"]{0,200}", at in 0usize..60, odd in "\\PC{0,3}") {
+        let _ = read(&text, "depth=1 [nm], force=2 [nN]");
+        let mut table = "t [s];z [nm];F [nN]\n0;0,5;1\n1;1,5;2\n2;2,5;3\n3;4,5;4\n".to_owned();
+        let at = (0..=at.min(table.len())).rev().find(|&at| table.is_char_boundary(at)).unwrap_or(0);
+        table.insert_str(at, &odd);
+        let _ = read(&table, "");
+    }
+}
