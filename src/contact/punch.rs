@@ -87,8 +87,7 @@ impl Point {
     /// Stresses [Pa] here under the line load one [N/m] over 0 ≤ x < `b` [m].
     #[must_use]
     pub fn under_punch(&self, b: f64) -> Stresses {
-        let (zeta, rho) = self.complex(b);
-        let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
+        let (zeta, inverse, near) = self.inverses(b);
         let cube = inverse * inverse * inverse;
         self.stress(
             inverse.im,
@@ -101,8 +100,7 @@ impl Point {
     /// Stresses [Pa/m] here under a line load of one newton at x = `b` [m]: their derivative.
     #[must_use]
     pub fn under_line(&self, b: f64) -> Stresses {
-        let (zeta, rho) = self.complex(b);
-        let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
+        let (zeta, inverse, near) = self.inverses(b);
         let cube = inverse * inverse * inverse;
         let fifth = cube * inverse * inverse;
         let bend = 3.0 * (zeta * zeta * fifth).re - cube.re;
@@ -123,8 +121,7 @@ impl Point {
     /// σ_zz = −zV_xz/π, τ_xz = (V_z − zV_xx)/π.
     #[must_use]
     pub fn under_dragged_punch(&self, b: f64) -> Stresses {
-        let (zeta, rho) = self.complex(b);
-        let (inverse, near) = (rho.inverse(), (rho + zeta).inverse());
+        let (zeta, inverse, near) = self.inverses(b);
         let (cube, spread) = (inverse * inverse * inverse, inverse * near);
         let (r, z) = (self.radius, self.depth);
         let (slope, bend) = (-r * spread.im, r * cube.im);
@@ -140,11 +137,21 @@ impl Point {
             }
     }
 
-    /// ζ and ρ for the distance `b`.
-    fn complex(&self, b: f64) -> (Complex, Complex) {
+    /// ζ, 1/ρ and 1/(ρ+ζ) for the distance `b`: lengths whose squares are numbers need no guarded roots.
+    fn inverses(&self, b: f64) -> (Complex, Complex, Complex) {
         let (r, z) = (self.radius, self.depth);
-        let square = Complex { re: (r - b) * (r + b) + z * z, im: -2.0 * b * z };
-        (Complex { re: z, im: -b }, square.sqrt())
+        let (re, im) = ((r - b) * (r + b) + z * z, -2.0 * b * z);
+        let size = (re * re + im * im).sqrt();
+        let half = (0.5 * (size + re.abs())).sqrt();
+        let other = 0.5 * im / half;
+        let rho = if re >= 0.0 {
+            Complex { re: half, im: other }
+        } else {
+            Complex { re: other.abs(), im: half.copysign(im) }
+        };
+        let zeta = Complex { re: z, im: -b };
+        let sum = rho + zeta;
+        (zeta, rho.conjugate() * size.recip(), sum.conjugate() * sum.square().recip())
     }
 
     /// The stresses from the transforms ∫J₀, z∫kJ₀, ∫J₁/r and z∫kJ₁ of the pressure.

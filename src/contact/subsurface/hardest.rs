@@ -3,13 +3,19 @@
 use super::StressField;
 use crate::numerics::extremum::{self, Peak};
 
-/// Places on either side and depths at which the hardest place is looked for.
-const LOOKS: i32 = 18;
+/// Places from the axis outwards and depths at which the hardest place is looked for.
+const LOOKS: u32 = 18;
 /// How far out and down that is, in radii of the contact.
 const FAR: f64 = 1.5;
 
 /// Stresses that agree to this part are one.
 const SAME: f64 = 1e-12;
+
+/// Places beside an edge, as parts of its radius.
+const BESIDE: [f64; 7] = [-0.06, -0.03, -0.01, 0.0, 0.01, 0.03, 0.06];
+/// Part of the greatest stress seen from which on a top may hide the hardest place, and how many such tops are climbed.
+const WORTH: f64 = 0.75;
+const TOPS: usize = 4;
 
 /// A place below the surface and the stress of von Mises there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,13 +38,16 @@ impl StressField {
         if !self.bounded {
             return None;
         }
-        let (row, column) = self.coarse()?;
-        let across = |k: i32| f64::from(k.clamp(self.first(), LOOKS)) / f64::from(LOOKS) * FAR * self.scale;
-        let down = |k: i32| (f64::from(k.clamp(0, LOOKS)) / f64::from(LOOKS)).powi(2) * FAR * self.scale;
-        let along = |r: f64| self.highest(|z| self.von_mises(r, z), (down(row - 1), down(row), down(row + 1)));
-        let best = self.highest(|r| along(r).value, (across(column - 1), across(column), across(column + 1)));
-        let depth = along(best.place).place;
-        Some(Place { radius: best.place, depth, von_mises: best.value }).filter(|place| place.von_mises.is_finite())
+        let (across, down) = (self.columns(), self.rows());
+        let seen: Vec<Vec<f64>> =
+            down.iter().map(|&z| across.iter().map(|&r| self.von_mises(r, z)).collect()).collect();
+        let beside = |list: &[f64], k: usize| (list[k.saturating_sub(1)], list[k], list[(k + 1).min(list.len() - 1)]);
+        let refined = tops(&seen).into_iter().map(|(row, column)| {
+            let along = |r: f64| self.highest(|z| self.von_mises(r, z), beside(&down, row));
+            let best = self.highest(|r| along(r).value, beside(&across, column));
+            Place { radius: best.place, depth: along(best.place).place, von_mises: best.value }
+        });
+        refined.filter(|place| place.von_mises.is_finite()).max_by(|x, y| x.von_mises.total_cmp(&y.von_mises))
     }
 
     /// Stress of von Mises [Pa] at a place.
@@ -46,19 +55,23 @@ impl StressField {
         self.at(r, z).von_mises()
     }
 
-    /// First column of the places looked at: both sides if the contact slides.
-    fn first(&self) -> i32 {
-        if self.slides() { -LOOKS } else { 0 }
+    /// Places looked at [m]: equally far apart, closer beside the edge of the contact and of what acts on it; on both sides
+    /// if the contact slides.
+    fn columns(&self) -> Vec<f64> {
+        let equal = (0..=LOOKS).map(|k| FAR * f64::from(k) / f64::from(LOOKS));
+        let edges = [self.edge.0, 1.0].into_iter().flat_map(|edge| BESIDE.map(|part| edge * (1.0 + part)));
+        let mut one: Vec<f64> = equal.chain(edges).map(|place| place * self.scale).collect();
+        if self.slides() {
+            one.extend(one.clone().into_iter().map(|place| -place));
+        }
+        one.sort_by(f64::total_cmp);
+        one.dedup_by(|x, y| (*x - *y).abs() <= SAME * self.scale);
+        one
     }
 
-    /// Row and column of the hardest of the places looked at.
-    fn coarse(&self) -> Option<(i32, i32)> {
-        let place = |(row, column): &(i32, i32)| {
-            let part = |k: i32| f64::from(k) / f64::from(LOOKS);
-            self.von_mises(part(*column) * FAR * self.scale, part(*row).powi(2) * FAR * self.scale)
-        };
-        let all = (0..=LOOKS).flat_map(|row| (self.first()..=LOOKS).map(move |column| (row, column)));
-        all.map(|at| (place(&at), at)).max_by(|x, y| x.0.total_cmp(&y.0)).map(|(_, at)| at)
+    /// Depths looked at [m], closer towards the surface.
+    fn rows(&self) -> Vec<f64> {
+        (0..=LOOKS).map(|k| (f64::from(k) / f64::from(LOOKS)).powi(2) * FAR * self.scale).collect()
     }
 
     /// The top of a hump between two places, whether inside or at an end: at an end, the axis or the surface, if nothing
@@ -69,4 +82,26 @@ impl StressField {
         let end = at(low).max(at(high));
         if end.value >= inside.value * (1.0 - SAME) { end } else { inside }
     }
+}
+
+/// Row and column of the places that are no less hard than those beside them, the hardest first.
+fn tops(seen: &[Vec<f64>]) -> Vec<(usize, usize)> {
+    let value = |row: usize, column: usize| seen.get(row).and_then(|row| row.get(column)).copied();
+    let mut tops: Vec<(f64, (usize, usize))> = Vec::new();
+    for (row, line) in seen.iter().enumerate() {
+        for (column, &here) in line.iter().enumerate() {
+            let beside = [
+                value(row.wrapping_sub(1), column),
+                value(row + 1, column),
+                value(row, column.wrapping_sub(1)),
+                value(row, column + 1),
+            ];
+            if beside.into_iter().flatten().all(|other| here >= other) {
+                tops.push((here, (row, column)));
+            }
+        }
+    }
+    tops.sort_by(|x, y| y.0.total_cmp(&x.0));
+    let worth = tops.first().map_or(0.0, |top| WORTH * top.0);
+    tops.into_iter().filter(|top| top.0 >= worth).take(TOPS).map(|(_, at)| at).collect()
 }

@@ -70,12 +70,20 @@ impl Piece {
         let (low, high) = (turned(self.weight.low()), turned(self.weight.high()));
         let count = (0.5 * (high - low) / PANEL).ceil().max(1.0);
         let half = 0.5 * (high - low) / count;
+        // e^(half·node), the same in every panel; the nodes lie symmetrically.
+        let mut steps = [1.0; NODES];
+        for (k, (node, _)) in RULE.iter().enumerate().skip(NODES / 2) {
+            let step = libm::exp(half * node);
+            steps[k] = step;
+            steps[NODES - 1 - k] = step.recip();
+        }
         let mut sum = Stresses::default();
         let mut middle = low + half;
         while middle < high {
-            for &(node, weight) in &*RULE {
-                let grown = libm::exp(middle + half * node);
-                let (sinh, cosh) = (0.5 * (grown - 1.0 / grown), 0.5 * (grown + 1.0 / grown));
+            let base = libm::exp(middle);
+            for (step, (_, weight)) in steps.iter().zip(&*RULE) {
+                let (grown, shrunk) = (base * step, (base * step).recip());
+                let (sinh, cosh) = (0.5 * (grown - shrunk), 0.5 * (grown + shrunk));
                 let s = r + z * sinh;
                 let x = if self.kink > 0.0 { self.kink.hypot(s) } else { s };
                 sum = sum + (half * weight * z * cosh * self.weight.at(s)) * punch(x);

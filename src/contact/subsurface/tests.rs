@@ -243,3 +243,29 @@ fn sharp_contacts_have_no_hardest_place() {
     }
     assert!(loaded(Arc::new(Paraboloid { radius: length(1.0) }), -0.1).field(0.3).hardest().is_none());
 }
+
+/// No place of a fine map is harder than the hardest: below a ball, at rest and sliding, the rim of a rounded punch, and
+/// beside the ring of an attraction.
+#[test]
+fn no_place_is_harder_than_the_hardest() {
+    let ground = HalfSpace::new(Arc::new(Paraboloid { radius: length(1.0) }), 1.0);
+    let disc = RangeDisc::new(ground, 0.01, 0.2).unwrap();
+    let balance = disc.at(0.6);
+    let rim = RoundedPunch { flat_radius: length(0.9), edge_radius: length(0.5) };
+    let ball = || loaded(Arc::new(Paraboloid { radius: length(1.0) }), 0.0).field(0.3);
+    let fields = [
+        ball(),
+        ball().dragged(0.25),
+        ball().dragged(-0.6),
+        loaded(Arc::new(rim), 0.0).field(0.2),
+        Loaded::attracted(disc, balance).field(0.3),
+    ];
+    for (number, field) in fields.iter().enumerate() {
+        let hardest = field.hardest().unwrap();
+        let places = (-130..=130).flat_map(|k| (0..60).map(move |j| (0.01 * f64::from(k), 0.0002 * f64::from(j * j))));
+        for (r, z) in places.filter(|(r, _)| *r >= 0.0 || field.slides()) {
+            let there = field.at(r * field.scale(), z * field.scale()).von_mises();
+            assert!(there <= hardest.von_mises * (1.0 + 1e-9), "{number}: {there} at {r} {z}, {hardest:?}");
+        }
+    }
+}
