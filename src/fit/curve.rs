@@ -28,6 +28,23 @@ impl Curve {
         self.depth.is_empty()
     }
 
+    /// Whether all columns have a finite number per row, and the times rise.
+    pub(super) fn checked(&self) -> Result<(), String> {
+        let columns = [Some(&self.depth), Some(&self.force), self.time.as_ref()];
+        let columns: Vec<&Vec<f64>> = columns.into_iter().flatten().collect();
+        if columns.iter().any(|column| column.len() != self.rows.len()) {
+            return Err("the columns have not as many values as there are rows: expected one per row".to_owned());
+        }
+        if columns.iter().any(|column| column.iter().any(|value| !value.is_finite())) {
+            return Err("a value is not finite: expected numbers only".to_owned());
+        }
+        let time = self.time.as_deref().unwrap_or(&[]);
+        if time.windows(2).any(|pair| pair[1] <= pair[0]) {
+            return Err("the times do not rise: expected each later than the one before".to_owned());
+        }
+        Ok(())
+    }
+
     /// What was prescribed.
     #[must_use]
     pub fn driven(&self, control: Control) -> &[f64] {

@@ -183,6 +183,7 @@ impl Question {
     /// # Errors
     /// There are too few points, or the scene cannot be computed anywhere in the ranges.
     pub fn fit(&self, curve: &Curve, tables: &dyn Tables) -> Result<Fit, FitError> {
+        curve.checked().map_err(FitError::Data)?;
         let touch = self.options.contact == FirstTouch::Free && self.control == Control::Indentation;
         let used = self.used(curve);
         let needed = self.free.len() + 3 + SPARE;
@@ -193,7 +194,7 @@ impl Question {
         let model = Model { places: &self.places, free: &self.free, tables, curve, control: self.control };
         let frame = Frame::new(curve.driven(self.control), used, self.options.baseline);
         // Slopes by differences: half of the digits of what the scene is computed to.
-        let step = if self.control == Control::Force { self.accuracy.sqrt() } else { 1e-7 };
+        let step = if self.control == Control::Indentation || model.is_cheap() { 1e-7 } else { self.accuracy.sqrt() };
         let task = Task { model, frame: &frame, touch, step, kept: None };
         let found = self.nearest(&task)?;
         let (frame, found) = self.weighed(task, found)?;

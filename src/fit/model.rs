@@ -6,8 +6,10 @@ use super::free::Free;
 use super::remembering::{Remembering, goes_in_once};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::creep::Creep;
 use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::input::table::{Columns, TableError, Tables};
+use crate::material::Spectrum;
 use crate::run::{Wanted, run};
 use crate::scene::Scene;
 use crate::scene::history::Entry;
@@ -16,6 +18,7 @@ use crate::scene::plan::{Plan, RoundPlan};
 use crate::text::place::{Places, Value};
 use ndarray::Array2;
 use std::path::Path;
+use std::sync::Arc;
 
 /// A scene under the drive of a curve.
 #[derive(Clone, Copy)]
@@ -83,10 +86,14 @@ impl Model<'_> {
     /// The scene cannot be computed.
     pub fn answer(&self, values: &[f64], contact: f64) -> Result<Answer, String> {
         let scene = self.scene(values)?;
-        if self.control == Control::Force {
-            return Ok(Answer::plain(self.by_run(scene, contact)?));
-        }
         let plan = scene.resolve(self.tables).map_err(|problems| told(&problems))?;
+        if self.control == Control::Force {
+            let depths = match self.creeping(&plan) {
+                Some((creep, time)) => self.crept(creep, time),
+                None => self.by_run(plan.scene.clone(), contact),
+            };
+            return Ok(Answer::plain(depths?));
+        }
         match self.way(&plan, contact) {
             Way::Elastic(ground) => {
                 let states = self.curve.depth.iter().map(|d| elastic(&ground, d - contact));
@@ -107,8 +114,39 @@ impl Model<'_> {
     pub fn is_cheap(&self) -> bool {
         let values: Vec<f64> = self.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
         let plan = self.scene(&values).ok().and_then(|scene| scene.resolve(self.tables).ok());
-        let cheap = |plan: &Plan| !matches!(self.way(plan, f64::NEG_INFINITY), Way::Run);
-        self.control == Control::Indentation && plan.as_ref().is_some_and(cheap)
+        let cheap = |plan: &Plan| match self.control {
+            Control::Indentation => !matches!(self.way(plan, f64::NEG_INFINITY), Way::Run),
+            Control::Force => self.creeping(plan).is_some(),
+        };
+        plan.as_ref().is_some_and(cheap)
+    }
+
+    /// A contact that grows under a force that never falls, and the times, if it is one.
+    fn creeping(&self, plan: &Plan) -> Option<(Creep, &[f64])> {
+        let round = plan.round().filter(|round| round.friction.is_none() && !round.profile.is_plane())?;
+        let relaxation = match &round.contact {
+            ContactLaw::Continuous { relaxation, edge: None } => relaxation,
+            ContactLaw::ViscoelasticSprings { relaxation, .. } if plan.scene.springs.is_none() => relaxation,
+            ContactLaw::Continuous { edge: Some(_), .. }
+            | ContactLaw::ViscoelasticSprings { .. }
+            | ContactLaw::Direct(_)
+            | ContactLaw::Springs { .. } => return None,
+        };
+        let force = &self.curve.force;
+        let grows = force.first().is_some_and(|first| *first >= 0.0) && force.windows(2).all(|pair| pair[1] >= pair[0]);
+        let time = self.curve.time.as_deref().filter(|_| grows)?;
+        Some((Creep::new(Arc::new(Spectrum::new(relaxation)), round.profile.clone()), time))
+    }
+
+    /// Depths [m] of a contact that creeps; the first force is there at once.
+    fn crept(&self, mut creep: Creep, time: &[f64]) -> Result<Vec<f64>, String> {
+        let mut before = time.first().copied().unwrap_or(0.0);
+        let mut depth = |(&force, &t): (&f64, &f64)| {
+            creep = creep.after(force, t - before);
+            before = t;
+            creep.indentation().ok_or_else(|| format!("under {force:e} N the contact outgrows its profile"))
+        };
+        self.curve.force.iter().zip(time).map(&mut depth).collect()
     }
 
     /// Who computes a plan under the drive.

@@ -7,9 +7,11 @@ use crate::contact::adhesion::equilibrium::Control;
 /// Places that are searched from.
 const SEARCHED: usize = 3;
 /// Draws of the parameters where an answer is cheap, and where it is not.
-const DRAWS: (usize, usize) = (32, 8);
+const DRAWS: (usize, usize) = (16, 8);
 /// Parts of the way of the drive tried as first touch where an answer is cheap.
 const TOUCHES: usize = 16;
+/// The best of them, tried with all draws.
+const KEPT: usize = 3;
 /// Ratio to the value of the scene within which a parameter is drawn.
 const NEAR: f64 = 1e3;
 /// Part of the response that is more than the baseline, and in standard deviations of it.
@@ -26,12 +28,15 @@ pub fn starts(task: &Task<'_>) -> Vec<Place> {
         (_, true) => DRAWS.0,
         (_, false) => DRAWS.1,
     };
-    let touches = touches(task, guess, cheap);
-    let mut tried: Vec<(f64, Place)> = Vec::new();
-    for number in 0..draws {
-        let values = if number == 0 { scene.clone() } else { drawn(task, number) };
-        let at = |&contact: &f64| tried_at(task, Place { values: values.clone(), contact });
-        tried.extend(touches.iter().filter_map(at));
+    let at = |values: &[f64], contact: f64| tried_at(task, Place { values: values.to_vec(), contact });
+    let mut tried: Vec<(f64, Place)> =
+        touches(task, guess, cheap).into_iter().filter_map(|contact| at(&scene, contact)).collect();
+    tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let best = tried.iter().take(KEPT).map(|(_, place)| place.contact);
+    let touches: Vec<f64> = best.chain(task.touch.then_some(guess)).collect();
+    for number in 1..draws {
+        let values = drawn(task, number);
+        tried.extend(touches.iter().filter_map(|&contact| at(&values, contact)));
     }
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
     tried.into_iter().take(SEARCHED).map(|(_, place)| place).collect()
