@@ -8,7 +8,10 @@
 //! ```
 
 mod comparison;
+#[cfg(feature = "plot")]
+mod gallery;
 mod json;
+mod overlay;
 mod summary;
 mod sweep;
 mod tables;
@@ -22,8 +25,11 @@ pub(crate) mod report_figures;
 
 pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]
-pub use figures::{comparison_figure, figures, sweep_figure};
+pub use figures::{comparison_figure, figures, overlay_figure, sweep_figure};
+#[cfg(feature = "plot")]
+pub use gallery::{Shown, gallery};
 pub use json::{json, json_of_all};
+pub use overlay::{OVERLAID, Overlaid, overlay_json, overlay_table, overlay_text};
 pub use summary::{summary, with_prefix};
 #[cfg(feature = "plot")]
 use sweep::ranges;

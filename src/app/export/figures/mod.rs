@@ -5,6 +5,7 @@ mod curve;
 mod fields;
 mod friction;
 mod impacts;
+mod overlay;
 mod rough;
 mod shape;
 mod sweep;
@@ -18,6 +19,7 @@ use crate::scene::plan::{ImpactPlan, Plan, RoundPlan};
 use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
+pub use overlay::overlay_figure;
 pub use sweep::sweep_figure;
 
 /// The force of a plane contact: per length.
