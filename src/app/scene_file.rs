@@ -29,6 +29,8 @@ pub struct SceneFile {
     pub plan: Plan,
     /// The tables it names.
     pub tables: Vec<PathBuf>,
+    /// Its text.
+    pub text: String,
 }
 
 /// Largest scene file: a history of a million entries has a third of it.
@@ -48,7 +50,7 @@ impl SceneFile {
             let errors = at_its_place(&text, &plan.scene, problem);
             return Err(errors.into_iter().map(|error| Fault::at(path, error)).collect());
         }
-        Ok(Self { path: path.to_owned(), plan, tables: tables.read() })
+        Ok(Self { path: path.to_owned(), plan, tables: tables.read(), text })
     }
 
     /// Name of the file without directory and extension, the stem of its outputs.

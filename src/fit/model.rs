@@ -130,6 +130,7 @@ impl Model<'_> {
             ContactLaw::Continuous { edge: Some(_), .. }
             | ContactLaw::ViscoelasticSprings { .. }
             | ContactLaw::Direct(_)
+            | ContactLaw::Plastic(_)
             | ContactLaw::Springs { .. } => return None,
         };
         let force = &self.curve.force;

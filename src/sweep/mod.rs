@@ -143,7 +143,7 @@ impl Sweep {
         self.axes.iter().zip(self.picks(row)).filter_map(|(axis, pick)| axis.values.get(pick)).collect()
     }
 
-    /// Whether the figure of the sweep shows the curve of a row: at most [`FAMILY`] rows, evenly spread over the first
+    /// Whether the figure of the sweep shows the curve of a row: at most seven rows, evenly spread over the first
     /// axis with the others in their middle, or over all rows that lie side by side.
     #[must_use]
     pub fn curves(&self, row: usize) -> Curves {

@@ -21,6 +21,7 @@ mod names;
 pub mod place;
 mod position;
 mod ron;
+pub mod schema;
 mod standin;
 mod walk;
 

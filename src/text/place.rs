@@ -50,10 +50,18 @@ impl Places {
         self.made(values).map_err(|(path, message)| self.culprit(values).unwrap_or(Problem { path, message }))
     }
 
-    /// The number [SI] at a path, if there is one; a list of one number counts as it.
+    /// The number at a path in SI units, if there is one; a list of one number counts as it.
     #[must_use]
     pub fn number(&self, path: &str) -> Option<f64> {
         number(self.value(path)?)
+    }
+
+    /// All numbers of the scene in SI units with their paths, fields in the order of their names.
+    #[must_use]
+    pub fn numbers(&self) -> Vec<(String, f64)> {
+        let mut found = Vec::new();
+        collect(&self.0, "", &mut found);
+        found
     }
 
     /// What stands at a path.
@@ -91,6 +99,19 @@ impl Places {
         let alone = |(path, value): &(P, Value)| self.made(&[(path.as_ref(), value.clone())]).err();
         let (path, message) = values.iter().find_map(alone)?;
         Some(Problem { path, message })
+    }
+}
+
+/// The numbers in a value at a path.
+fn collect(value: &Value, path: &str, found: &mut Vec<(String, f64)>) {
+    let below = |step: &str| if path.is_empty() { step.to_owned() } else { format!("{path}.{step}") };
+    match inside(value) {
+        value if number(value).is_some() => found.extend(number(value).map(|number| (path.to_owned(), number))),
+        Value::Object(fields) => fields.iter().for_each(|(name, value)| collect(value, &below(name), found)),
+        Value::Array(entries) => {
+            entries.iter().enumerate().for_each(|(at, value)| collect(value, &below(&at.to_string()), found));
+        }
+        _ => {}
     }
 }
 
@@ -199,6 +220,23 @@ mod tests {
         let scene = before.with(&set[..2]).unwrap();
         assert_eq!(scene.springs.map(std::num::NonZero::get), Some(100));
         assert!(before.with(&set).is_err());
+    }
+
+    #[test]
+    fn every_number_is_found_under_its_path() {
+        let numbers = places().numbers();
+        let paths: Vec<&str> = numbers.iter().map(|(path, _)| path.as_str()).collect();
+        let right = [
+            "adhesion.work",
+            "bodies.0.poisson",
+            "bodies.0.young",
+            "history.0.angle",
+            "history.0.mass",
+            "history.0.speed",
+            "history.0.spin",
+        ];
+        assert!(paths.iter().all(|path| right.contains(path)) && paths.len() >= 5, "{paths:?}");
+        assert!(numbers.iter().all(|(path, number)| places().number(path) == Some(*number)));
     }
 
     #[test]

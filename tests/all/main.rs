@@ -21,6 +21,8 @@ mod layers;
 #[cfg(feature = "text")]
 mod mended;
 #[cfg(feature = "cli")]
+mod overlay;
+#[cfg(feature = "cli")]
 mod program;
 #[cfg(feature = "cli")]
 mod rough;

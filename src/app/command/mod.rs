@@ -11,8 +11,12 @@ mod compare;
 mod delivery;
 mod explain;
 mod fit;
+#[cfg(feature = "plot")]
+mod gallery;
+mod overlay;
 mod report;
 mod run;
+mod shell;
 mod verify;
 
 use super::console::{Colour, Console, Failure, Voice};
@@ -20,7 +24,8 @@ use super::run::Format;
 use super::sweep::{SweepArgs, gather};
 use super::{starters, write};
 use crate::check::study::Thoroughness;
-use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -104,6 +109,19 @@ enum Command {
         #[arg(long)]
         markdown: bool,
     },
+    /// Draw the curves of several scenes, and measured ones, in one figure.
+    Overlay {
+        /// Scene files, and tables of measured values (.csv) with columns such as indentation_m,force_n.
+        #[arg(required = true, value_name = "SCENE.ron|DATA.csv")]
+        curves: Vec<PathBuf>,
+    },
+    /// Show scenes and what comes out of them on one page of HTML that needs nothing else.
+    #[cfg(feature = "plot")]
+    Gallery {
+        /// Scene files.
+        #[arg(required = true, value_name = "SCENE.ron")]
+        scenes: Vec<PathBuf>,
+    },
     /// Compare springs, the direct path and the full half-space on a scene.
     Compare {
         /// Scene file.
@@ -123,6 +141,20 @@ enum Command {
         /// Take longer than a minute if it helps.
         #[arg(long)]
         thorough: bool,
+    },
+    /// Print the script that completes commands and flags in a shell.
+    Completions {
+        /// The shell.
+        #[arg(value_enum)]
+        shell: Shell,
+    },
+    /// Print the JSON Schema of scenes in JSON, for editors.
+    Schema,
+    /// Print the page of the manual, for `man -l -`.
+    Man {
+        /// The page of one command.
+        #[arg(value_name = "COMMAND")]
+        topic: Option<String>,
     },
 }
 
@@ -176,11 +208,17 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
             let form = if markdown { verify::Form::Markdown } else { verify::Form::of(common) };
             verify::run(filter.as_deref().unwrap_or(""), form, console)
         }
+        Command::Overlay { curves } => overlay::run(&curves, common, console),
+        #[cfg(feature = "plot")]
+        Command::Gallery { scenes } => gallery::run(&scenes, common, console),
         Command::Compare { scene } => compare::run(&scene, common, console),
         Command::Fit(arguments) => fit::run(&arguments, common, console),
         Command::Report { topic, scene, thorough } => {
             let effort = if thorough { Thoroughness::Thorough } else { Thoroughness::Brief };
             report::run(topic, scene.as_deref(), effort, common, console)
         }
+        Command::Completions { shell } => shell::completions(shell, CommandLine::command(), console),
+        Command::Schema => shell::schema(console),
+        Command::Man { topic } => shell::manual(topic.as_deref(), CommandLine::command(), console),
     }
 }

@@ -1,4 +1,10 @@
 //! `springbed run --set`: a scene with many values, on all threads, from where it was stopped.
+//!
+//! # Examples
+//! ```no_run
+//! // springbed run scene.ron --set bodies.0.young=1kPa..1MPa:50log
+//! let code = springbed::app::command::main();
+//! ```
 
 mod gather;
 mod journal;

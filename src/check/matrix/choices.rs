@@ -73,8 +73,7 @@ pub(super) struct TwoBodies {
 
 const PLASTIC: &str = "Plastic(young: 2e6, poisson: 0.5, yield_stress: 2e4)";
 
-const LAYERED: &str =
-    "Layered(layers: [(body: Elastic(young: 2e6, poisson: 0.5), thickness: 1e-3)], base: Elastic(young: 1e7, poisson: 0.3))";
+const LAYERED: &str = "Layered(layers: [(body: Elastic(young: 2e6, poisson: 0.5), thickness: 1e-3)], base: Elastic(young: 1e7, poisson: 0.3))";
 const GRADED: &str = "Graded(young: 2e6, depth: 1e-3, exponent: 0.3, poisson: 0.4)";
 
 pub(super) const BODIES: [TwoBodies; 8] = [

@@ -6,6 +6,7 @@ mod fields;
 mod fit;
 mod friction;
 mod impacts;
+mod overlay;
 mod rough;
 mod shape;
 mod stress;
@@ -21,6 +22,7 @@ use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
 pub use fit::{fit_figure, spectrum_figure};
+pub use overlay::overlay_figure;
 pub use sweep::sweep_figure;
 
 /// The force of a plane contact: per length.
