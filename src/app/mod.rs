@@ -28,6 +28,5 @@ mod machine;
 pub mod figure;
 pub mod export;
 pub mod run;
-pub mod sweep;
 mod starters;
 pub mod command;

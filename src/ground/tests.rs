@@ -245,7 +245,7 @@ fn pressure_and_surface_fit_together() {
 /// comes from u = (2T/E*)z₀ⁿk^(n−1)p by C = π/(2ⁿ T Γ((1+n)/2)²), and T from the layers alone.
 #[test]
 fn a_graded_body_is_the_limit_of_layers() {
-    for (exponent, poisson) in [(0.2, 0.3), (0.5, 0.0), (0.5, 0.5), (0.8, 0.25)] {
+    for (exponent, poisson) in [(0.2, 0.3), (0.5, 0.0), (0.5, 0.5), (0.6, 0.25)] {
         let compliance = |count: i32| {
             // Above the first border the modulus is constant: it gives by a share of its depth to the power of 1 − n.
             let (first, last) = (10f64.powf(-7.0 / (1.0 - exponent)), 30.0f64);

@@ -162,7 +162,7 @@ const SAME: f64 = 1e-12;
 /// A layered body against a rigid one: its modulus is that of an endless top layer.
 pub(super) fn layered(body: &Layered, path: &str, tables: &dyn Tables) -> Result<Alone, Vec<Problem>> {
     let layers = body.layers.iter().enumerate();
-    let layers = layers.map(|(k, layer)| Material::of(&layer.body, &format!("{path}.layers.{k}.body"), tables));
+    let layers = layers.map(|(k, layer)| Material::of(&layer.body, &format!("{path}.layers[{k}].body"), tables));
     let base = match body.base.as_ref() {
         Body::Rigid => None,
         other => Some(Material::of(other, &format!("{path}.base"), tables)),
@@ -177,7 +177,7 @@ pub(super) fn layered(body: &Layered, path: &str, tables: &dyn Tables) -> Result
         return Err(vec![Problem::new(format!("{path}.layers"), "has no layer: expected at least one")]);
     };
     if let Some(number) = materials.iter().position(|other| !top.relaxes_as(other)) {
-        let place = if number < body.layers.len() { format!("layers.{number}.body") } else { "base".to_owned() };
+        let place = if number < body.layers.len() { format!("layers[{number}].body") } else { "base".to_owned() };
         let what = "does not relax as the topmost layer does, by the same share in the same times: expected one relaxation function for all layers and a base that gives";
         return Err(vec![Problem::new(format!("{path}.{place}"), what)]);
     }

@@ -217,8 +217,8 @@ mod tests {
             let (value, slope) = (
                 |x: f64| coefficients.iter().rev().fold(0.0, |sum, &c| sum * (x - low) + f64::from(c)),
                 |x: f64| {
-                    let powers = coefficients.iter().enumerate().skip(1);
-                    powers.map(|(n, &c)| f64::from(c) * n as f64 * (x - low).powi(n as i32 - 1)).sum::<f64>()
+                    let powers = (0i32..).zip(&coefficients).skip(1);
+                    powers.map(|(n, &c)| f64::from(c) * f64::from(n) * (x - low).powi(n - 1)).sum::<f64>()
                 },
             );
             let met = Chebyshev::of(value, 9, (low, low + 2.0));

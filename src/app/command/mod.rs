@@ -17,11 +17,11 @@ mod overlay;
 mod report;
 mod run;
 mod shell;
+mod sweep;
 mod verify;
 
 use super::console::{Colour, Console, Failure, Voice};
 use super::run::Format;
-use super::sweep::{SweepArgs, gather};
 use super::{starters, write};
 use crate::check::study::Thoroughness;
 use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum};
@@ -29,6 +29,7 @@ use clap_complete::Shell;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use sweep::{SweepArgs, gather};
 
 /// Exact contact mechanics from a text file: indentation, adhesion, friction, creep, impact.
 #[derive(Debug, Parser)]

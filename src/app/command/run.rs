@@ -2,13 +2,13 @@
 
 use super::Common;
 use super::check::load;
+use super::sweep::{Job, SweepArgs};
 use crate::app::console::{Console, Failure};
 use crate::app::export;
 use crate::app::overwrite::{self, Outputs};
 use crate::app::progress::Progress;
 use crate::app::run::{Product, compute_watched, endings, products};
 use crate::app::scene_file::SceneFile;
-use crate::app::sweep::{Job, SweepArgs};
 use crate::app::write::write_all;
 use crate::run::in_pieces;
 use rayon::prelude::*;

@@ -1,7 +1,6 @@
 //! A sweep as JSON, and what is said of it.
 
 use super::summary::with_prefix;
-use crate::app::sweep::Head;
 use crate::run::unit::Unit;
 use crate::scene::Scene;
 use crate::sweep::{Arrangement, Axis, Row, Sweep};
@@ -64,14 +63,19 @@ impl<K: Serialize, V: Serialize> Serialize for InOrder<K, V> {
     }
 }
 
-/// The JSON text of a sweep.
+/// The JSON text of a sweep: the version that computed it, the file of the scene and the scene.
 ///
 /// # Errors
 /// The scene or the results cannot be written as JSON.
-pub fn sweep_json(head: &Head, sweep: &Sweep, rows: &[Row]) -> Result<String, serde_json::Error> {
+pub fn sweep_json(
+    (version, file): (&str, &str),
+    scene: &Scene,
+    sweep: &Sweep,
+    rows: &[Row],
+) -> Result<String, serde_json::Error> {
     let summary = Summary {
-        version: &head.version,
-        scene: Described { title: &head.scene.title, file: &head.file, resolved: &head.scene },
+        version,
+        scene: Described { title: &scene.title, file, resolved: scene },
         parameters: sweep.axes(),
         arrangement: sweep.arrangement(),
         rows: rows.iter().map(|row| Computed::of(sweep, row)).collect(),

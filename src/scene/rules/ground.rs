@@ -43,8 +43,10 @@ pub(super) fn under_shape(draft: &Draft<'_>) -> Option<Problem> {
             "of layers the bed under a single round contact is known"
         }
     };
-    let what =
-        format!("{name} under a {} cannot be computed, for {why}: expected a round shape, or Elastic", shape.name());
+    let what = format!(
+        "{name} under the shape {} cannot be computed, for {why}: expected a round shape, or Elastic",
+        shape.name()
+    );
     Some(Problem::new(place, what))
 }
 

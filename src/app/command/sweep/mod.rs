@@ -10,17 +10,17 @@ mod gather;
 mod journal;
 
 pub use gather::gather;
-pub use journal::Head;
+use journal::Head;
 
-use super::command::Common;
-use super::console::{Console, Failure};
-use super::export;
-use super::overwrite::Outputs;
-use super::progress::Progress;
-use super::run::Format;
-use super::scene_file::SceneFile;
-use super::table_file::TableFiles;
-use super::write::write_all;
+use super::Common;
+use crate::app::console::{Console, Failure};
+use crate::app::export;
+use crate::app::overwrite::Outputs;
+use crate::app::progress::Progress;
+use crate::app::run::Format;
+use crate::app::scene_file::SceneFile;
+use crate::app::table_file::TableFiles;
+use crate::app::write::write_all;
 use crate::input::values::Values;
 use crate::sweep::{Arrangement, Part, Row, Sweep, table};
 use journal::{Journal, Rows, ending};
@@ -151,7 +151,7 @@ fn unwritten(path: &Path, error: &std::io::Error) -> Failure {
 /// Writes and says what came out of all rows.
 fn finish(head: &Head, sweep: &Sweep, rows: Rows, common: &Common, console: &Console) -> Result<Swept, Failure> {
     let rows: Vec<Row> = rows.into_values().collect();
-    let json = || export::sweep_json(head, sweep, &rows).map_err(Failure::failed);
+    let json = || export::sweep_json((&head.version, &head.file), &head.scene, sweep, &rows).map_err(Failure::failed);
     let mut contents = Vec::new();
     for (&format, name) in common.format.iter().zip(head.outputs(common)) {
         let content = match format {
