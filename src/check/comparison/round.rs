@@ -13,7 +13,7 @@ use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{Plan, SceneSettings};
-use crate::shape::{Profile, Shape};
+use crate::shape::Shape;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -158,7 +158,7 @@ impl Scenario {
     #[cfg(feature = "half-space")]
     fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
         // Of sections and of layers the half-space has no twin.
-        let mapped = self.plan.profile().is_some_and(Profile::is_mapped);
+        let mapped = self.plan.profile().is_some_and(crate::shape::Profile::is_mapped);
         let round = !self.plan.adheres() && !mapped;
         let Some(depth) = self.depth.filter(|_| round) else { return Vec::new() };
         let method = |grid| Method::of("half-space", Setting::grid(grid), self, move |own| own.pixels(grid, depth));
