@@ -15,9 +15,10 @@
 //! let storage = frequency.iter().map(|&f| 1.0 + 10.0 * x(f).powi(2) / (1.0 + x(f).powi(2))).collect();
 //! let loss = frequency.iter().map(|&f| 10.0 * x(f) / (1.0 + x(f).powi(2))).collect();
 //! let spectrum = Moduli { frequency, storage, loss }.spectrum()?;
+//! // One time is spread over its neighbours on the grid: half a percent.
 //! let (storage, loss) = spectrum.at(1.0);
-//! assert!((storage / (1.0 + 10.0 * x(1.0).powi(2) / (1.0 + x(1.0).powi(2))) - 1.0).abs() < 2e-3);
-//! assert!((loss / (10.0 * x(1.0) / (1.0 + x(1.0).powi(2))) - 1.0).abs() < 1e-2);
+//! assert!((storage / (1.0 + 10.0 * x(1.0).powi(2) / (1.0 + x(1.0).powi(2))) - 1.0).abs() < 5e-3);
+//! assert!((loss / (10.0 * x(1.0) / (1.0 + x(1.0).powi(2))) - 1.0).abs() < 5e-3);
 //! # Ok::<(), springbed::fit::FitError>(())
 //! ```
 
