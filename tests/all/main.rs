@@ -14,6 +14,8 @@ mod fit;
 mod friction;
 #[cfg(feature = "cli")]
 mod fuzz;
+#[cfg(feature = "text")]
+mod ground;
 mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;
