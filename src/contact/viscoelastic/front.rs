@@ -228,11 +228,11 @@ impl Front<'_> {
         let ways = [(Way::Opening, self.edge > 0.0), (Way::Closing, self.edge < self.limit)];
         for (way, _) in ways.into_iter().filter(|(_, there)| *there) {
             let next = self.candidate(way, self.beside(way));
-            let rounding = next.rounding(self.spectrum);
-            let level = rounding.max(next.urge(self.spectrum, 0.0) + rounding) + f64::MIN_POSITIVE;
-            if let Some(at) = self.crossing(&next, level) {
-                wait = wait.min(at);
-            }
+            let now = next.urge(self.spectrum, 0.0).max(0.0);
+            let passes = |rounding: f64| self.crossing(&next, now + rounding + f64::MIN_POSITIVE);
+            // A doubt fades with the loads it is about: where it hides the limit, there is more to see later.
+            let at = passes(next.rounding(self.spectrum)).or_else(|| passes(next.own_rounding(self.spectrum)));
+            wait = at.map_or(wait, |at| wait.min(at));
         }
         wait
     }

@@ -739,6 +739,17 @@ mod tests {
         Ok(())
     }
 
+    /// A Maxwell element of 1e-14 s drawn back: its load is below the rounding of the touch until that has relaxed.
+    #[test]
+    fn a_liquid_lets_go_at_once() {
+        let recipe = Recipe { equilibrium: None, terms: vec![(0, -140)], viscosity: None };
+        let mut bed = bed(Arc::new(Spectrum::new(&recipe.relaxation())));
+        bed.advance(3.25, 0.08).unwrap();
+        assert!(bed.radius() > 0.5);
+        bed.advance(-0.013, 20.0).unwrap();
+        assert!(bed.radius() <= 0.0 && bed.force() == 0.0, "{:e} {:e}", bed.radius(), bed.force());
+    }
+
     #[test]
     fn a_dashpot_that_just_touches() {
         let recipe = Recipe { equilibrium: None, terms: vec![(0, 0)], viscosity: Some(0) };
@@ -780,16 +791,21 @@ mod tests {
             for motion in history {
                 bed.advance(motion.speed, motion.duration).unwrap();
             }
-            let ends = bed.ends(true);
+            let (ends, inside) = (bed.ends(true), bed.radius() * (1.0 - f64::EPSILON));
             let panel = |pair: &[f64]| {
-                let ring = |r: f64, _: f64| 2.0 * PI * (pair[0] + r) * bed.pressure(pair[0] + r);
+                // Rounding must not put it on the edge, where the pressure of a liquid has no bound.
+                let ring = |r: f64, _: f64| {
+                    let r = (pair[0] + r).min(inside);
+                    2.0 * PI * r * bed.pressure(r)
+                };
                 crate::numerics::quadrature::panel_with_root_ends(ring, pair[1] - pair[0])
             };
             let sum: f64 = ends.windows(2).map(panel).sum();
             prop_assert!((sum - bed.force()).abs() < 1e-7 * glassy, "{sum:e} {:e}", bed.force());
         }
 
-        /// While the contact grows the force lies between those of E∞ and E(0) and is linear in E(t).
+        /// While the contact grows the force lies between those of E∞ and E(0) and is linear in E(t), but for the
+        /// errors it states.
         #[test]
         fn bounds_and_superposition(one in recipe(4), other in recipe(4), steps in prop::collection::vec((0i32..20, -40i32..40), 1..5)) {
             let (one, other) = (one.relaxation(), other.relaxation());
@@ -803,15 +819,18 @@ mod tests {
                     let duration = 10f64.powf(0.1 * f64::from(*k));
                     bed.advance(0.01 * f64::from(*rise) / duration, duration).unwrap();
                 }
-                (bed.force(), bed.indentation())
+                (bed.force(), bed.indentation(), bed.force_error())
             };
-            let (force, depth) = of(&both);
+            let (force, depth, error) = of(&both);
             let elastic = |modulus: f64| 4.0 / 3.0 * modulus * depth.powf(1.5);
             let instantaneous = Spectrum::new(&both).instantaneous();
-            prop_assert!(force >= elastic(equilibrium) * (1.0 - 1e-12) && force <= elastic(instantaneous) * (1.0 + 1e-12));
-            let sum = of(&one).0 + of(&other).0;
-            prop_assert!((force - sum).abs() <= 1e-11 * force, "{force:e} {sum:e}");
-            prop_assert!(force >= of(&one).0 * (1.0 - 1e-12), "a greater modulus, a greater force");
+            prop_assert!(force + error >= elastic(equilibrium) && force - error <= elastic(instantaneous));
+            let (one, other) = (of(&one), of(&other));
+            let errors = error + one.2 + other.2;
+            let off = (force - one.0 - other.0).abs();
+            prop_assert!(off <= errors, "{force:e} {one:?} {other:?}");
+            prop_assert!(off <= 1e-11 * force + 1e-15 * elastic(instantaneous), "{force:e} {one:?} {other:?}");
+            prop_assert!(force + errors >= one.0, "a greater modulus, a greater force");
         }
 
         /// See [`steps_do_not_matter`].
