@@ -79,6 +79,8 @@ const SHORTEST: f64 = 1e-18;
 const UNSEEN: f64 = 4.0 * f64::EPSILON;
 /// No speed is looked for beyond this [m/s].
 const FASTEST: f64 = 1e290;
+/// Places on a leap at which the contact is looked at.
+const LOOKS: u32 = 64;
 /// Least force asked for without adhesion, relative to the scale: the bodies just touch.
 const TOUCH: f64 = 1e-9;
 
@@ -134,7 +136,7 @@ impl ForceDrive {
             let duration = until - self.now;
             let Some(speed) = self.speed(contact, until)? else {
                 self.parted = duration <= 1e-12 * self.end;
-                self.step = 0.1 * duration;
+                self.step = 0.03 * duration;
                 continue;
             };
             let error = self.error(contact, speed, duration)?;
@@ -148,6 +150,38 @@ impl ForceDrive {
             return Ok(Some(Stretch { speed, until }));
         }
         Ok(None)
+    }
+
+    /// The one piece of a force that jumps, to be made by the caller: what lies between takes no time. `None` where
+    /// the bodies part, or stay parted.
+    ///
+    /// # Errors
+    /// As [`next`](Self::next).
+    pub fn leap(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
+        if self.parted && self.ramp.force(self.end) <= 0.0 {
+            return Ok(None);
+        }
+        let speed = self.speed(contact, self.end)?;
+        self.parted = speed.is_none();
+        Ok(speed.map(|speed| Stretch { speed, until: self.end }))
+    }
+
+    /// What the force does on its [`leap`](Self::leap) beyond what the contact takes [J]: where the contact would give
+    /// way it keeps the force it had.
+    ///
+    /// # Errors
+    /// As [`next`](Self::next).
+    pub fn lost_on_leap(&self, contact: &mut dyn ContactModel, leap: Stretch) -> Result<f64, ContactError> {
+        let (length, way) = (leap.until / f64::from(LOOKS), leap.speed.signum());
+        let (mut kept, mut before, mut sum) = (self.ramp.from, 0.0, 0.0);
+        for k in 1..=LOOKS {
+            let force = contact.look(&ahead(contact, leap.speed, length * f64::from(k)))?.force;
+            kept = if way * force > way * kept { force } else { kept };
+            let missing = way * (kept - force);
+            sum += 0.5 * (before + missing);
+            before = missing;
+        }
+        Ok(sum * leap.speed.abs() * length)
     }
 
     /// Error of the force in the middle of a piece over the error allowed.
@@ -257,10 +291,14 @@ fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64
     None
 }
 
+/// Speeds tried between one that keeps the bodies together and one that parts them. Where the pull is stronger than
+/// prescribed for less than this, a shorter piece shows it.
+const TRIES: u32 = 12;
+
 /// A speed between one that keeps the bodies together and one that parts them at which the pull is
 /// stronger than prescribed.
 fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: f64, mut parted: f64) -> Option<f64> {
-    for _ in 0..50 {
+    for _ in 0..TRIES {
         let middle = 0.5 * (held + parted);
         match look(middle) {
             (residual, true) if residual <= 0.0 => return Some(middle),

@@ -48,7 +48,7 @@ use crate::contact::state::{Normal, Tangential};
 use chords::Chords;
 use course::{Course, Extent, Path};
 use cycle::Cycle;
-use force::{ForceDrive, Ramp, ahead, depth_of};
+use force::{ForceDrive, Ramp, Stretch, ahead, depth_of};
 use instants::{NotableInstant, Watch, looks};
 
 /// Something that happens between two records, with the state on both sides.
@@ -232,15 +232,26 @@ impl Driver {
         let along = self.creep.take();
         self.creep = along.as_ref().map(|creep| creep.after(to, course.over));
         self.stage.remainder = Remainder::Force(ForceDrive::new(ramp, duration, along, self.parted));
-        if course.over <= 0.0 {
-            while let Some(leg) = self.next_leg(contact)? {
-                contact.follow(&ahead(contact, leg.speed, leg.end - leg.begin))?;
-                self.note_jump(contact, &leg);
-                self.stage.leg = Some(leg);
-            }
-            (self.stage.remainder, self.stage.leg) = (Remainder::Done, None);
+        if course.over <= 0.0 { self.leap(contact) } else { Ok(()) }
+    }
+
+    /// The whole of a stage that takes no time, under a prescribed force; left to the walk where the bodies part.
+    fn leap(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+        let Remainder::Force(force) = &mut self.stage.remainder else { return Ok(()) };
+        if let Some(stretch) = force.leap(contact)? {
+            self.lost += force.lost_on_leap(contact, stretch)?;
+            let piece = ahead(contact, stretch.speed, stretch.until);
+            contact.follow(&piece)?;
+            self.stage.remainder = Remainder::Done;
         }
         Ok(())
+    }
+
+    /// The leg of a piece under a prescribed force that begins here.
+    fn stretched(&self, contact: &dyn ContactModel, Stretch { speed, until }: Stretch) -> Leg {
+        let (from, begin) = (depth_of(contact), self.stage.now);
+        let to = from + speed * (until - begin);
+        Leg { from, to, speed, begin, end: until, watch: None, accounted: Some(accounted(contact)) }
     }
 
     /// What is prescribed at the part `part` of the stage: depth [m] or force [N].
@@ -423,12 +434,7 @@ impl Driver {
                 None => return Ok(None),
             },
             Remainder::Force(force) => match force.next(contact)? {
-                Some(stretch) => {
-                    let to = depth + stretch.speed * (stretch.until - begin);
-                    let (speed, end) = (stretch.speed, stretch.until);
-                    let accounted = Some(accounted(contact));
-                    return Ok(Some(Leg { from: depth, to, speed, begin, end, watch: None, accounted }));
-                }
+                Some(stretch) => return Ok(Some(self.stretched(contact, stretch))),
                 None => return Ok(None),
             },
         };

@@ -263,6 +263,34 @@ fn by_table(bodies: (Body, Body), times: &[f64], depths: &[f64]) -> Outcome {
     run::run(&scene.resolve(&tables).unwrap(), Wanted { fields: true, ..Wanted::NOTHING }).unwrap()
 }
 
+/// A load that is there at once is one that grows in next to no time, and nothing is lost where the contact only grows.
+#[test]
+fn a_force_that_jumps() {
+    let solid = (rubber(3e5, &[(5e5, 0.1), (2e5, 3.0)], 0.0), Body::Rigid);
+    let by_force = |times: &[f64], forces: &[f64], adhesion: Option<Adhesion>| {
+        let rows: [(&str, &[f64]); 2] = [("time_s", times), ("force_n", forces)];
+        let tables = InMemory::default().with("pull.csv", &rows);
+        let accuracy = Some(Accuracy::new(1e-4).unwrap());
+        let scene = Scene { adhesion, accuracy, ..scene(solid.clone(), vec![Entry::Table("pull.csv".into())]) };
+        run::run(&scene.resolve(&tables).unwrap(), Wanted::NOTHING).unwrap()
+    };
+    for edge in [None, Some(EdgeRule::Relaxed)] {
+        let (adhesion, pull) = (edge.clone().and_then(jkr), if edge.is_some() { -1e-6 } else { 0.0 });
+        let at_once = by_force(&[0.0, 1.0, 2.0], &[1e3, 2e3, pull], adhesion.clone());
+        let soon = by_force(&[0.0, 1e-9, 1.0, 2.0], &[0.0, 1e3, 2e3, pull], adhesion);
+        let (one, other) = (at_once.records.last().unwrap().normal, soon.records.last().unwrap().normal);
+        for (one, other) in [
+            (one.indentation.unwrap(), other.indentation.unwrap()),
+            (one.contact_radius.unwrap(), other.contact_radius.unwrap()),
+            (one.dissipated, other.dissipated),
+        ] {
+            assert!((one - other).abs() <= 2e-4 * other.abs(), "{one:e} {other:e}");
+        }
+        let loaded = at_once.records[1].normal;
+        assert!((loaded.force / 1e3 - 1.0).abs() < 1e-4 && loaded.dissipated.abs() < 1e-4 * loaded.stored.elastic);
+    }
+}
+
 fn with_fields(scene: Scene) -> Outcome {
     let wanted = Wanted { fields: true, ..Wanted::NOTHING };
     run::run(&scene.resolve(&InMemory::default()).unwrap(), wanted).unwrap()

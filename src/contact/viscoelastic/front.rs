@@ -87,6 +87,8 @@ pub(super) struct Front<'b> {
 /// First step of the search for the edge, and the longest, relative to where it is.
 const FIRST_STEP: f64 = 1e-5;
 const LONGEST_STEP: f64 = 1.0 / 24.0;
+/// Part of a step at whose end it is seen whether the edge has turned there.
+const NEAR_THE_END: f64 = 1.0 / 64.0;
 /// Part of a radius that does not count: nearer to the edge no spring is looked at.
 const BESIDE: f64 = 8.0 * f64::EPSILON;
 /// Rounding of a limit, relative to what it is made of.
@@ -346,6 +348,9 @@ impl Front<'_> {
             if now <= 0.0 && self.is_beyond(way, next) {
                 return EdgePhase::Jumps(self.landing(way, next));
             }
+            if at >= now && self.has_turned(way, (x, next), at) {
+                return self.folds(way, x, next);
+            }
             if at < now {
                 return match self.border_at(x) {
                     Some(to) => EdgePhase::Moves { to, duration: now },
@@ -356,6 +361,13 @@ impl Front<'_> {
             step = self.longer(step, x);
         }
         EdgePhase::Moves { to: x, duration: now }
+    }
+
+    /// Whether the edge gets ahead of itself on a step that ends beside a border with the instant `at`: beyond it
+    /// springs have another past, which would hide it.
+    fn has_turned(&self, way: Way, (x, next): (f64, f64), at: f64) -> bool {
+        let earlier = || self.first(&self.candidate(way, next + NEAR_THE_END * (x - next)));
+        self.border_at(x).is_none() && self.border_at(next).is_some() && earlier().is_some_and(|earlier| earlier > at)
     }
 
     /// Whether the spring at `x` is beyond its limit as the motion begins, by more than rounding.
@@ -389,10 +401,14 @@ impl Front<'_> {
         EdgePhase::Moves { to, duration: top(to).place }
     }
 
-    /// The edge gets ahead of itself between two places: it moves to where the instants are latest.
+    /// The edge gets ahead of itself between two places: it moves to where the instants are latest, or to the first
+    /// spring between that has none.
     fn folds(&self, way: Way, before: f64, next: f64) -> EdgePhase {
         let at = |x: f64| self.first(&self.candidate(way, x)).unwrap_or(self.motion.duration);
         let latest = extremum::greatest(at, before.min(next), before.max(next));
+        if self.first(&self.candidate(way, latest.place)).is_none() {
+            return self.ends(way, before, latest.place);
+        }
         EdgePhase::Moves { to: latest.place, duration: latest.value }
     }
 
