@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use springbed::app::scene_file::plan;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::direct::QuasiStatic;
-use springbed::contact::foundation::HalfSpace;
+use springbed::contact::foundation::Foundation;
 use springbed::input::quantity::Length;
 use springbed::run::{Wanted, run};
 use springbed::scene::plan::Plan;
@@ -22,14 +22,14 @@ fn lens() -> Paraboloid {
     Paraboloid { radius: Length::new(2.5e-3).unwrap() }
 }
 
-fn contact(ground: &HalfSpace, work: f64) -> QuasiStatic {
+fn contact(ground: &Foundation, work: f64) -> QuasiStatic {
     QuasiStatic::new(EdgeLine::new(ground.clone(), work))
 }
 
 /// Depth given, force and radius wanted, from bodies that just touch.
 fn one_state(c: &mut Criterion) {
     let mut group = c.benchmark_group("state");
-    let ground = HalfSpace::new(Arc::new(lens()), MODULUS);
+    let ground = Foundation::new(Arc::new(lens()), MODULUS);
     for (name, work) in [("hertz", 0.0), ("jkr", WORK)] {
         group.bench_function(BenchmarkId::from_parameter(name), |b| {
             b.iter(|| {

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a benchmark of known good inputs")]
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use springbed::contact::foundation::HalfSpace;
+use springbed::contact::foundation::Foundation;
 use springbed::contact::loaded::Loaded;
 use springbed::input::quantity::{Length, Positive};
 use springbed::shape::{Cone, Paraboloid, Profile, RoundedPunch, Sphere};
@@ -36,13 +36,13 @@ fn maps(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("stress map of 200 x 200 points");
     group.sample_size(10).throughput(Throughput::Elements(u64::from(SIDE * SIDE)));
     for (name, profile) in shapes() {
-        let loaded = Loaded::elastic(HalfSpace::new(profile, 1.0), 0.1, 0.0);
+        let loaded = Loaded::elastic(Foundation::new(profile, 1.0), 0.1, 0.0);
         group.bench_function(BenchmarkId::from_parameter(name), |bench| bench.iter(|| map(black_box(&loaded), 0.0)));
         group.bench_function(BenchmarkId::new("hardest place", name), |bench| {
             bench.iter(|| black_box(&loaded).field(0.3).hardest());
         });
     }
-    let ball = Loaded::elastic(HalfSpace::new(shapes()[0].1.clone(), 1.0), 0.1, 0.0);
+    let ball = Loaded::elastic(Foundation::new(shapes()[0].1.clone(), 1.0), 0.1, 0.0);
     group.bench_function("sliding paraboloid", |bench| bench.iter(|| map(black_box(&ball), 0.3)));
     group.finish();
 }

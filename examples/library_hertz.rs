@@ -4,7 +4,7 @@
 
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::direct::QuasiStatic;
-use springbed::contact::foundation::HalfSpace;
+use springbed::contact::foundation::Foundation;
 use springbed::input::quantity::{Length, QuantityError};
 use springbed::shape::Paraboloid;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ fn main() -> Result<(), QuantityError> {
     let states: u32 = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(1);
     let mut force = 0.0;
     for k in 1..=states {
-        let mut contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(ball.clone()), modulus), 0.0));
+        let mut contact = QuasiStatic::new(EdgeLine::new(Foundation::new(Arc::new(ball.clone()), modulus), 0.0));
         if contact.indent(1e-6 * f64::from(k) / f64::from(states)).is_ok() {
             force = contact.present().balance.force;
         }

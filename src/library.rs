@@ -17,7 +17,7 @@ use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::{ElasticAttraction, Jump, QuasiStatic};
 use crate::contact::error::BedError;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::memory::Memory;
@@ -73,7 +73,7 @@ impl Indenter {
     /// # Errors
     /// The modulus is not above zero.
     pub fn elastic(self, modulus: f64) -> Result<Contact, LibraryError> {
-        let ground = HalfSpace::new(self.profile, Modulus::new(modulus)?.si());
+        let ground = Foundation::new(self.profile, Modulus::new(modulus)?.si());
         Ok(Contact::from(Material::Elastic(QuasiStatic::new(EdgeLine::new(ground, 0.0)))))
     }
 
@@ -208,7 +208,7 @@ impl Contact {
     }
 
     /// The half-space of elastic bodies that do not rub.
-    fn ground_for(&self, part: &'static str) -> Result<HalfSpace, LibraryError> {
+    fn ground_for(&self, part: &'static str) -> Result<Foundation, LibraryError> {
         let refused = |other, because| Err(LibraryError::Pair { one: part, other, because });
         match &self.material {
             Material::Viscoelastic(_) => refused("viscoelastic bodies", " here: run a scene"),

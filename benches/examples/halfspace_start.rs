@@ -1,7 +1,7 @@
 //! What a good start saves: iterations of the half-space solver on the Hertz contact from nothing, from a coarser grid and from
 //! the pressure of the spring bed: `cargo run --release -p benches --example halfspace_start -- 128 256 512`.
 use ndarray::Array2;
-use springbed::contact::foundation::HalfSpace;
+use springbed::contact::foundation::Foundation;
 use springbed::contact::model::Loading;
 use springbed::contact::springs::SpringBed;
 use springbed::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start, solve};
@@ -42,7 +42,7 @@ fn iterations(n: usize) -> Result<[usize; 3], HalfSpaceError> {
 /// Pressure of a bed of 4096 springs at 4097 radii out to `reach` [m], with the radii.
 fn bed_pressure(depth: f64, reach: f64) -> Result<Vec<(f64, f64)>, QuantityError> {
     let ball = Paraboloid { radius: Length::new(1.0)? };
-    let mut bed = SpringBed::new(HalfSpace::new(Arc::new(ball.clone()), 1.0), 4096, reach, 0.0);
+    let mut bed = SpringBed::new(Foundation::new(Arc::new(ball.clone()), 1.0), 4096, reach, 0.0);
     bed.indent(depth);
     let loads = bed.spring_loads();
     let radii = (0..=4096).map(|k| reach * f64::from(k) / 4096.0);

@@ -5,7 +5,7 @@ use super::sketch::si;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::shape::{Paraboloid, Profile};
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub fn plain(profile: Arc<dyn Profile>, modulus: f64) -> QuasiStatic {
 /// A contact with adhesion of vanishing range, of a work [J/m²].
 #[must_use]
 pub fn jkr(profile: Arc<dyn Profile>, modulus: f64, work: f64) -> QuasiStatic {
-    QuasiStatic::new(EdgeLine::new(HalfSpace::new(profile, modulus), work))
+    QuasiStatic::new(EdgeLine::new(Foundation::new(profile, modulus), work))
 }
 
 /// A contact whose attraction is constant up to the range work/stress.
@@ -34,7 +34,7 @@ pub fn jkr(profile: Arc<dyn Profile>, modulus: f64, work: f64) -> QuasiStatic {
 /// # Errors
 /// The attraction has no contact.
 pub fn maugis(profile: Arc<dyn Profile>, modulus: f64, work: f64, stress: f64) -> Attempt<QuasiStatic> {
-    Ok(QuasiStatic::new(RangeDisc::new(HalfSpace::new(profile, modulus), work, stress)?))
+    Ok(QuasiStatic::new(RangeDisc::new(Foundation::new(profile, modulus), work, stress)?))
 }
 
 /// A contact without adhesion at a depth [m].

@@ -144,7 +144,7 @@ pub fn orowan_on_hertz(force: f64, contact_radius: f64, (coefficient, limit): (f
 mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
-    use crate::contact::foundation::HalfSpace;
+    use crate::contact::foundation::Foundation;
     use crate::contact::loaded::Loaded;
     use crate::friction::peeling::{ShearedAdhesion, TangentialLoad};
     use crate::friction::sliding::sliding_force;
@@ -161,8 +161,8 @@ mod tests {
         Paraboloid { radius: Length::new(1.0).unwrap() }
     }
 
-    fn ground(shape: &Paraboloid, modulus: f64) -> HalfSpace {
-        HalfSpace::new(Arc::new(shape.clone()), modulus)
+    fn ground(shape: &Paraboloid, modulus: f64) -> Foundation {
+        Foundation::new(Arc::new(shape.clone()), modulus)
     }
 
     /// The contact of a lens pressed to unit depth.

@@ -7,13 +7,13 @@
 //! ```
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::contact::direct::QuasiStatic;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // R = E* = w = 1 under a growing pull: off at −(3/2)πwR (JKR), and never back.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let mut ball = QuasiStatic::new(EdgeLine::new(ground, 1.0));
 //! ball.press(1.0)?;
 //! let jumps = ball.press(-5.0)?;
@@ -25,21 +25,21 @@
 use crate::contact::adhesion::equilibrium::{Balance, BranchError, Branches, Control, Equilibrium, Leap, Search};
 use crate::contact::adhesion::line::{EdgeLine, Energy};
 use crate::contact::adhesion::range::RangeDisc;
-use crate::contact::foundation::{Foundation, HalfSpace};
+use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::shape::{Profile, Rim};
 
 /// What holds the edge of the contact.
 #[derive(Debug, Clone)]
-pub enum ElasticAttraction<F = HalfSpace> {
+pub enum ElasticAttraction {
     /// Nothing, or an attraction of vanishing range.
-    Line(EdgeLine<F>),
+    Line(EdgeLine),
     /// An attraction of finite range.
     Range(RangeDisc),
 }
 
-impl<F> From<EdgeLine<F>> for ElasticAttraction<F> {
-    fn from(line: EdgeLine<F>) -> Self {
+impl From<EdgeLine> for ElasticAttraction {
+    fn from(line: EdgeLine) -> Self {
         Self::Line(line)
     }
 }
@@ -77,8 +77,8 @@ pub struct Present {
 
 /// A quasi-static contact of two elastic bodies, and the energy it has lost in jumps.
 #[derive(Debug, Clone)]
-pub struct QuasiStatic<F = HalfSpace> {
-    attraction: ElasticAttraction<F>,
+pub struct QuasiStatic {
+    attraction: ElasticAttraction,
     by_depth: Option<Branches>,
     by_force: Option<Branches>,
     s: f64,
@@ -86,10 +86,10 @@ pub struct QuasiStatic<F = HalfSpace> {
     dissipated: f64,
 }
 
-impl<F: Foundation> QuasiStatic<F> {
+impl QuasiStatic {
     /// Bodies that just touch, d = 0, before any attraction has acted; `attraction` is what holds the edge.
     #[must_use]
-    pub fn new(attraction: impl Into<ElasticAttraction<F>>) -> Self {
+    pub fn new(attraction: impl Into<ElasticAttraction>) -> Self {
         let attraction = attraction.into();
         let s = attraction.start();
         let balance = Balance { contact_radius: 0.0, reach: 0.0, indentation: 0.0, force: 0.0 };
@@ -111,7 +111,7 @@ impl<F: Foundation> QuasiStatic<F> {
 
     /// What holds the edge.
     #[must_use]
-    pub fn attraction(&self) -> &ElasticAttraction<F> {
+    pub fn attraction(&self) -> &ElasticAttraction {
         &self.attraction
     }
 
@@ -216,7 +216,7 @@ impl<F: Foundation> QuasiStatic<F> {
     /// Without adhesion ∂F/∂a = 2E*(d − g) vanishes at the edge.
     fn prescribed(&self, control: Control, s: f64, to: f64) -> Balance {
         let ends = !matches!(self.profile().rim(), Rim::None);
-        let steep = |line: &EdgeLine<F>| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
+        let steep = |line: &EdgeLine| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
         match (&self.attraction, control) {
             (ElasticAttraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
             (ElasticAttraction::Line(line), Control::Force) if steep(line) => {
@@ -333,7 +333,7 @@ impl<F: Foundation> QuasiStatic<F> {
 impl QuasiStatic {
     /// What the indenter is pressed into.
     #[must_use]
-    pub fn ground(&self) -> &HalfSpace {
+    pub fn ground(&self) -> &Foundation {
         match &self.attraction {
             ElasticAttraction::Line(line) => line.ground(),
             ElasticAttraction::Range(disc) => disc.ground(),
@@ -367,7 +367,7 @@ impl QuasiStatic {
     }
 }
 
-impl<F: Foundation> ElasticAttraction<F> {
+impl ElasticAttraction {
     fn at(&self, s: f64) -> Balance {
         match self {
             Self::Line(line) => line.at(s),
@@ -376,7 +376,7 @@ impl<F: Foundation> ElasticAttraction<F> {
     }
 }
 
-impl<F: Foundation> Equilibrium for ElasticAttraction<F> {
+impl Equilibrium for ElasticAttraction {
     fn value(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.value(control, s),
@@ -434,7 +434,7 @@ mod tests {
     }
 
     fn jkr<P: Profile + Clone + 'static>(profile: &P, modulus: f64, work: f64) -> QuasiStatic {
-        QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), work))
+        QuasiStatic::new(EdgeLine::new(Foundation::new(Arc::new(profile.clone()), modulus), work))
     }
 
     fn near(value: f64, expected: f64, bound: f64) {
@@ -572,7 +572,7 @@ mod tests {
             (1.0, -1.600_734_911_254_09),
             (5.0, -1.506_349_967_716_04),
         ] {
-            let ground = HalfSpace::new(Arc::new(ball.clone()), modulus);
+            let ground = Foundation::new(Arc::new(ball.clone()), modulus);
             let mut contact = QuasiStatic::new(RangeDisc::new(ground, work, 0.5 * lambda).unwrap());
             contact.press(0.0).unwrap();
             let out = contact.press(-3.0).unwrap();

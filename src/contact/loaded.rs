@@ -3,13 +3,13 @@
 //! # Examples
 //! ```
 //! use springbed::contact::loaded::Loaded;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // Hertz, R = E* = a = 1: p₀ = 2E*a/πR, F = 4E*a³/3R, and the surface at the edge has sunk by half of d.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let loaded = Loaded::elastic(ground, 1.0, 0.0);
 //! assert!((loaded.pressure(0.0) - std::f64::consts::FRAC_2_PI).abs() < 1e-15);
 //! assert!((loaded.force() - 4.0 / 3.0).abs() < 1e-14 && (loaded.surface(1.0) - 0.5).abs() < 1e-14);
@@ -18,7 +18,7 @@
 
 use super::adhesion::equilibrium::Balance;
 use super::adhesion::range::{RangeDisc, attraction};
-use super::foundation::HalfSpace;
+use super::foundation::Foundation;
 use crate::numerics::quadrature;
 use crate::shape::Profile;
 use std::fmt::{self, Debug, Formatter};
@@ -61,7 +61,7 @@ impl Debug for Curve {
 #[derive(Debug, Clone)]
 pub(super) enum Bed {
     /// Elastic springs: q = E*(g(a) − g(x)) + q(a), and the attraction of finite range, if there is one.
-    Elastic(HalfSpace, Option<(RangeDisc, Balance)>),
+    Elastic(Foundation, Option<(RangeDisc, Balance)>),
     /// Springs that remember: their loads q [N/m] and displacements [m].
     Remembered(Curve, Curve),
 }
@@ -83,7 +83,7 @@ impl Loaded {
     /// An elastic contact of the radius `contact_radius` a [m] whose edge carries `edge_load` q(a) [N/m]: positive
     /// at a wall, negative with adhesion.
     #[must_use]
-    pub fn elastic(ground: HalfSpace, contact_radius: f64, edge_load: f64) -> Self {
+    pub fn elastic(ground: Foundation, contact_radius: f64, edge_load: f64) -> Self {
         let indentation = ground.profile().reduced(contact_radius) + edge_load / ground.modulus();
         let profile = ground.shared_profile();
         Self { bed: Bed::Elastic(ground, None), profile, contact_radius, edge_load, indentation }

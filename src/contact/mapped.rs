@@ -4,7 +4,7 @@
 //! ```
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::contact::direct::QuasiStatic;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::contact::mapped::MappedContact;
 //! use springbed::contact::model::ContactModel;
 //! use springbed::input::quantity::Length;
@@ -15,7 +15,7 @@
 //! // E*a/2R in the middle.
 //! let one = Length::new(1.0)?;
 //! let profile = Arc::new(Lying::from(&Cylinder { radius: one, datum: one, width: None }));
-//! let bed = QuasiStatic::new(EdgeLine::new(HalfSpace::new(profile.clone(), 1.0), 0.0));
+//! let bed = QuasiStatic::new(EdgeLine::new(Foundation::new(profile.clone(), 1.0), 0.0));
 //! let mut contact = MappedContact::new(Box::new(bed), profile);
 //! contact.press(&springbed::contact::model::Pull {
 //!     force: 0.0025 * std::f64::consts::PI, slide: 0.0, sliding_speed: 0.0, duration: 1.0,

@@ -5,13 +5,13 @@
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::contact::direct::QuasiStatic;
 //! use springbed::contact::springs::SpringBed;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // The same ball, R = E* = 1, by the direct path and by a thousand springs: F = (4/3)d^{3/2}.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let mut springs = SpringBed::new(ground.clone(), 1000, 1.1, 0.0);
 //! let mut direct = QuasiStatic::new(EdgeLine::new(ground, 0.0));
 //! springs.indent(1.0);

@@ -5,7 +5,7 @@
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::contact::direct::QuasiStatic;
 //! use springbed::contact::model::{ContactModel, Straight};
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
@@ -16,7 +16,7 @@
 //!     contact.follow(&Straight::between(0.0, 0.25, 1.0))?;
 //!     Ok(ahead.force / contact.state().force)
 //! }
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let ratio = pressed(&mut QuasiStatic::new(EdgeLine::new(ground, 0.0)))?;
 //! assert!((ratio - 8.0).abs() < 1e-13);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

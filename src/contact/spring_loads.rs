@@ -4,13 +4,13 @@
 //! ```
 //! use springbed::contact::model::Loading;
 //! use springbed::contact::springs::SpringBed;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // Pressure read off a bed: Hertz' 2E*a/πR on the axis, R = E* = a = 1.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let mut bed = SpringBed::new(ground, 1000, 1.1, 0.0);
 //! bed.indent(1.0);
 //! let peak = bed.spring_loads().pressure(0.0).unwrap();

@@ -7,20 +7,20 @@
 //! # Examples
 //! ```
 //! use springbed::contact::springs::SpringBed;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // Hertz, R = E* = 1: −1/4 ≤ (F_bed/F − 1)(a/h)² ≤ 1/8 while springs are counted, less between them.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let mut bed = SpringBed::new(ground, 200, 2.0, 0.0);
 //! bed.indent(1.0);
 //! assert!((bed.force() / (4.0 / 3.0) - 1.0).abs() < 0.25 * 0.01f64.powi(2));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::contact::foundation::{Foundation, HalfSpace};
+use crate::contact::foundation::Foundation;
 use crate::contact::spring_loads::{SeenSpring, SpringLoads};
 use crate::shape::{Profile, Rim};
 use ndarray::Array1;
@@ -36,21 +36,21 @@ pub enum EdgeLocation {
 
 /// A bed of independent springs under a profile.
 #[derive(Debug, Clone)]
-pub struct SpringBed<F = HalfSpace> {
-    ground: F,
+pub struct SpringBed {
+    ground: Foundation,
     /// Width h of a spring, in the measure [m].
     spacing: f64,
     work_of_adhesion: f64,
     location: EdgeLocation,
-    /// d_e at the springs [m].
+    /// g at the springs [m].
     reduced: Array1<f64>,
-    /// Depth at which a spring parts: d_e − Δl [m].
+    /// Depth at which a spring parts: g − Δl [m].
     threshold: Array1<f64>,
     /// Springs in contact, a prefix of the bed.
     attached: usize,
-    /// Sum of d_e over the springs in contact [m].
+    /// Sum of g over the springs in contact [m].
     attached_sum: f64,
-    /// Sum of d − d_e over the springs in contact [m], carried from event to event.
+    /// Sum of d − g over the springs in contact [m], carried from event to event.
     deflection: f64,
     wall: bool,
     indentation: f64,
@@ -69,13 +69,13 @@ pub fn reach_for(profile: &dyn Profile, largest: f64) -> f64 {
     }
 }
 
-impl<F: Foundation> SpringBed<F> {
+impl SpringBed {
     /// `springs` springs on `ground` out to the radius `reach` [m], with the work of adhesion `work` [J/m²].
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "no bed has 2^53 springs")]
-    pub fn new(ground: F, springs: usize, reach: f64, work: f64) -> Self {
-        let spacing = ground.measure(reach) / springs as f64;
-        let place = |i: usize| ground.radius((i as f64 + 0.5) * spacing);
+    pub fn new(ground: Foundation, springs: usize, reach: f64, work: f64) -> Self {
+        let spacing = reach / springs as f64;
+        let place = |i: usize| (i as f64 + 0.5) * spacing;
         let reduced = Array1::from_shape_fn(springs, |i| ground.depth(place(i)));
         let threshold = Array1::from_shape_fn(springs, |i| reduced[i] - ground.elongation(place(i), work));
         let wall = matches!(ground.profile().rim(), Rim::Wall(end) if reach >= end);
@@ -270,7 +270,7 @@ impl<F: Foundation> SpringBed<F> {
     /// Contact radius [m].
     #[must_use]
     pub fn contact_radius(&self) -> f64 {
-        self.ground.radius(self.covered())
+        self.covered()
     }
 
     /// Measure of the contact [m].
@@ -293,7 +293,7 @@ impl<F: Foundation> SpringBed<F> {
         Some(((self.indentation - last) / (next - last)).clamp(0.0, 1.0))
     }
 
-    /// d − d_e at the edge [m], by interpolation.
+    /// d − g at the edge [m], by interpolation.
     fn edge_deflection(&self) -> f64 {
         let (Some(place), Some(next)) = (self.edge_place_if_any(), self.reduced.get(self.attached)) else { return 0.0 };
         let last = self.reduced[self.attached - 1];
@@ -314,7 +314,7 @@ impl<F: Foundation> SpringBed<F> {
     /// Energy of the closed surface [J].
     #[must_use]
     pub fn surface_energy(&self) -> f64 {
-        -self.work_of_adhesion * self.ground.profile().contact_area(self.ground.radius(self.count() * self.spacing))
+        -self.work_of_adhesion * self.ground.profile().contact_area(self.count() * self.spacing)
     }
 
     /// Work done on the bed so far [J].
@@ -355,8 +355,8 @@ mod tests {
     use std::f64::consts::PI;
     use std::sync::Arc;
 
-    fn ground() -> HalfSpace {
-        HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }), 1.0)
+    fn ground() -> Foundation {
+        Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }), 1.0)
     }
 
     proptest! {

@@ -3,13 +3,13 @@
 //! # Examples
 //! ```
 //! use springbed::contact::loaded::Loaded;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // Hertz with ν = 0.3: the largest shear stress, 0.310 p₀, lies 0.481 a below the surface (Johnson 1985).
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let loaded = Loaded::elastic(ground, 1.0, 0.0);
 //! let hardest = loaded.hardest(0.3).unwrap();
 //! assert!((hardest.depth - 0.481).abs() < 1e-3);
@@ -86,7 +86,7 @@ impl StressField {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::foundation::HalfSpace;
+    use crate::contact::foundation::Foundation;
     use crate::contact::loaded::Curve;
     use crate::input::quantity::Length;
     use crate::shape::{Paraboloid, Profile};
@@ -99,7 +99,7 @@ mod tests {
 
     /// A ball of R = 1 with E* = 1: p₀ = 2a/π.
     fn hertz(a: f64) -> Loaded {
-        Loaded::elastic(HalfSpace::new(ball(), 1.0), a, 0.0)
+        Loaded::elastic(Foundation::new(ball(), 1.0), a, 0.0)
     }
 
     /// The same contact, of which the loads alone are known.
@@ -145,7 +145,7 @@ mod tests {
     /// Near the surface σ_zz is the pressure.
     #[test]
     fn the_surface_carries_the_pressure() {
-        for load in [hertz(0.7), remembered(0.7), Loaded::elastic(HalfSpace::new(ball(), 1.0), 0.7, -0.1)] {
+        for load in [hertz(0.7), remembered(0.7), Loaded::elastic(Foundation::new(ball(), 1.0), 0.7, -0.1)] {
             for r in [0.0, 0.2, 0.5, 0.9] {
                 let axial = load.field(0.3).at(r, 1e-7).axial;
                 let pressure = load.pressure(r);

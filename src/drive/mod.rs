@@ -12,13 +12,13 @@
 //! use springbed::contact::direct::QuasiStatic;
 //! use springbed::drive::Driver;
 //! use springbed::drive::course::{Course, Extent, Path};
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // A ball, R = E* = 1, pressed to F = 4/3 in a second: half-way it carries half of that.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let mut contact = QuasiStatic::new(EdgeLine::new(ground, 0.0));
 //! let mut driver = Driver::new(&contact, 1e-6);
 //! let (normal, tangential) = (Path::To(4.0 / 3.0), Path::Stay);

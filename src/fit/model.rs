@@ -7,7 +7,7 @@ use super::remembering::{Remembering, goes_in_once};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::creep::Creep;
-use crate::contact::foundation::{Foundation, HalfSpace};
+use crate::contact::foundation::Foundation;
 use crate::input::table::{Columns, TableError, Tables};
 use crate::material::Spectrum;
 use crate::run::{Wanted, run};
@@ -56,7 +56,7 @@ impl Answer {
 /// Who computes a curve.
 enum Way<'w> {
     /// The force follows from the depth.
-    Elastic(HalfSpace),
+    Elastic(Foundation),
     /// It follows from the depth and from whether the bodies hold each other.
     Adhesive(Branch),
     /// It remembers a depth that has risen and fallen, at these times.
@@ -206,7 +206,7 @@ fn told(problems: &[crate::input::problem::Problem]) -> String {
 }
 
 /// Force [N] and its slope dF/dd = 2E*a [N/m] at the depth `d` [m].
-fn elastic(ground: &HalfSpace, d: f64) -> Result<(f64, f64), String> {
+fn elastic(ground: &Foundation, d: f64) -> Result<(f64, f64), String> {
     if d <= 0.0 {
         return Ok((0.0, 0.0));
     }

@@ -4,13 +4,13 @@
 //! ```
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::friction::peeling::{ShearedAdhesion, TangentialLoad, UNIFORM};
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // An adhesive ball, R = E* = w = 1, with nothing on it: shear makes its contact smaller than JKR's a³ = 9π/2.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let lens = ShearedAdhesion { line: EdgeLine::new(ground, 1.0), ratio: UNIFORM };
 //! let rest = lens.under(0.0, TangentialLoad::Force(0.0))?.contact_radius;
 //! assert!((rest.powi(3) / (4.5 * std::f64::consts::PI) - 1.0).abs() < 1e-12);
@@ -274,13 +274,13 @@ impl ShearedAdhesion {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::foundation::HalfSpace;
+    use crate::contact::foundation::Foundation;
     use crate::input::quantity::{Length, Positive};
     use crate::shape::{Paraboloid, Power};
     use std::sync::Arc;
 
     fn sheared<P: Profile + Clone + 'static>(shape: &P, (modulus, work): (f64, f64), ratio: f64) -> ShearedAdhesion {
-        let ground = HalfSpace::new(Arc::new(shape.clone()), modulus);
+        let ground = Foundation::new(Arc::new(shape.clone()), modulus);
         ShearedAdhesion { line: EdgeLine::new(ground, work), ratio }
     }
 

@@ -4,13 +4,13 @@
 //! ```
 //! use springbed::contact::loaded::Loaded;
 //! use springbed::friction::sliding::{LinearLaw, sliding_force};
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // τ = τ_c + βp over a ball, R = E* = a = 1: F_x = τ_cπa² + βF.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let law = LinearLaw { strength: 0.01, slope: 0.1 };
 //! let force = sliding_force(&Loaded::elastic(ground, 1.0, 0.0), &law);
 //! assert!((force - (0.01 * std::f64::consts::PI + 0.1 * 4.0 / 3.0)).abs() < 1e-13);
@@ -254,7 +254,7 @@ fn holds(point: &SlidingPoint, tolerance: f64) -> bool {
 mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
-    use crate::contact::foundation::HalfSpace;
+    use crate::contact::foundation::Foundation;
     use crate::input::quantity::{Length, Modulus, Positive, Ratio};
     use crate::shape::{Cone, Paraboloid, Profile};
     use std::sync::Arc;
@@ -267,8 +267,8 @@ mod tests {
         Paraboloid { radius: Length::new(1.0).unwrap() }
     }
 
-    fn ground() -> HalfSpace {
-        HalfSpace::new(Arc::new(lens()), 1.0)
+    fn ground() -> Foundation {
+        Foundation::new(Arc::new(lens()), 1.0)
     }
 
     /// Linear laws: μF and τ_cπa² + βF for any profile, the logarithm of the cone included.
@@ -280,7 +280,7 @@ mod tests {
         let coulomb = Coulomb { coefficient: Ratio::new(0.4).unwrap() };
         for (profile, bound) in [(Arc::new(lens) as Arc<dyn Profile>, 1e-13), (Arc::new(cone), 1e-9)] {
             let force = 2.0 * profile.load_integral(a);
-            let pressed = Loaded::elastic(HalfSpace::new(profile, 1.0), a, 0.0);
+            let pressed = Loaded::elastic(Foundation::new(profile, 1.0), a, 0.0);
             assert!((sliding_force(&pressed, &coulomb) / (0.4 * force) - 1.0).abs() < bound);
             let exact = 0.2 * PI * a * a + 0.1 * force;
             assert!((sliding_force(&pressed, &law) / exact - 1.0).abs() < bound);

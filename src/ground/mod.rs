@@ -1,7 +1,7 @@
 //! What lies under the contact: layers, a thin sheet of springs, a body whose stiffness grows with the depth.
 //!
 //! Frictionless normal contact on a half-space whose stiffness depends on the depth below its surface alone is a bed
-//! of independent springs (see [`Foundation`](crate::contact::foundation)): of the stiffness k′(x)dx under the profile
+//! of independent springs of the stiffness k′(x)dx under the profile
 //! d_e(x). k(a) is the stiffness of a flat punch of the radius a, and k′ = 2E*q₁(a)², q₁(x) being E* times less than
 //! the line load under a punch that sinks by one. At the places s = k/2E* it is the bed of the homogeneous half-space
 //! under the profile d_e(a(s)), a [`Grounded`] one: whatever a bed does in time, under adhesion, in an impact, it does

@@ -6,7 +6,7 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::mapped::MappedContact;
 use crate::contact::model::ContactModel;
 use crate::contact::plastic::PlasticContact;
@@ -120,7 +120,7 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
 ///
 /// # Errors
 /// The attraction has no contact.
-pub fn direct(ground: HalfSpace, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
+pub fn direct(ground: Foundation, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
     match adhesion {
         ElasticAdhesion::None => Ok(QuasiStatic::new(EdgeLine::new(ground, 0.0))),
         ElasticAdhesion::Vanishing { work } => Ok(QuasiStatic::new(EdgeLine::new(ground, work))),

@@ -21,7 +21,7 @@
 use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
 use super::read::Read;
 use super::surface::Surface;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::rough::EdgeWorks;
 use crate::friction::Grip;
 use crate::friction::oblique::Ball;
@@ -158,16 +158,16 @@ impl RoughPlan {
 impl RoundPlan {
     /// What the indenter is pressed into; instantaneous where it relaxes.
     #[must_use]
-    pub fn ground(&self) -> HalfSpace {
-        HalfSpace::new(self.profile.clone(), self.pair.normal)
+    pub fn ground(&self) -> Foundation {
+        Foundation::new(self.profile.clone(), self.pair.normal)
     }
 }
 
 impl ImpactPlan {
     /// What the indenter is pressed into; instantaneous where it relaxes.
     #[must_use]
-    pub fn ground(&self) -> HalfSpace {
-        HalfSpace::new(self.profile.clone(), self.pair.normal)
+    pub fn ground(&self) -> Foundation {
+        Foundation::new(self.profile.clone(), self.pair.normal)
     }
 }
 
@@ -220,7 +220,7 @@ impl Plan {
 
     /// What the indenter is pressed into, if it is round.
     #[must_use]
-    pub fn ground(&self) -> Option<HalfSpace> {
+    pub fn ground(&self) -> Option<Foundation> {
         self.of_round(|plan| Some(plan.ground()), |plan| Some(plan.ground()))
     }
 

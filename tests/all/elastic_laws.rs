@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::adhesion::range::RangeDisc;
 use springbed::contact::direct::QuasiStatic;
-use springbed::contact::foundation::HalfSpace;
+use springbed::contact::foundation::Foundation;
 use springbed::input::quantity::{Length, Positive};
 use springbed::numerics::quadrature;
 use springbed::shape::{
@@ -33,7 +33,7 @@ fn plain(value: f64) -> Positive {
 }
 
 fn bare<P: Profile + Clone + 'static>(profile: &P, modulus: f64) -> QuasiStatic {
-    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), 0.0))
+    QuasiStatic::new(EdgeLine::new(Foundation::new(Arc::new(profile.clone()), modulus), 0.0))
 }
 
 fn close(value: f64, right: f64) -> Result<(), TestCaseError> {
@@ -143,7 +143,7 @@ proptest! {
         let (low, high) = (0.01 * size * f64::from(from), 0.01 * size * f64::from(from) * (1.0 + 0.02 * f64::from(stretch)));
         for shape in shapes {
             let at = |d: f64| {
-                let mut state = QuasiStatic::new(EdgeLine::new(HalfSpace::new(shape.clone(), modulus), 0.0));
+                let mut state = QuasiStatic::new(EdgeLine::new(Foundation::new(shape.clone(), modulus), 0.0));
                 state.indent(d).unwrap();
                 (state.present().balance.force, state.stiffness(), state.energy().elastic)
             };
@@ -202,7 +202,7 @@ proptest! {
         let stress = 0.5 * lambda * (PI * work * stiffness * stiffness / radius).cbrt();
         let unit = (PI * work * radius * radius / stiffness).cbrt();
         let shape = Paraboloid { radius: metres(radius) };
-        let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), modulus), work, stress).unwrap();
+        let disc = RangeDisc::new(Foundation::new(Arc::new(shape.clone()), modulus), work, stress).unwrap();
         let mut state = QuasiStatic::new(disc);
         state.press(0.0).unwrap();
         state.press(force * PI * work * radius).unwrap();
@@ -226,7 +226,7 @@ proptest! {
         let stiffness = 4.0 / 3.0 * modulus;
         let stress = 0.5 * lambda * (PI * work * stiffness * stiffness / radius).cbrt();
         let shape = Paraboloid { radius: metres(radius) };
-        let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), modulus), work, stress).unwrap();
+        let disc = RangeDisc::new(Foundation::new(Arc::new(shape.clone()), modulus), work, stress).unwrap();
         let mut state = QuasiStatic::new(disc);
         state.press(0.0).unwrap();
         let off = state.press(-3.0 * PI * work * radius).unwrap().last().unwrap().before.force;
@@ -263,7 +263,7 @@ proptest! {
         let ratio = 2.0 * stress / modulus;
         let gap = 2.0 / PI * (integral + ratio * c * (phi * phi.sin() - 2.0 * (0.5 * phi).sin().powi(2)));
         let shape = TruncatedCone { flat_radius: metres(b), slope: plain(slope) };
-        let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), modulus), gap * stress, stress).unwrap();
+        let disc = RangeDisc::new(Foundation::new(Arc::new(shape.clone()), modulus), gap * stress, stress).unwrap();
         let state = disc.at(c);
         let (g, pull) = (slope * a * q.atan2(b), ratio * c * phi.sin());
         // Rounding of c against a neck of 1e-2 of it, in two quadratures and a root.

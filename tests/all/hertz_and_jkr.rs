@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::adhesion::range::RangeDisc;
 use springbed::contact::direct::QuasiStatic;
-use springbed::contact::foundation::HalfSpace;
+use springbed::contact::foundation::Foundation;
 use springbed::input::quantity::{Length, Positive};
 use springbed::numerics::quadrature;
 use springbed::shape::{Cone, Paraboloid, Power, Profile};
@@ -27,7 +27,7 @@ fn ball(radius: f64) -> Paraboloid {
 }
 
 fn contact<P: Profile + Clone + 'static>(profile: &P, modulus: f64, work: f64) -> QuasiStatic {
-    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), work))
+    QuasiStatic::new(EdgeLine::new(Foundation::new(Arc::new(profile.clone()), modulus), work))
 }
 
 fn close(value: f64, right: f64) -> Result<(), TestCaseError> {
@@ -201,7 +201,7 @@ proptest! {
         let shape = ball(1.0);
         let right = jkr_radius(load, (1.0, 1.0, 1.0));
         let error = |stress: f64| {
-            let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), 1.0), 1.0, stress).unwrap();
+            let disc = RangeDisc::new(Foundation::new(Arc::new(shape.clone()), 1.0), 1.0, stress).unwrap();
             let mut state = QuasiStatic::new(disc);
             state.press(0.0).unwrap();
             state.press(load).unwrap();
@@ -221,7 +221,7 @@ fn cone_and_dmt() {
     state.indent(0.02).unwrap();
     assert!((state.present().balance.force / (2.0 / PI * 3.0 * 0.02 * 0.02 / 0.1) - 1.0).abs() < 1e-14);
     let shape = ball(1.0);
-    let disc = RangeDisc::new(HalfSpace::new(Arc::new(shape.clone()), 1e6), 1.0, 1.0).unwrap();
+    let disc = RangeDisc::new(Foundation::new(Arc::new(shape.clone()), 1e6), 1.0, 1.0).unwrap();
     let mut tip = QuasiStatic::new(disc);
     tip.press(0.0).unwrap();
     let off = tip.press(-10.0).unwrap().last().unwrap().before.force;

@@ -7,7 +7,7 @@
 use proptest::prelude::*;
 use springbed::contact::adhesion::line::{EdgeLine, Energy};
 use springbed::contact::direct::{Jump, QuasiStatic};
-use springbed::contact::foundation::HalfSpace;
+use springbed::contact::foundation::Foundation;
 use springbed::input::quantity::{Amplitude, Length};
 use springbed::numerics::quadrature;
 use springbed::shape::WavyParaboloid;
@@ -81,7 +81,7 @@ impl Lens {
 /// Jumps on the way to `to` and out again, with `records` stops each way.
 fn loop_of(lens: Lens, to: f64, records: u32) -> (Vec<Jump>, Vec<Jump>) {
     let shape = lens.shape();
-    let line = EdgeLine::new(HalfSpace::new(Arc::new(shape.clone()), lens.modulus), lens.work);
+    let line = EdgeLine::new(Foundation::new(Arc::new(shape.clone()), lens.modulus), lens.work);
     let mut contact = QuasiStatic::new(line);
     let mut ways = [(0.0, to), (to, contact.last_depth().unwrap())].map(|(from, to)| {
         let stop = |k| if k == records { to } else { from + (to - from) * f64::from(k) / f64::from(records) };
@@ -124,7 +124,7 @@ fn every_jump_is_found_whatever_the_number_of_records() {
 fn every_jump_under_force_is_found_whatever_the_number_of_records() {
     let shape = LENS.shape();
     let run = |records: u32| {
-        let line = EdgeLine::new(HalfSpace::new(Arc::new(shape.clone()), LENS.modulus), LENS.work);
+        let line = EdgeLine::new(Foundation::new(Arc::new(shape.clone()), LENS.modulus), LENS.work);
         let mut contact = QuasiStatic::new(line);
         let mut way = |from: f64, to: f64| -> Vec<Jump> {
             let stop = |k| from + (to - from) * f64::from(k) / f64::from(records);
@@ -190,7 +190,7 @@ proptest! {
 }
 
 fn lens() -> QuasiStatic {
-    QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(LENS.shape()), LENS.modulus), LENS.work))
+    QuasiStatic::new(EdgeLine::new(Foundation::new(Arc::new(LENS.shape()), LENS.modulus), LENS.work))
 }
 
 /// Led by a force and drawn back by the depth it is led back as if the depth had led it there: the waves passed under

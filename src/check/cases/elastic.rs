@@ -4,7 +4,7 @@ use crate::check::case::{Attempt, Case, Pairs, Proof};
 use crate::check::contacts::{indented, paraboloid, plain};
 use crate::check::sketch::si;
 use crate::contact::elliptic;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::contact::springs::{EdgeLocation, SpringBed};
 use crate::numerics::quadrature;
@@ -122,7 +122,7 @@ fn flat_punch() -> Attempt<Pairs> {
 
 /// A ball of R = 1 pressed to a = 0.1 with E* = 1: p₀ = 2a/π.
 fn loaded(ball: Arc<Paraboloid>) -> Loaded {
-    Loaded::elastic(HalfSpace::new(ball, 1.0), 0.1, 0.0)
+    Loaded::elastic(Foundation::new(ball, 1.0), 0.1, 0.0)
 }
 
 fn stress_on_axis() -> Attempt<Pairs> {
@@ -149,7 +149,7 @@ fn ellipsoid() -> Attempt<Pairs> {
 
 /// The largest part of the proved envelope that a scan over the place of the edge uses.
 fn bed_envelope() -> Attempt<Pairs> {
-    let ground = HalfSpace::new(paraboloid(1.0)?, 1.0);
+    let ground = Foundation::new(paraboloid(1.0)?, 1.0);
     let (springs, reach) = (200, 0.04);
     let spacing = reach / f64::from(springs);
     let part = |k: i32| {

@@ -3,7 +3,7 @@
 use crate::check::case::{Attempt, Case, Pairs, Proof};
 use crate::check::contacts::paraboloid;
 use crate::check::sketch::si;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::contact::punch::Stresses;
 use crate::contact::subsurface::FirstYield;
@@ -36,7 +36,7 @@ pub(super) const CASES: &[Case] = &[
 
 /// A ball with the contact radius one and p₀ = 1.
 fn ball() -> Attempt<Loaded> {
-    Ok(Loaded::elastic(HalfSpace::new(paraboloid(1.0)?, 0.5 * PI), 1.0, 0.0))
+    Ok(Loaded::elastic(Foundation::new(paraboloid(1.0)?, 0.5 * PI), 1.0, 0.0))
 }
 
 fn beside(found: Stresses, right: [f64; 4]) -> Pairs {
@@ -56,13 +56,13 @@ fn hertz() -> Attempt<Pairs> {
 fn flat_punch() -> Attempt<Pairs> {
     let punch = Arc::new(FlatPunch { radius: si(1.0)? });
     // Of the mean pressure one: F = 2q(a)a = π.
-    let field = Loaded::elastic(HalfSpace::new(punch, 1.0), 1.0, 0.5 * PI).field(0.3);
+    let field = Loaded::elastic(Foundation::new(punch, 1.0), 1.0, 0.5 * PI).field(0.3);
     let right = [-0.196_653_226_654, -0.226_827_927_495, -0.622_363_469_300, -0.009_495_785_578];
     Ok(beside(field.at(0.5, 0.5), right))
 }
 
 fn first_yield() -> Attempt<Pairs> {
-    let ground = HalfSpace::new(paraboloid(2.0)?, 3.0);
+    let ground = Foundation::new(paraboloid(2.0)?, 3.0);
     let force = |(poisson, ratio): (f64, f64)| {
         let first = FirstYield::of(&ground, poisson, 0.01, 0.0).ok_or("no first yield")?;
         // F = π³R²p₀³/6E*².

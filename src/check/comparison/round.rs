@@ -5,7 +5,7 @@ use crate::check::case::Attempt;
 use crate::check::row::{Computed, Found, Setting};
 use crate::check::study::Method;
 use crate::contact::direct::QuasiStatic;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::model::{ContactModel, Loading, Straight};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::numerics::extremum;
@@ -186,7 +186,7 @@ fn most_pressed(plan: &Plan) -> Attempt<Found> {
 }
 
 /// What a scene on the direct path is made of.
-fn elastic(plan: &Plan) -> Attempt<(HalfSpace, ElasticAdhesion)> {
+fn elastic(plan: &Plan) -> Attempt<(Foundation, ElasticAdhesion)> {
     Ok(plan.ground().zip(plan.direct()).ok_or("the direct path computes elastic round contacts")?)
 }
 

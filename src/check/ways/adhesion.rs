@@ -6,7 +6,7 @@ use crate::check::contacts::{jkr, paraboloid};
 use crate::check::row::{Computed, Setting};
 use crate::check::study::{Method, Study, Thoroughness};
 use crate::contact::direct::QuasiStatic;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::springs::SpringBed;
 use crate::shape::Paraboloid;
 use std::f64::consts::PI;
@@ -28,7 +28,7 @@ pub fn pull_off(effort: Thoroughness) -> Attempt<Study> {
     for (name, location) in EDGES {
         methods.extend(effort.decades(2, 5).map(|count| {
             let prepare = move || {
-                let bed = SpringBed::new(HalfSpace::new(paraboloid(1.0)?, 1.0), count, 3.2, 1.0).with_edge(location);
+                let bed = SpringBed::new(Foundation::new(paraboloid(1.0)?, 1.0), count, 3.2, 1.0).with_edge(location);
                 Ok(move || Ok(springs(bed.clone())))
             };
             Method::new(name, Setting::springs(count), prepare)

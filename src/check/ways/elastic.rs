@@ -9,7 +9,7 @@ use crate::check::row::{Computed, Found, Setting};
 use crate::check::sketch::si;
 use crate::check::study::{Method, Study, Thoroughness};
 use crate::contact::direct::QuasiStatic;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::model::Loading;
 use crate::contact::springs::SpringBed;
 use crate::shape::{Cone, Profile};
@@ -56,7 +56,7 @@ fn methods<P: Profile + 'static>(shape: &Arc<P>, exact: ClosedForm, effort: Thor
         let bed = |count| {
             let shape = shape.clone();
             let prepare = move || {
-                let bed = SpringBed::new(HalfSpace::new(shape.clone(), 1.0), count, reach, 0.0).with_edge(location);
+                let bed = SpringBed::new(Foundation::new(shape.clone(), 1.0), count, reach, 0.0).with_edge(location);
                 Ok(move || Ok(springs(bed.clone())))
             };
             Method::new(name, Setting::springs(count), prepare)

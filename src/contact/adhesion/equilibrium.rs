@@ -4,13 +4,13 @@
 //! ```
 //! use springbed::contact::adhesion::equilibrium::{Branches, Control, Equilibrium};
 //! use springbed::contact::adhesion::line::EdgeLine;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // A ball, R = E* = w = 1, pulled at a prescribed depth: it parts at d = −(3/4)(π²)^{1/3} (JKR).
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let curve = EdgeLine::new(ground, 1.0);
 //! let mut branches = Branches::new(&curve, Control::Indentation)?;
 //! let (touched, _) = branches.follow(&curve, curve.start(), 1.0)?;

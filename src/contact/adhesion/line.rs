@@ -3,13 +3,13 @@
 //! # Examples
 //! ```
 //! use springbed::contact::adhesion::line::EdgeLine;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // R = E* = w = 1 at a = 1: the edge springs are pulled by √(2πaw/E*), d = a²/R − √(2πaw/E*).
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let edge = EdgeLine::new(ground, 1.0);
 //! assert!((edge.elongation(1.0) - (2.0 * std::f64::consts::PI).sqrt()).abs() < 1e-15);
 //! assert!((edge.at(1.0).indentation - (1.0 - edge.elongation(1.0))).abs() < 1e-15);
@@ -17,17 +17,17 @@
 //! ```
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
-use crate::contact::foundation::{Foundation, HalfSpace};
+use crate::contact::foundation::Foundation;
 
 /// Equilibrium of a contact whose edge carries the work of adhesion w, w = 0 included.
 ///
 /// The edge springs hold until stretched by Δl(a), on a half-space √(2πaw/E*) (Heß 2010; Popov & Heß
-/// 2015, eq. 4.18), so d = d_e(a) − Δl(a) and F = 2E*(N(a) − s(a)Δl(a)) (see
+/// 2015, eq. 4.18), so d = g(a) − Δl(a) and F = 2E*(N(a) − aΔl(a)) (see
 /// [`Foundation`]). With w = 0 it is the contact without adhesion, to the bit. Symbols: a contact
 /// radius [m], w work of adhesion [J/m²], E* effective modulus [Pa]. Check: R = E* = w = 1 parts at d = −1.608772047833270 under displacement control.
 #[derive(Debug, Clone)]
-pub struct EdgeLine<F = HalfSpace> {
-    ground: F,
+pub struct EdgeLine {
+    ground: Foundation,
     work: f64,
 }
 
@@ -48,16 +48,16 @@ impl Energy {
     }
 }
 
-impl<F: Foundation> EdgeLine<F> {
+impl EdgeLine {
     /// A contact on `ground` with the work of adhesion w [J/m²].
     #[must_use]
-    pub fn new(ground: F, work: f64) -> Self {
+    pub fn new(ground: Foundation, work: f64) -> Self {
         Self { ground, work }
     }
 
     /// What the indenter is pressed into.
     #[must_use]
-    pub fn ground(&self) -> &F {
+    pub fn ground(&self) -> &Foundation {
         &self.ground
     }
 
@@ -103,7 +103,7 @@ impl<F: Foundation> EdgeLine<F> {
 /// Decades below the scale of a section in which its strips have a width that a number can tell.
 const FIRST_STRIPS: f64 = 1.5;
 
-impl<F: Foundation> Equilibrium for EdgeLine<F> {
+impl Equilibrium for EdgeLine {
     fn value(&self, control: Control, a: f64) -> f64 {
         let elongation = self.elongation(a);
         match control {
@@ -117,10 +117,7 @@ impl<F: Foundation> Equilibrium for EdgeLine<F> {
         let (slope, elongation, growth) = (ground.depth_slope(a), self.elongation(a), ground.elongation_growth(a));
         match control {
             Control::Indentation => slope - growth * elongation / a,
-            Control::Force => {
-                let lost = ground.density(a) * (1.0 + growth / ground.stiffness_growth(a)) * elongation;
-                2.0 * ground.modulus() * (ground.measure(a) * slope - lost)
-            }
+            Control::Force => 2.0 * ground.modulus() * (a * slope - (1.0 + growth) * elongation),
         }
     }
 
@@ -133,11 +130,11 @@ impl<F: Foundation> Equilibrium for EdgeLine<F> {
     }
 
     fn scale(&self) -> f64 {
-        self.ground.scale()
+        self.ground.profile().scale()
     }
 
     fn search(&self) -> Search {
-        match (self.ground.feature(), self.ground.kink()) {
+        match (self.ground.profile().feature(), self.ground.profile().kink()) {
             _ if self.work <= 0.0 => Search::Nowhere,
             // The strips of a wave: pulled in, and again where they all but meet.
             _ if self.ground.profile().is_plane() && self.end().is_finite() => {

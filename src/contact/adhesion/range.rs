@@ -3,13 +3,13 @@
 //! # Examples
 //! ```
 //! use springbed::contact::adhesion::range::RangeDisc;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // Maugis: w = 1 at the stress σ₀ = 2 acts up to the gap w/σ₀.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let disc = RangeDisc::new(ground, 1.0, 2.0)?;
 //! assert_eq!((disc.range(), disc.stress()), (0.5, 2.0));
 //! assert!(disc.at(1.5).reach > disc.at(1.5).contact_radius);
@@ -18,7 +18,7 @@
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use super::line::Energy;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::numerics::{quadrature, root};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI};
 
@@ -34,7 +34,7 @@ use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI};
 /// modulus [Pa]. Check: λ = 1 parts at F = −1.600723 πwR.
 #[derive(Debug, Clone)]
 pub struct RangeDisc {
-    ground: HalfSpace,
+    ground: Foundation,
     work: f64,
     stress: f64,
     /// Radius c at which the bodies touch first.
@@ -48,7 +48,7 @@ impl RangeDisc {
     ///
     /// # Errors
     /// No radius of attraction is found at which the bodies touch.
-    pub fn new(ground: HalfSpace, work: f64, stress: f64) -> Result<Self, root::RootError> {
+    pub fn new(ground: Foundation, work: f64, stress: f64) -> Result<Self, root::RootError> {
         let mut disc = Self { ground, work, stress, touch: 0.0, decades: 1.0 };
         let residual = |c: f64| disc.gap_without_contact(c) - disc.range();
         let (low, high) = root::bracket_upwards(residual, 0.0, disc.jkr_scale().min(disc.end()), disc.end().min(1e300))
@@ -71,7 +71,7 @@ impl RangeDisc {
 
     /// What the indenter is pressed into.
     #[must_use]
-    pub fn ground(&self) -> &HalfSpace {
+    pub fn ground(&self) -> &Foundation {
         &self.ground
     }
 

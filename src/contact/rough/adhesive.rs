@@ -418,7 +418,7 @@ mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
     use crate::contact::direct::QuasiStatic;
-    use crate::contact::foundation::HalfSpace;
+    use crate::contact::foundation::Foundation;
     use crate::contact::rough::RoughContact;
     use crate::input::quantity::Length;
     use crate::shape::Paraboloid;
@@ -613,7 +613,7 @@ mod tests {
         let (radius, work) = (2.0, 1e-4);
         let ball = Paraboloid { radius: Length::new(radius).unwrap() };
         let off = |points: usize| {
-            let ground = HalfSpace::new(Arc::new(ball.clone()), 1.0);
+            let ground = Foundation::new(Arc::new(ball.clone()), 1.0);
             let mut exact = QuasiStatic::new(EdgeLine::new(ground, work));
             let mut line = AdhesiveRough::new(&smooth(1e-30), points, 1.0, Some(&ball), both(work)).unwrap();
             let pull = 1.5 * PI * work * radius;

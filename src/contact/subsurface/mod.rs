@@ -7,14 +7,14 @@
 //!
 //! # Examples
 //! ```
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::contact::loaded::Loaded;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // Hertz, R = E* = a = 1, ν = 0.3: σ_zz = −p₀/(1+z²/a²) on the axis.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let loaded = Loaded::elastic(ground, 1.0, 0.0);
 //! let field = loaded.field(0.3);
 //! assert!((field.at(0.0, 1.0).axial / (-0.5 * loaded.pressure(0.0)) - 1.0).abs() < 1e-13);
@@ -36,7 +36,7 @@ pub use yielding::FirstYield;
 
 use super::adhesion::equilibrium::Balance;
 use super::adhesion::range::RangeDisc;
-use super::foundation::HalfSpace;
+use super::foundation::Foundation;
 use super::loaded::{Bed, Loaded};
 use super::punch::{Point, Stresses};
 use crate::numerics::chebyshev::{self, Chebyshev};
@@ -94,7 +94,7 @@ impl Loaded {
 
     /// The pieces of E*g′: over x up to a kink of the profile at b, beyond it, where g goes with the root of x − b, over
     /// s = √(x² − b²), in which it is smooth.
-    fn elastic_pieces(&self, ground: &HalfSpace) -> Vec<Piece> {
+    fn elastic_pieces(&self, ground: &Foundation) -> Vec<Piece> {
         let (a, scale, modulus) = (self.contact_radius, self.reach(), ground.modulus());
         let fine = FINE * modulus * self.profile.reduced(a).abs() / scale;
         let weight = |x: f64| modulus * self.profile.reduced_slope(scale * x);

@@ -2,7 +2,7 @@
 
 use super::StressField;
 use crate::contact::adhesion::range::RangeDisc;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::contact::punch::Stresses;
 use crate::input::quantity::{Length, Positive};
@@ -38,7 +38,7 @@ fn shapes() -> Vec<Arc<dyn Profile>> {
 }
 
 fn loaded(profile: Arc<dyn Profile>, edge: f64) -> Loaded {
-    Loaded::elastic(HalfSpace::new(profile, 1.0), 1.0, edge)
+    Loaded::elastic(Foundation::new(profile, 1.0), 1.0, edge)
 }
 
 /// σ_xx, σ_yy, σ_zz, τ_xz of a load of one newton at the origin, pressing (Boussinesq) or dragging along x (Cerruti):
@@ -213,7 +213,7 @@ fn no_digits_are_lost_at_any_depth() {
 /// An attraction of finite range: the surface carries its pressure too, inside and in the ring.
 #[test]
 fn the_ring_of_an_attraction_is_in_the_field() {
-    let ground = HalfSpace::new(Arc::new(Paraboloid { radius: length(1.0) }), 1.0);
+    let ground = Foundation::new(Arc::new(Paraboloid { radius: length(1.0) }), 1.0);
     let disc = RangeDisc::new(ground, 0.01, 0.2).unwrap();
     let balance = disc.at(0.6);
     assert!(balance.contact_radius > 0.1 && balance.contact_radius < 0.59);
@@ -248,7 +248,7 @@ fn sharp_contacts_have_no_hardest_place() {
 /// beside the ring of an attraction.
 #[test]
 fn no_place_is_harder_than_the_hardest() {
-    let ground = HalfSpace::new(Arc::new(Paraboloid { radius: length(1.0) }), 1.0);
+    let ground = Foundation::new(Arc::new(Paraboloid { radius: length(1.0) }), 1.0);
     let disc = RangeDisc::new(ground, 0.01, 0.2).unwrap();
     let balance = disc.at(0.6);
     let rim = RoundedPunch { flat_radius: length(0.9), edge_radius: length(0.5) };

@@ -1,7 +1,7 @@
 //! The load under which an elastic contact yields first.
 
 use super::Place;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::numerics::root;
 use crate::shape::Rim;
@@ -29,7 +29,7 @@ impl FirstYield {
     /// `None` where the stress has no bound, so that the body yields under any load, and where the profile ends first.
     /// Check: a ball at ν = 0.3 yields at p₀ = 1.6127965630 Y.
     #[must_use]
-    pub fn of(ground: &HalfSpace, poisson: f64, limit: f64, drag: f64) -> Option<Self> {
+    pub fn of(ground: &Foundation, poisson: f64, limit: f64, drag: f64) -> Option<Self> {
         let profile = ground.profile();
         let at = |a: f64| Loaded::elastic(ground.clone(), a, 0.0);
         let hardest = |a: f64| at(a).field(poisson).dragged(drag).hardest();
@@ -63,7 +63,7 @@ mod tests {
     }
 
     fn yields(profile: Arc<dyn Profile>, poisson: f64, drag: f64) -> Option<FirstYield> {
-        FirstYield::of(&HalfSpace::new(profile, 1.0), poisson, 1e-2, drag)
+        FirstYield::of(&Foundation::new(profile, 1.0), poisson, 1e-2, drag)
     }
 
     /// p₀ = κY, F = π³R²p₀³/6E*², with κ of physics by 25 digits.

@@ -10,13 +10,13 @@
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::contact::direct::QuasiStatic;
 //! use springbed::drive::impact::{Passage, Projectile, SteppedMass};
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::input::quantity::Length;
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
 //! // R = E* = m = v = 1: contact time 2.943275 (15/16)^{2/5} by energy, and in steps on any contact.
-//! let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let mut contact = QuasiStatic::new(EdgeLine::new(ground, 0.0));
 //! let impact = Projectile { mass: 1.0, speed: 1.0 };
 //! let exact = Passage::new(&contact, impact, 1e-9)?.rebound().contact_time.unwrap();

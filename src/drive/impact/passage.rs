@@ -3,7 +3,6 @@
 use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::adhesion::line::Energy;
 use crate::contact::direct::{Jump, QuasiStatic};
-use crate::contact::foundation::{Foundation, HalfSpace};
 use crate::numerics::quadrature;
 use crate::numerics::root;
 use std::f64::consts::PI;
@@ -19,9 +18,9 @@ use std::f64::consts::PI;
 /// Check: Hertz, contact time 2.943275184324705 x₀/v with x₀ = (15mv²/(16E*√R))^{2/5} (Johnson 1985,
 /// eq. 11.23). Valid while v is far below the speed of sound and the edge runs far faster than the mass.
 #[derive(Debug, Clone)]
-pub struct Passage<F = HalfSpace> {
+pub struct Passage {
     impact: Projectile,
-    legs: Vec<StableStretch<F>>,
+    legs: Vec<StableStretch>,
     /// Kinetic energy left as the bodies part [J]; `None` if they stay together.
     left: Option<f64>,
     lost: f64,
@@ -29,9 +28,9 @@ pub struct Passage<F = HalfSpace> {
 
 /// A stretch between two jumps, in one direction.
 #[derive(Debug, Clone)]
-struct StableStretch<F> {
+struct StableStretch {
     /// The contact somewhere on this stretch.
-    contact: QuasiStatic<F>,
+    contact: QuasiStatic,
     from: f64,
     to: f64,
     /// Energy lost in jumps before [J].
@@ -47,13 +46,13 @@ const LOOKS: u32 = 24;
 /// Most parts a leg is cut into for its duration.
 const MOST_PARTS: usize = 64;
 
-impl<F: Foundation> Passage<F> {
+impl Passage {
     /// The way of a mass through a contact such as `contact`, from first touch on; `accuracy` is the relative error of the
     /// contact time aimed at (default 1e-6; smaller costs panels of a quadrature that converges fast).
     ///
     /// # Errors
     /// The kinetic energy carries the contact beyond its profile, or an equilibrium is not found.
-    pub fn new(contact: &QuasiStatic<F>, impact: Projectile, accuracy: f64) -> Result<Self, ImpactError> {
+    pub fn new(contact: &QuasiStatic, impact: Projectile, accuracy: f64) -> Result<Self, ImpactError> {
         let mut passage = Self { impact, legs: Vec::new(), left: None, lost: 0.0 };
         let deepest = passage.inwards(contact.apart())?;
         passage.outwards(deepest)?;
@@ -84,12 +83,12 @@ impl<F: Foundation> Passage<F> {
     /// Bytes of its state.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.legs.iter().map(|leg| size_of::<StableStretch<F>>() + size_of::<f64>() * leg.clock.len()).sum()
+        self.legs.iter().map(|leg| size_of::<StableStretch>() + size_of::<f64>() * leg.clock.len()).sum()
     }
 
     /// The contact at the greatest depth.
     #[must_use]
-    pub fn deepest(&self) -> Option<QuasiStatic<F>> {
+    pub fn deepest(&self) -> Option<QuasiStatic> {
         let leg = self.legs.get(self.turn())?;
         Some(leg.at(leg.to))
     }
@@ -132,12 +131,12 @@ impl<F: Foundation> Passage<F> {
     }
 
     /// Kinetic energy [J] on a leg at the depth `d`.
-    fn kinetic(&self, leg: &StableStretch<F>, d: f64) -> f64 {
+    fn kinetic(&self, leg: &StableStretch, d: f64) -> f64 {
         self.impact.energy() - leg.stored(d).stored() - leg.spent
     }
 
     /// Follows the contact inwards to where the kinetic energy is used up; the contact there.
-    fn inwards(&mut self, mut contact: QuasiStatic<F>) -> Result<StableStretch<F>, ImpactError> {
+    fn inwards(&mut self, mut contact: QuasiStatic) -> Result<StableStretch, ImpactError> {
         let mut from = contact.first_touch();
         // What holds the bodies from the first touch on.
         self.lost += contact.indent(from)?.iter().map(|jump| jump.dissipated).sum::<f64>();
@@ -165,10 +164,10 @@ impl<F: Foundation> Passage<F> {
     /// Adds the legs between the jumps of a motion; the last one, if the mass comes to rest on it.
     fn walk(
         &mut self,
-        mut contact: QuasiStatic<F>,
+        mut contact: QuasiStatic,
         (start, end): (f64, f64),
         jumps: &[Jump],
-    ) -> Result<Option<StableStretch<F>>, ImpactError> {
+    ) -> Result<Option<StableStretch>, ImpactError> {
         let mut from = start;
         for (k, jump) in jumps.iter().enumerate() {
             let at = jump.before.indentation;
@@ -184,11 +183,7 @@ impl<F: Foundation> Passage<F> {
     }
 
     /// Adds a leg as far as the mass gets on it; the leg if it rests at its end.
-    fn leg(
-        &mut self,
-        contact: &QuasiStatic<F>,
-        (from, to): (f64, f64),
-    ) -> Result<Option<StableStretch<F>>, ImpactError> {
+    fn leg(&mut self, contact: &QuasiStatic, (from, to): (f64, f64)) -> Result<Option<StableStretch>, ImpactError> {
         let mut contact = contact.clone();
         contact.indent(0.5 * (from + to))?;
         let mut leg = StableStretch { contact, from, to, spent: self.lost, clock: vec![0.0], error: 0.0 };
@@ -208,7 +203,7 @@ impl<F: Foundation> Passage<F> {
     }
 
     /// Follows the contact back to where the bodies part or the mass rests.
-    fn outwards(&mut self, deepest: StableStretch<F>) -> Result<(), ImpactError> {
+    fn outwards(&mut self, deepest: StableStretch) -> Result<(), ImpactError> {
         let contact = deepest.contact.clone();
         let mut back = contact.clone();
         let mut jumps = back.indent(-f64::MAX)?;
@@ -226,7 +221,7 @@ impl<F: Foundation> Passage<F> {
 /// Relative error of closed forms, roots within roots included.
 const ROUNDING: f64 = 1e-11;
 
-impl<F: Foundation> StableStretch<F> {
+impl StableStretch {
     fn depth(&self, phi: f64) -> f64 {
         let (sine, cosine) = (0.5 * phi).sin_cos();
         // From the nearer end, free of cancellation.
@@ -244,7 +239,7 @@ impl<F: Foundation> StableStretch<F> {
     }
 
     /// The contact at the depth `d` of this leg.
-    fn at(&self, d: f64) -> QuasiStatic<F> {
+    fn at(&self, d: f64) -> QuasiStatic {
         let mut contact = self.contact.clone();
         // On a stable branch between its ends nothing can fail.
         let _ = contact.indent(d);
@@ -320,6 +315,7 @@ mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
     use crate::contact::adhesion::range::RangeDisc;
+    use crate::contact::foundation::Foundation;
     use crate::input::quantity::{Amplitude, Length, Positive};
     use crate::shape::{Cone, FlatPunch, Paraboloid, Profile, TruncatedCone, WavyParaboloid};
     use proptest::prelude::*;
@@ -330,7 +326,7 @@ mod tests {
     }
 
     fn jkr<P: Profile + Clone + 'static>(profile: &P, modulus: f64, work: f64) -> QuasiStatic {
-        QuasiStatic::new(EdgeLine::new(HalfSpace::new(Arc::new(profile.clone()), modulus), work))
+        QuasiStatic::new(EdgeLine::new(Foundation::new(Arc::new(profile.clone()), modulus), work))
     }
 
     fn passage(contact: &QuasiStatic, mass: f64, speed: f64) -> Passage {
@@ -430,7 +426,7 @@ mod tests {
         let profile = paraboloid(1.0);
         let mut last = 1.0 + 1e-12;
         for stress in [0.05, 0.5, 2.0] {
-            let disc = RangeDisc::new(HalfSpace::new(Arc::new(profile.clone()), 0.75), 1.0 / PI, stress).unwrap();
+            let disc = RangeDisc::new(Foundation::new(Arc::new(profile.clone()), 0.75), 1.0 / PI, stress).unwrap();
             let contact = QuasiStatic::new(disc);
             let seen = passage(&contact, 1.0, 3.0);
             assert!(ledger(&seen) < 1e-9, "{stress}: {:e}", ledger(&seen));

@@ -205,7 +205,7 @@ mod tests {
     use super::*;
     use crate::contact::adhesion::line::EdgeLine;
     use crate::contact::direct::QuasiStatic;
-    use crate::contact::foundation::HalfSpace;
+    use crate::contact::foundation::Foundation;
     use crate::contact::viscoelastic::Spectrum;
     use crate::contact::viscoelastic::attraction::Attraction;
     use crate::contact::viscoelastic::continuous::ContinuousContact;
@@ -239,7 +239,7 @@ mod tests {
     #[test]
     fn an_edge_without_memory_is_the_elastic_impact() {
         let impact = Projectile { mass: 1.0, speed: 3.0 };
-        let ground = HalfSpace::new(Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }), 1.0);
+        let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }), 1.0);
         let exact = Passage::new(&QuasiStatic::new(EdgeLine::new(ground, 0.3)), impact, 1e-9).unwrap().rebound();
         let ((coarse, _), (fine, astray)) = (held(&[], 0.3, impact, 100.0), held(&[], 0.3, impact, 200.0));
         let off = fine.extrapolated(&coarse).difference(&exact);
@@ -282,7 +282,7 @@ mod tests {
         let ball = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
         let impact = Projectile { mass: 1.0, speed: 3.0 };
         for work in [0.0, 0.3] {
-            let contact = QuasiStatic::new(EdgeLine::new(HalfSpace::new(ball.clone(), 1.0), work));
+            let contact = QuasiStatic::new(EdgeLine::new(Foundation::new(ball.clone(), 1.0), work));
             let exact = Passage::new(&contact, impact, 1e-9).unwrap().rebound();
             let off = |longest: f64| {
                 let mut contact = contact.clone();

@@ -4,7 +4,7 @@
 //! ```
 //! use springbed::contact::adhesion::line::EdgeLine;
 //! use springbed::contact::direct::QuasiStatic;
-//! use springbed::contact::foundation::HalfSpace;
+//! use springbed::contact::foundation::Foundation;
 //! use springbed::contact::model::{ContactModel, Straight};
 //! use springbed::friction::Grip;
 //! use springbed::friction::contact::{CoulombMemory, FrictionalContact};
@@ -14,7 +14,7 @@
 //!
 //! // A normal contact with friction on top is a contact again: pressed to d = 1, then slid by 1.
 //! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
-//! let normal = QuasiStatic::new(EdgeLine::new(HalfSpace::new(ball.clone(), 1.0), 0.0));
+//! let normal = QuasiStatic::new(EdgeLine::new(Foundation::new(ball.clone(), 1.0), 0.0));
 //! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 1.0, coefficient: 0.3 };
 //! let friction = CoulombMemory::new(ball, grip, 1e-6);
 //! let mut contact = FrictionalContact::new(Box::new(normal), Box::new(friction));

@@ -2,7 +2,7 @@
 
 use super::{Step, TangentialContact};
 use crate::contact::error::OutsideTable;
-use crate::contact::foundation::HalfSpace;
+use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::contact::model::Loading;
 use crate::contact::state::{Normal, Tangential};
@@ -19,7 +19,7 @@ use std::sync::Arc;
 /// left out. Valid without adhesion.
 #[derive(Clone)]
 pub struct SlidingContact {
-    ground: HalfSpace,
+    ground: Foundation,
     interface: Interface,
     law: Option<Arc<dyn SlidingLaw>>,
     state: Tangential,
@@ -49,7 +49,7 @@ impl Interface {
 impl SlidingContact {
     /// Bodies that just touch.
     #[must_use]
-    pub fn new(ground: HalfSpace, interface: Interface) -> Self {
+    pub fn new(ground: Foundation, interface: Interface) -> Self {
         let state = Tangential { stored: Some(0.0), dissipated: Some(0.0), ..Tangential::default() };
         Self { ground, interface, law: None, state, limit: 0.0 }
     }
