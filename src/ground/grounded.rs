@@ -21,8 +21,8 @@ const OCTAVES: usize = 200;
 pub struct Grounded {
     shape: Arc<dyn Profile>,
     ground: Arc<dyn Ground>,
-    /// Upper border of the first octave [m].
-    first: f64,
+    /// Upper borders [m] of octaves of radii, over which everything changes slowly.
+    borders: Vec<f64>,
     octaves: Vec<OnceLock<Vec<Panel>>>,
 }
 
@@ -46,7 +46,8 @@ impl Grounded {
     #[must_use]
     pub fn new(shape: Arc<dyn Profile>, ground: Arc<dyn Ground>) -> Self {
         let scale = ground.scale().map_or(shape.scale(), |scale| scale.min(shape.scale()));
-        Self { shape, ground, first: 0.25 * scale, octaves: vec![OnceLock::new(); OCTAVES] }
+        let borders = (0..OCTAVES).map(|octave| 0.25 * scale * (octave as f64).exp2()).collect();
+        Self { shape, ground, borders, octaves: vec![OnceLock::new(); OCTAVES] }
     }
 
     /// The radius [m] at which it ends: of the shape, or of what is known of the ground.
@@ -54,13 +55,8 @@ impl Grounded {
         self.shape.rim().radius().min(self.ground.end())
     }
 
-    /// Upper border [m] of an octave of radii, over which everything changes slowly.
-    fn border(&self, octave: usize) -> f64 {
-        self.first * (octave as f64).exp2()
-    }
-
     fn octave_of(&self, a: f64) -> usize {
-        (0..OCTAVES - 1).find(|&octave| a <= self.border(octave)).unwrap_or(OCTAVES - 1)
+        self.borders.partition_point(|&border| border < a).min(OCTAVES - 1)
     }
 
     /// Panels of an octave; of the last one up to its end.
@@ -70,8 +66,8 @@ impl Grounded {
     }
 
     fn laid(&self, octave: usize) -> Vec<Panel> {
-        let low = if octave == 0 { 0.0 } else { self.border(octave - 1) };
-        let high = self.border(octave).min(self.shape.rim().radius());
+        let low = if octave == 0 { 0.0 } else { self.borders[octave - 1] };
+        let high = self.borders[octave].min(self.shape.rim().radius());
         let flat = self.shape.flat_radius();
         let before = octave.checked_sub(1).and_then(|before| self.panels(before).last());
         let mut ends = before.map_or([0.0; 2], |panel| panel.ends);
@@ -226,7 +222,7 @@ impl Profile for Grounded {
         let mut breaks = self.shape.breaks(radius);
         // Below its own length a ground changes slowly.
         let length = self.ground.scale().unwrap_or(f64::INFINITY);
-        let borders = (0..OCTAVES).map(|octave| self.border(octave)).skip_while(|&border| border < length);
+        let borders = self.borders.iter().copied().skip_while(|&border| border < length);
         breaks.extend(borders.take_while(|&border| border < radius));
         breaks.sort_by(f64::total_cmp);
         breaks.into_iter().map(|radius| self.ground.measure(radius)).collect()

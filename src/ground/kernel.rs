@@ -7,6 +7,8 @@ use std::sync::{Arc, OnceLock};
 
 /// Nodes per octave: the nearest singularity, of the image at the depth 2h, leaves 7^(−20).
 const NODES: usize = 20;
+/// What may be left out of κ, which is about one on the axis.
+const FLOOR: f64 = 1e-18;
 /// Octaves of the distance that are kept; beyond them the integral is taken every time.
 const OCTAVES: usize = 12;
 /// Most halvings of the wave number from 1 down.
@@ -58,7 +60,8 @@ impl Kernel {
     fn octave(&self, octave: usize) -> Chebyshev {
         let high = (octave as f64).exp2();
         let samples = self.samples(high);
-        Chebyshev::of(|y| transformed(&samples, y), NODES, (if octave == 0 { 0.0 } else { 0.5 * high }, high))
+        let interval = (if octave == 0 { 0.0 } else { 0.5 * high }, high);
+        Chebyshev::of(|y| transformed(&samples, y), NODES, interval).trimmed(FLOOR)
     }
 
     /// Wave numbers and 1 − M times their weight, for distances up to `y`.

@@ -40,6 +40,8 @@ struct Octave {
     measure: Chebyshev,
     /// a(s)/s over s.
     radius: Chebyshev,
+    /// s at its end.
+    end: f64,
     /// q₁(a; a) over a.
     edge: Chebyshev,
     /// Coefficients of q₁(x; a) over a.
@@ -85,20 +87,21 @@ impl Layers {
     fn octave(&self, octave: usize) -> Octave {
         let interval = Self::interval(octave);
         let radii: Vec<f64> = Chebyshev::nodes(NODES, interval).collect();
-        let nodes = punch::rule(punch::count(interval.1));
-        let punches: Vec<Punch> = radii.iter().map(|&a| Punch::new(&self.kernel, a, &nodes)).collect();
+        let rule = punch::rule(punch::count(interval.1));
+        let punches: Vec<Punch> = radii.iter().map(|&a| Punch::new(&self.kernel, a, &rule)).collect();
         let over = |of: &dyn Fn(&Punch, f64) -> f64| {
             let values: Vec<f64> = punches.iter().zip(&radii).map(|(punch, &a)| of(punch, a)).collect();
             Chebyshev::met(&values, interval)
         };
         let series = |of: fn(&Punch) -> &Vec<f64>| -> Vec<Chebyshev> {
-            (0..nodes.len()).map(|m| over(&|punch, _| of(punch).get(m).copied().unwrap_or(0.0))).collect()
+            (0..rule.nodes().len()).map(|m| over(&|punch, _| of(punch).get(m).copied().unwrap_or(0.0))).collect()
         };
         let measure = over(&|punch, a| punch.measure / a);
         let (low, high) = interval;
         let ends = (low * measure.at(low), high * measure.at(high));
         let inverse = |s: f64| root::within(|a| a * measure.at(a) - s, low, high) / s;
         Octave {
+            end: ends.1,
             radius: Chebyshev::of(inverse, NODES, ends),
             edge: over(&|punch, _| punch.edge),
             load: series(|punch| &punch.load),
@@ -165,11 +168,7 @@ impl Ground for Layers {
         }
         let thin = s / self.unit;
         let last = self.octaves.len().saturating_sub(1);
-        let within = |octave: &usize| {
-            let high = Self::interval(*octave).1;
-            self.kept(*octave).is_some_and(|kept| thin <= high * kept.measure.at(high))
-        };
-        match (0..=last).find(within).and_then(|octave| self.kept(octave)) {
+        match (0..=last).filter_map(|octave| self.kept(octave)).find(|kept| thin <= kept.end) {
             // One step of Newton doubles the digits of the table, whose function is a root where the layer is thin.
             Some(octave) => {
                 let a = thin * octave.radius.at(thin);
@@ -209,8 +208,11 @@ impl Ground for Layers {
         let Some(octave) = self.about(thin) else { return 1.0 };
         let (resolvent, high) = (self.resolvent(thin), profile.reduced(a));
         let breaks = profile.breaks(a).into_iter().map(|x| x / self.unit).collect();
-        let lower = |x: f64| legendre::even_sum(&resolvent, x / thin) * (1.0 - profile.reduced(x * self.unit) / high);
-        1.0 - quadrature::panels(lower, (0.0, thin), &merged(breaks, toward_edge(thin))) / octave.edge.at(thin)
+        let lower = |x: [f64; quadrature::NODES]| {
+            let taken = legendre::even_sums(&resolvent, x.map(|x| x / thin));
+            std::array::from_fn(|k| taken[k] * (1.0 - profile.reduced(x[k] * self.unit) / high))
+        };
+        1.0 - quadrature::panels_at_once(lower, (0.0, thin), &merged(breaks, toward_edge(thin))) / octave.edge.at(thin)
     }
 
     /// By the pairs q₁ = P₂ₘ(x/a), πa p₁ = P₂ₘ(√(1−r²/a²))/(P₂ₘ(0)√(1−r²/a²)).

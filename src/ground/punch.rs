@@ -4,8 +4,9 @@
 //! so that the rule of Gauss over −a … a converges faster than any power of the nodes.
 
 use super::kernel::Kernel;
-use crate::numerics::legendre;
+use crate::numerics::legendre::EvenRule;
 use crate::numerics::quadrature::node_and_weight;
+use ndarray::{Array1, Array2, Axis, s};
 
 /// A punch, lengths in thicknesses of the top layer.
 #[derive(Debug, Clone)]
@@ -27,29 +28,29 @@ pub(super) fn count(a: f64) -> usize {
     (4..1 << 16).find(|&n| f64::from(n) >= count + 4.0).unwrap_or(1 << 16) as usize
 }
 
-/// The positive nodes of Gauss with their weights, `half` of them.
-pub(super) fn rule(half: usize) -> Vec<(f64, f64)> {
-    (half..2 * half).map(|k| node_and_weight(2 * half, k)).collect()
+/// The positive nodes of Gauss, `half` of them.
+pub(super) fn rule(half: usize) -> EvenRule {
+    EvenRule::new((half..2 * half).map(|k| node_and_weight(2 * half, k)).collect())
 }
 
 impl Punch {
     /// The punch of the radius `a`, by a [`rule`] of [`count`] nodes.
-    pub(super) fn new(kernel: &Kernel, a: f64, nodes: &[(f64, f64)]) -> Self {
+    pub(super) fn new(kernel: &Kernel, a: f64, rule: &EvenRule) -> Self {
+        let nodes = rule.nodes();
         let half = nodes.len();
         let places: Vec<f64> = nodes.iter().map(|node| a * node.0).collect();
         let roots: Vec<f64> = nodes.iter().map(|node| (a * node.1).sqrt()).collect();
         let to_edge: Vec<f64> = places.iter().map(|&x| kernel.between(x, a)).collect();
         // Weighted by the roots the equations are symmetric, and positive: so is the energy.
-        let mut matrix = vec![vec![0.0; half]; half];
-        for (i, row) in matrix.iter_mut().enumerate() {
-            for (j, entry) in row.iter_mut().enumerate().take(i + 1) {
-                let one = if i == j { 1.0 } else { 0.0 };
-                *entry = one - roots[i] * kernel.between(places[i], places[j]) * roots[j];
+        let mut matrix = Array2::eye(half);
+        for i in 0..half {
+            for j in 0..=i {
+                matrix[[i, j]] -= roots[i] * kernel.between(places[i], places[j]) * roots[j];
             }
         }
         factorize(&mut matrix);
         let solved = |right: &mut dyn Iterator<Item = f64>| -> Vec<f64> {
-            let weighted: Vec<f64> = right.zip(&roots).map(|(value, root)| value * root).collect();
+            let weighted: Array1<f64> = right.zip(&roots).map(|(value, root)| value * root).collect();
             solve(&matrix, weighted).into_iter().zip(&roots).map(|(value, root)| value / root).collect()
         };
         let load = solved(&mut std::iter::repeat_n(1.0, half));
@@ -58,38 +59,36 @@ impl Punch {
         Self {
             measure: summed(&load),
             edge: 1.0 + summed(&resolvent),
-            load: legendre::even_coefficients(nodes, &load),
-            resolvent: legendre::even_coefficients(nodes, &resolvent),
+            load: rule.coefficients(&load),
+            resolvent: rule.coefficients(&resolvent),
         }
     }
 }
 
 /// The factor L of a positive matrix LLᵀ, in its place; entries above the diagonal are not looked at.
-fn factorize(matrix: &mut [Vec<f64>]) {
-    for i in 0..matrix.len() {
-        let (before, rest) = matrix.split_at_mut(i);
-        let Some(row) = rest.first_mut() else { return };
-        for (j, other) in before.iter().enumerate() {
-            let sum: f64 = row.iter().zip(other).take(j).map(|(a, b)| a * b).sum();
+fn factorize(matrix: &mut Array2<f64>) {
+    for i in 0..matrix.nrows() {
+        let (before, mut rest) = matrix.view_mut().split_at(Axis(0), i);
+        let mut row = rest.row_mut(0);
+        for (j, other) in before.rows().into_iter().enumerate() {
+            let sum = row.slice(s![..j]).dot(&other.slice(s![..j]));
             row[j] = (row[j] - sum) / other[j];
         }
-        let squares: f64 = row.iter().take(i).map(|a| a * a).sum();
-        row[i] = (row[i] - squares).sqrt();
+        let known = row.slice(s![..i]);
+        row[i] = (row[i] - known.dot(&known)).sqrt();
     }
 }
 
 /// The solution of LLᵀx = `right`.
-fn solve(factor: &[Vec<f64>], mut right: Vec<f64>) -> Vec<f64> {
-    for (i, row) in factor.iter().enumerate() {
-        let sum: f64 = row.iter().zip(&right).take(i).map(|(a, b)| a * b).sum();
+fn solve(factor: &Array2<f64>, mut right: Array1<f64>) -> Array1<f64> {
+    for (i, row) in factor.rows().into_iter().enumerate() {
+        let sum = row.slice(s![..i]).dot(&right.slice(s![..i]));
         right[i] = (right[i] - sum) / row[i];
     }
-    for (i, row) in factor.iter().enumerate().rev() {
+    for (i, row) in factor.rows().into_iter().enumerate().rev() {
         right[i] /= row[i];
         let value = right[i];
-        for (earlier, a) in right.iter_mut().zip(row).take(i) {
-            *earlier -= a * value;
-        }
+        right.slice_mut(s![..i]).scaled_add(-value, &row.slice(s![..i]));
     }
     right
 }

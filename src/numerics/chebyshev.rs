@@ -53,13 +53,15 @@ impl Chebyshev {
     /// The polynomial through `values` at the [`nodes`](Self::nodes) of the interval.
     #[must_use]
     pub fn met(values: &[f64], (low, high): (f64, f64)) -> Self {
-        let count = values.len() as f64;
+        let count = values.len();
+        // All angles are multiples of π/2n.
+        let cosines: Vec<f64> = (0..4 * count).map(|k| libm::cos(0.5 * PI * k as f64 / count as f64)).collect();
         let coefficient = |n: usize| {
-            let angle = |k: usize| PI * (1.0 - (k as f64 + 0.5) / count) * n as f64;
-            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * libm::cos(angle(k))).sum();
-            sum * if n == 0 { 1.0 } else { 2.0 } / count
+            let cosine = |k: usize| cosines[(n * (2 * (count - k) - 1)) % (4 * count)];
+            let sum: f64 = values.iter().enumerate().map(|(k, value)| value * cosine(k)).sum();
+            sum * if n == 0 { 1.0 } else { 2.0 } / count as f64
         };
-        let coefficients = (0..values.len()).map(coefficient).collect();
+        let coefficients = (0..count).map(coefficient).collect();
         Self { middle: 0.5 * (low + high), half: 0.5 * (high - low), coefficients }
     }
 
@@ -148,7 +150,8 @@ impl Chebyshev {
     }
 
     /// The same without the terms at its end that hold no more than `tolerance` together.
-    fn trimmed(mut self, tolerance: f64) -> Self {
+    #[must_use]
+    pub fn trimmed(mut self, tolerance: f64) -> Self {
         let mut dropped = 0.0;
         while let [_, .., last] = self.coefficients[..] {
             dropped += last.abs();

@@ -58,7 +58,8 @@ pub fn error_of_shape(plan: &Plan, records: &[Record]) -> Option<ErrorEstimate> 
     let radii = records.iter().filter_map(|record| record.normal.contact_radius);
     let largest = radii.filter(|&a| a > 0.0).reduce(f64::max);
     let sampled = || {
-        let relative = plan.profile()?.sampling_error(largest?);
+        let profile = plan.profile()?;
+        let relative = profile.sampling_error(profile.place(largest?));
         let basis = "profile between the rows of its table, against every other row".to_owned();
         Some(ErrorEstimate { relative, basis })
     };
