@@ -71,14 +71,18 @@ pub(super) struct TwoBodies {
     pub(super) relaxes: bool,
 }
 
+const LAYERED: &str = "Layered(layers: [(body: Elastic(young: 2e6, poisson: 0.5), thickness: 1e-3)], base: Rigid)";
+const GRADED: &str = "Graded(young: 2e6, depth: 1e-3, exponent: 0.3, poisson: 0.4)";
 const PLASTIC: &str = "Plastic(young: 2e6, poisson: 0.5, yield_stress: 2e4)";
 
-pub(super) const BODIES: [TwoBodies; 6] = [
+pub(super) const BODIES: [TwoBodies; 8] = [
     TwoBodies { name: "elastic", texts: [ELASTIC, "Rigid"], relaxes: false },
     TwoBodies { name: "both elastic", texts: [ELASTIC, ELASTIC], relaxes: false },
     TwoBodies { name: "viscoelastic", texts: [RELAXING, "Rigid"], relaxes: true },
     TwoBodies { name: "viscoelastic on elastic", texts: [RELAXING, ELASTIC], relaxes: true },
     TwoBodies { name: "two viscoelastic", texts: [RELAXING, OTHER], relaxes: true },
+    TwoBodies { name: "layered", texts: [LAYERED, ELASTIC], relaxes: false },
+    TwoBodies { name: "graded", texts: [GRADED, "Rigid"], relaxes: false },
     TwoBodies { name: "plastic", texts: [PLASTIC, ELASTIC], relaxes: false },
 ];
 

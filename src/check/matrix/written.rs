@@ -241,21 +241,11 @@ impl Written {
 
     /// The scene whose bodies have the weight `weight` in their Prony terms, and the elastic scene it has for a limit.
     pub(super) fn nearly_elastic(&self, weight: f64) -> [Self; 2] {
-        let body = |text: &String| {
-            if text == RELAXING || text == OTHER {
-                format!(
-                    "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e6, terms: [(modulus: {:e}, time: 1)]))",
-                    1e6 * weight
-                )
-            } else {
-                text.clone()
-            }
-        };
-        let relaxing = Self { bodies: [body(&self.bodies[0]), body(&self.bodies[1])], ..self.clone() };
-        let solid = |text: &String| {
-            if text.starts_with("Viscoelastic") { "Elastic(young: 3e6, poisson: 0.5)".to_owned() } else { text.clone() }
-        };
-        let bodies = [solid(&self.bodies[0]), solid(&self.bodies[1])];
+        let with = |body: &str| self.bodies.each_ref().map(|text| text.replace(RELAXING, body).replace(OTHER, body));
+        let terms = format!("equilibrium: 1e6, terms: [(modulus: {:e}, time: 1)]", 1e6 * weight);
+        let relaxing = with(&format!("Viscoelastic(poisson: 0.5, shear: ({terms}))"));
+        let relaxing = Self { bodies: relaxing, ..self.clone() };
+        let bodies = with("Elastic(young: 3e6, poisson: 0.5)");
         let adhesion = [", edge: Relaxed", ", edge: Instantaneous"];
         let adhesion = adhesion.iter().fold(self.adhesion.clone(), |text, edge| text.replace(edge, ""));
         [relaxing, Self { bodies, adhesion, ..self.clone() }]
@@ -268,6 +258,6 @@ impl Written {
 
     /// Whether one of the bodies relaxes.
     pub(super) fn relaxes(&self) -> bool {
-        self.bodies.iter().any(|body| body.starts_with("Viscoelastic"))
+        self.bodies.iter().any(|body| body.contains("Viscoelastic"))
     }
 }
