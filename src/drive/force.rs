@@ -173,13 +173,12 @@ impl ForceDrive {
     /// As [`next`](Self::next).
     pub fn lost_on_leap(&self, contact: &mut dyn ContactModel, leap: Stretch) -> Result<f64, ContactError> {
         let (length, way) = (leap.until / f64::from(LOOKS), leap.speed.signum());
-        let (mut kept, mut before, mut sum) = (self.ramp.from, 0.0, 0.0);
-        for k in 1..=LOOKS {
-            let force = contact.look(&ahead(contact, leap.speed, length * f64::from(k)))?.force;
+        let (mut kept, mut sum) = (self.ramp.from, 0.0);
+        // In the middles: bodies that jump into contact do so at the very beginning.
+        for k in 0..LOOKS {
+            let force = contact.look(&ahead(contact, leap.speed, length * (f64::from(k) + 0.5)))?.force;
             kept = if way * force > way * kept { force } else { kept };
-            let missing = way * (kept - force);
-            sum += 0.5 * (before + missing);
-            before = missing;
+            sum += way * (kept - force);
         }
         Ok(sum * leap.speed.abs() * length)
     }
