@@ -15,10 +15,12 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Nodes per octave of the radius.
 const NODES: usize = 20;
-/// Upper border of the first octave, in thicknesses.
+/// Upper border of the first octave, in thicknesses, where what lies below is not much softer.
 const FIRST: f64 = 0.25;
-/// Octaves of the radius: up to 64 thicknesses of the top layer.
-const OCTAVES: usize = 9;
+/// Octaves of the radius from there on: up to 64 thicknesses of the top layer.
+const OCTAVES: u32 = 9;
+/// Most octaves below: a radius of 1e-15 thicknesses.
+const FINER: u32 = 48;
 
 /// Two bodies of which at least one has layers, pressed together.
 ///
@@ -28,6 +30,8 @@ const OCTAVES: usize = 9;
 pub struct Layers {
     unit: f64,
     kernel: Kernel,
+    /// Upper border of the first octave, in thicknesses.
+    first: f64,
     octaves: Vec<OnceLock<Octave>>,
     /// Displacements of springs and the line load that goes with them, the last that were asked for.
     last: Mutex<VecDeque<(LineLoad, Arc<LineLoad>)>>,
@@ -66,18 +70,28 @@ impl Layers {
         let unit = tops.map(|top| top.thickness).fold(f64::INFINITY, f64::min);
         let least = parts.iter().map(|(_, stack)| stack.least_wave_number()).fold(f64::INFINITY, f64::min);
         let lacking = move |t: f64| parts.iter().map(|(share, stack)| share * stack.lacking(t / unit)).sum();
+        let kernel = Kernel::new(lacking, least * unit);
+        // Small punches have s = a/(1 − K(0, 0)a): a stiff layer on a soft base bends below far smaller ones.
+        let bent = kernel.between(0.0, 0.0).abs();
+        let finer = (0..FINER).find(|&n| bent * FIRST <= f64::from(n).exp2()).unwrap_or(FINER);
         Self {
             unit,
-            kernel: Kernel::new(lacking, least * unit),
-            octaves: vec![OnceLock::new(); OCTAVES],
+            kernel,
+            first: FIRST / f64::from(finer).exp2(),
+            octaves: vec![OnceLock::new(); (OCTAVES + finer) as usize],
             last: Mutex::default(),
         }
     }
 
     /// Borders of an octave, in thicknesses.
-    fn interval(octave: usize) -> (f64, f64) {
-        let high = FIRST * (octave as f64).exp2();
+    fn interval(&self, octave: usize) -> (f64, f64) {
+        let high = self.first * (octave as f64).exp2();
         (if octave == 0 { 0.0 } else { 0.5 * high }, high)
+    }
+
+    /// Radius of the widest punch, in thicknesses.
+    fn widest(&self) -> f64 {
+        self.interval(self.octaves.len() - 1).1
     }
 
     fn kept(&self, octave: usize) -> Option<&Octave> {
@@ -85,7 +99,7 @@ impl Layers {
     }
 
     fn octave(&self, octave: usize) -> Octave {
-        let interval = Self::interval(octave);
+        let interval = self.interval(octave);
         let radii: Vec<f64> = Chebyshev::nodes(NODES, interval).collect();
         let rule = punch::rule(punch::count(interval.1));
         let punches: Vec<Punch> = radii.iter().map(|&a| Punch::new(&self.kernel, a, &rule)).collect();
@@ -113,13 +127,13 @@ impl Layers {
     /// The octave of the radius `a` in thicknesses; the last one for what lies beyond.
     fn about(&self, a: f64) -> Option<&Octave> {
         let last = self.octaves.len().saturating_sub(1);
-        self.kept((0..last).find(|&octave| a <= Self::interval(octave).1).unwrap_or(last))
+        self.kept((0..last).find(|&octave| a <= self.interval(octave).1).unwrap_or(last))
     }
 
     /// The radius `a` [m] in thicknesses, of a contact wider than any that is known that of the widest one, and how many
     /// times wider it is: from there on everything goes on as a power, by which searches find back.
     fn known(&self, a: f64) -> (f64, f64) {
-        let (thin, end) = (a / self.unit, Self::interval(OCTAVES - 1).1);
+        let (thin, end) = (a / self.unit, self.widest());
         if thin > end { (end, thin / end) } else { (thin, 1.0) }
     }
 
@@ -153,7 +167,7 @@ impl Ground for Layers {
     }
 
     fn end(&self) -> f64 {
-        self.unit * Self::interval(OCTAVES - 1).1
+        self.unit * self.widest()
     }
 
     fn measure(&self, a: f64) -> f64 {
