@@ -17,6 +17,7 @@ from typing import Any
 from . import _springbed
 from ._contact import Contact
 from ._errors import ComputationError, Problem, SceneError
+from ._fit import Estimate, Fit, fit
 from ._half_space import HalfSpace, half_space
 from ._result import ErrorEstimate, Figure, Result
 from ._scene import SceneLike, source, written
@@ -27,7 +28,9 @@ __all__ = [
     "ComputationError",
     "Contact",
     "ErrorEstimate",
+    "Estimate",
     "Figure",
+    "Fit",
     "HalfSpace",
     "Problem",
     "Result",
@@ -35,6 +38,7 @@ __all__ = [
     "Sweep",
     "__version__",
     "check",
+    "fit",
     "half_space",
     "run",
     "sweep",

@@ -3,6 +3,7 @@
 mod columns;
 mod contact;
 mod errors;
+mod fit;
 mod half_space;
 mod scene;
 mod sweep;
@@ -14,6 +15,8 @@ use pyo3::prelude::*;
 mod _springbed {
     #[pymodule_export]
     use super::contact::Contact;
+    #[pymodule_export]
+    use super::fit::fit;
     #[pymodule_export]
     use super::half_space::half_space;
     #[pymodule_export]

@@ -203,6 +203,51 @@ def test_wrong_contacts_are_refused():
     assert ball.force[0] > 0, "the other contact has been moved"
 
 
+GEL = """(shape: Paraboloid(radius: "1 mm"), bodies: (Elastic(young: "5 kPa", poisson: 0.5), Rigid),
+    history: [Indent(to: "10 um", over: 1)])"""
+
+
+def hertz(young, touch=0.0):
+    """A curve of F = (4/3)E*√R d^{3/2} that touches at ``touch``."""
+    depth = np.linspace(0.0, 2e-5, 300)
+    return {"depth": depth, "force": 4 / 3 * young / 0.75 * np.sqrt(1e-3) * np.clip(depth - touch, 0, None) ** 1.5}
+
+
+def test_a_curve_gives_the_parameters_of_its_scene():
+    found = springbed.fit(GEL, hertz(1e3, 2e-6), {"bodies.0.young": ("100 Pa", 1e6)})
+    assert found["bodies.0.young"] == pytest.approx(1e3, rel=1e-6)
+    assert found["contact_point"] == pytest.approx(2e-6, rel=1e-6)
+    assert found.parameters["bodies.0.young"].unit == "Pa" and found.correlations.shape == (3, 3)
+    assert found.points["counts"].all() and np.allclose(found.points["model"], found.points["force_n"], atol=1e-12)
+    assert found.figure().svg.startswith("<svg") and pickle.loads(pickle.dumps(found))["bodies.0.young"] == found["bodies.0.young"]
+    again = springbed.run(found.scene)
+    assert again.results["largest_force_n"] == pytest.approx(4 / 3 * 1e3 / 0.75 * np.sqrt(1e-3 * 1e-15), rel=1e-5)
+
+
+def test_files_records_and_several_curves_are_fitted(tmp_path):
+    curve = hertz(2e3)
+    rows = "\n".join(f"{d * 1e9!r};{f * 1e9!r}".replace(".", ",") for d, f in zip(curve["depth"], curve["force"]))
+    (tmp_path / "gel.csv").write_text("z [nm];F [nN]\n" + rows + "\n")
+    free = ["bodies.0.young=100 Pa..1 MPa"]
+    options = {"baseline": "absent", "contact": "zero"}
+    of_file, of_arrays = springbed.fit(GEL, [tmp_path / "gel.csv", curve], free, **options)
+    assert of_file["bodies.0.young"] == pytest.approx(2e3, rel=1e-6)
+    assert of_arrays["bodies.0.young"] == pytest.approx(2e3, rel=1e-9)
+    records = springbed.run(GEL, **{"steps": 60}).records
+    assert springbed.fit(GEL, records, free, **options)["bodies.0.young"] == pytest.approx(5e3, rel=1e-6)
+
+
+def test_wrong_questions_are_refused():
+    with pytest.raises(springbed.SceneError, match="bodies.0.youn"):
+        springbed.fit(GEL, hertz(1e3), ["bodies.0.youn=1..2"])
+    with pytest.raises(springbed.SceneError, match="[Tt]ilted"):
+        springbed.fit(GEL, hertz(1e3), ["bodies.0.young"], baseline="tilted")
+    with pytest.raises(springbed.ComputationError):
+        springbed.fit(GEL, {"depth": [0.0, 1.0], "force": [0.0, 1.0]}, ["bodies.0.young"])
+    with pytest.raises(ValueError, match="expected arrays"):
+        springbed.fit(GEL, {"z": [0.0]}, ["bodies.0.young"])
+
+
 def test_a_height_map_is_pressed_on_a_half_space():
     # Hertz: F = 4/3 E* √R d^(3/2), to a per cent on 128² pixels, 2 % in the area.
     radius, depth = 1e-2, 1e-6

@@ -60,11 +60,16 @@ impl Fault {
     }
 }
 
-/// The piece of a long line around a column, tabs as blanks, and the characters before the column.
+/// The piece of a long line around a column, tabs as blanks, dots where it was cut, and the characters before the column.
 fn window(line: &str, column: usize) -> (String, usize) {
-    let plain = |c: char| if c.is_control() { ' ' } else { c };
-    let first = if column > WIDTH { column - WIDTH / 2 } else { 0 };
-    (line.chars().skip(first).take(WIDTH).map(plain).collect(), column - 1 - first)
+    let count = line.chars().count();
+    let first = column.saturating_sub(WIDTH / 2).min(count.saturating_sub(WIDTH));
+    let shown = |(k, c): (usize, char)| match c {
+        _ if k == 0 && first > 0 || k + 1 == WIDTH && first + WIDTH < count => '…',
+        c if c.is_control() => ' ',
+        c => c,
+    };
+    (line.chars().skip(first).take(WIDTH).enumerate().map(shown).collect(), column - 1 - first)
 }
 
 /// Whether messages are coloured.
@@ -111,11 +116,16 @@ mod tests {
 
     #[test]
     fn a_long_line_is_cut_around_the_column() {
-        let text = format!("{}x{}", " ".repeat(5000), "y".repeat(5000));
-        let shown = Fault::at(Path::new("a.ron"), TextError::at(&text, 5000, "wrong")).rendered(Paint::Plain);
-        let lines: Vec<&str> = shown.lines().collect();
-        assert_eq!(lines[1].find('x'), lines[2].find('^'));
-        assert!(lines[1].len() < 120);
+        for at in [0, 60, 99, 5000, 9900, 10_000] {
+            let text = format!("{}x{}", "-".repeat(at), "y".repeat(10_000 - at));
+            let shown = Fault::at(Path::new("a.ron"), TextError::at(&text, at, "wrong")).rendered(Paint::Plain);
+            let lines: Vec<&str> = shown.lines().collect();
+            let place = |line: &str, sign| line.chars().position(|c| c == sign);
+            assert_eq!(place(lines[1], 'x'), place(lines[2], '^'));
+            assert!(lines[1].chars().count() < 120);
+            // What stands beside the fault is seen, on both of its sides.
+            assert!(at > 9950 || lines[2].chars().count() + 40 < lines[1].chars().count(), "{at}");
+        }
     }
 
     #[test]

@@ -19,6 +19,7 @@ pub mod scene_file;
 mod matrix_file;
 pub mod table_file;
 pub mod data_file;
+pub mod fitting;
 mod write;
 mod overwrite;
 mod console;

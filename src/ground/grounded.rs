@@ -217,6 +217,10 @@ impl Profile for Grounded {
         self.shape.sampling_error(self.ground.radius(a))
     }
 
+    fn table_error(&self) -> f64 {
+        self.ground.table_error()
+    }
+
     fn breaks(&self, a: f64) -> Vec<f64> {
         let radius = self.ground.radius(a);
         let mut breaks = self.shape.breaks(radius);

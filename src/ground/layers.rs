@@ -22,6 +22,9 @@ const OCTAVES: u32 = 9;
 /// Most octaves below: a radius of 1e-15 thicknesses.
 const FINER: u32 = 48;
 
+/// Relative error of stiffness and depth at most, on bases over twelve decades of the modulus.
+pub(super) const TABLES: f64 = 1e-10;
+
 /// Two bodies of which at least one has layers, pressed together.
 ///
 /// Lengths within are in thicknesses of the thinnest top layer, moduli E* that of the two bodies as if they ended
@@ -168,6 +171,10 @@ impl Ground for Layers {
 
     fn end(&self) -> f64 {
         self.unit * self.widest()
+    }
+
+    fn table_error(&self) -> f64 {
+        TABLES
     }
 
     fn measure(&self, a: f64) -> f64 {

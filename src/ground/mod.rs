@@ -59,6 +59,11 @@ pub trait Ground: Debug + Send + Sync {
     /// Radius [m] of the widest contact that is known.
     fn end(&self) -> f64;
 
+    /// Relative error of depth and stiffness that come of tables; zero of closed forms.
+    fn table_error(&self) -> f64 {
+        0.0
+    }
+
     /// s(a) = k(a)/2E* [m]; grows with a from 0.
     fn measure(&self, a: f64) -> f64;
 

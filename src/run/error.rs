@@ -61,6 +61,13 @@ fn direct_error(plan: &RoundPlan, work: f64, records: &[Record]) -> ErrorEstimat
             "direct path: the contact radius near a turning point, moved by the rounding of what is prescribed",
         );
     }
+    let tables = plan.profile.table_error();
+    if tables > ROUNDING {
+        return of(
+            tables,
+            "direct path: stiffness and depth from tables over the radius, against the integral equation",
+        );
+    }
     of(ROUNDING, "direct path: rounding, against closed forms over twelve decades")
 }
 

@@ -38,7 +38,7 @@ pub fn springs(plan: &RoundPlan, relaxation: &Relaxation, count: usize) -> Box<d
 /// The contact of an adhesive scene whose edge obeys a rate law, followed [`FINER`] times as well.
 pub fn refined(plan: &RoundPlan, relaxation: &Relaxation, edge: &HeldEdge) -> Box<dyn ContactModel> {
     let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = edge.attraction(&spectrum).to_accuracy(plan.accuracy() / FINER);
+    let attraction = edge.attraction(&spectrum).to_accuracy(plan.accuracy() / FINER).in_steps(FINER.recip());
     bed(plan, spectrum, Some(attraction))
 }
 

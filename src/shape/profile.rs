@@ -136,6 +136,11 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         0.0
     }
 
+    /// Relative error of depth and stiffness where they come of tables; zero of closed forms.
+    fn table_error(&self) -> f64 {
+        0.0
+    }
+
     /// Places in (0, a) where g′ or one of its derivatives jumps or where a quadrature panel should
     /// end, ascending [m].
     fn breaks(&self, a: f64) -> Vec<f64> {

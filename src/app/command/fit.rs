@@ -5,12 +5,10 @@ use super::delivery::Findings;
 use crate::app::console::{Console, Failure};
 use crate::app::data_file::{Data, Wanted};
 use crate::app::export::{self, Fitted};
+use crate::app::fitting::Fitting;
 use crate::app::scene_file::SceneFile;
 use crate::app::table_file::TableFiles;
-use crate::contact::adhesion::equilibrium::Control;
-use crate::fit::{Options, Question};
-use crate::input::quantity::{Displacement, Force, SpringStiffness};
-use crate::scene::Scene;
+use crate::input::quantity::SpringStiffness;
 use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Measured, Way};
 use clap::Args;
 use rayon::prelude::*;
@@ -131,7 +129,7 @@ pub fn run(arguments: &Arguments, common: &Common, console: &Console) -> Result<
             "there are no data: expected files behind the scene, or fit: (data: [...]) in it".to_owned(),
         ));
     }
-    let (question, wanted) = asked(&measured, &scene.plan.scene)?;
+    let fitting = Fitting::new(&measured, &scene.plan.scene).map_err(Failure::Usage)?;
     let stems = stems(&measured.data)?;
     not_over_inputs(&measured.data, &scene, &stems, common)?;
     let progress = console.progress(measured.data.len(), "curves");
@@ -139,7 +137,7 @@ pub fn run(arguments: &Arguments, common: &Common, console: &Console) -> Result<
         .data
         .par_iter()
         .map(|path| {
-            let fit = fitted(&question, &scene, path, &wanted).map_err(|error| (path, error));
+            let fit = fitting.of_file(path, &TableFiles::beside(&scene.path)).map_err(|error| (path, error));
             progress.inc(1);
             fit
         })
@@ -151,7 +149,7 @@ pub fn run(arguments: &Arguments, common: &Common, console: &Console) -> Result<
         }
     }
     let rows: Vec<(String, Result<&Fitted, &str>)> = fits.iter().map(row).collect();
-    findings(&question, &rows, &stems)?.deliver(common, console)?;
+    findings(&fitting, &rows, &stems)?.deliver(common, console)?;
     let bad: Vec<String> =
         fits.iter().filter_map(|fit| fit.as_ref().err()).map(|(path, error)| told(path, error)).collect();
     if bad.is_empty() { Ok(()) } else { Err(Failure::Failed(bad.join("\n"))) }
@@ -168,40 +166,6 @@ fn row<'f>(fit: &'f Result<Fitted, (&PathBuf, String)>) -> (String, Result<&'f F
         Ok(fitted) => (fitted.file.clone(), Ok(fitted)),
         Err((path, error)) => (path.display().to_string(), Err(error)),
     }
-}
-
-fn asked(measured: &Measured, scene: &Scene) -> Result<(Question, Wanted), Failure> {
-    let wanted = Wanted::read(&measured.columns, measured.spring.map(SpringStiffness::si));
-    let wanted = wanted.map_err(|what| Failure::Usage(format!("columns: {what}")))?;
-    let Measured { baseline, contact, drive, way, loss, .. } = *measured;
-    let mut options = Options { baseline, contact, drive, way, loss, ..Options::default() };
-    let question =
-        |options| Question::new(scene, &measured.free, options).map_err(|error| Failure::Usage(error.to_string()));
-    if !measured.range.is_empty() {
-        let control = question(options)?.control();
-        options.range = range(&measured.range, control).map_err(|what| Failure::Usage(format!("range: {what}")))?;
-    }
-    Ok((question(options)?, wanted))
-}
-
-fn range(text: &str, control: Control) -> Result<(f64, f64), String> {
-    let (low, high) = text.split_once("..").ok_or_else(|| format!("\"{text}\" is no range: expected LO..HI"))?;
-    let end = |text: &str, open: f64| match control {
-        _ if text.trim().is_empty() => Ok(open),
-        Control::Indentation => text.parse().map(Displacement::si).map_err(|error| error.to_string()),
-        Control::Force => text.parse().map(Force::si).map_err(|error| error.to_string()),
-    };
-    let (low, high) = (end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?);
-    if low < high { Ok((low, high)) } else { Err(format!("\"{text}\" is empty: expected the smaller end first")) }
-}
-
-fn fitted(question: &Question, scene: &SceneFile, path: &Path, wanted: &Wanted) -> Result<Fitted, String> {
-    let data = Data::load(path, wanted).map_err(|fault| format!("{}: {}", fault.file.display(), fault.message))?;
-    let curve = data.curve().map_err(|fault| format!("{}: {}", fault.file.display(), fault.message))?;
-    let tables = TableFiles::beside(&scene.path);
-    let fit = question.fit(&curve, &tables).map_err(|error| error.to_string())?;
-    let fitted = question.scene(&fit.values).map_err(|error| error.to_string())?;
-    Ok(Fitted { file: path.display().to_string(), scene: fitted, curve, fit, data_notes: data.notes })
 }
 
 /// Stems of the data files, by which the outputs are called.
@@ -244,7 +208,7 @@ const ENDINGS: [&str; 3] = [".fit.csv", ".fit.json", ".fit.svg"];
 const ALL: &str = "fits.csv";
 
 fn findings(
-    question: &Question,
+    fitting: &Fitting,
     rows: &[(String, Result<&Fitted, &str>)],
     stems: &[String],
 ) -> Result<Findings, Failure> {
@@ -257,7 +221,7 @@ fn findings(
         files.push((format!("{stem}.fit.svg"), export::fit_figure(fit).svg()));
     }
     if rows.len() > 1 {
-        files.push((ALL.to_owned(), export::fits_table(question.free(), rows).map_err(Failure::failed)?));
+        files.push((ALL.to_owned(), export::fits_table(fitting.free(), rows).map_err(Failure::failed)?));
     }
     let good: Vec<&Fitted> = rows.iter().filter_map(|(_, fit)| fit.ok()).collect();
     let table = good.iter().map(|fit| export::fit_text(fit)).collect::<Vec<_>>().join("\n");

@@ -26,6 +26,8 @@ pub struct Attraction {
     rate: Option<(f64, f64)>,
     /// Relative error of a step of an edge that obeys the rate law.
     accuracy: f64,
+    /// Longest step of such an edge, as a part of a motion.
+    longest: f64,
 }
 
 /// Relative error of a step of an edge that obeys a rate law, unless another is asked for.
@@ -36,7 +38,7 @@ impl Attraction {
     #[must_use]
     pub fn relaxed(work: f64, spectrum: &Spectrum) -> Self {
         let modulus = spectrum.equilibrium();
-        Self { work, closing: work, modulus, shared: false, rate: None, accuracy: ACCURACY }
+        Self { work, closing: work, modulus, shared: false, rate: None, accuracy: ACCURACY, longest: 1.0 }
     }
 
     /// E_c = E(0), for a work of adhesion w [J/m²].
@@ -63,6 +65,13 @@ impl Attraction {
         Self { accuracy, ..self }
     }
 
+    /// The same, such an edge followed in steps no longer than this part of a motion: however smooth its way seems, it is
+    /// then followed better than without.
+    #[must_use]
+    pub fn in_steps(self, longest: f64) -> Self {
+        Self { longest, ..self }
+    }
+
     /// What is left when the edge is let go at once.
     #[must_use]
     pub fn without_work(self) -> Self {
@@ -83,6 +92,11 @@ impl Attraction {
     /// Relative error of a step of an edge that obeys the rate law.
     pub(super) fn accuracy(&self) -> f64 {
         self.accuracy
+    }
+
+    /// Longest step of such an edge, as a part of a motion.
+    pub(super) fn longest(&self) -> f64 {
+        self.longest
     }
 
     /// Line load √(A′E_c w_eff) [N/m] that an edge withstands that opens at the speed `v`; `slope` is A′ = 2πa [m], by

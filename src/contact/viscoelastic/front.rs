@@ -418,7 +418,8 @@ impl Front<'_> {
     fn path(&self) -> Vec<(f64, f64)> {
         let duration = self.motion.duration;
         let (shortest, accuracy) = (1e-12 * duration, self.attraction.map_or(0.0, Attraction::accuracy));
-        let (mut now, mut a, mut step, mut stride) = (0.0, self.edge, duration, 0.0);
+        let longest = duration * self.attraction.map_or(1.0, Attraction::longest);
+        let (mut now, mut a, mut step, mut stride) = (0.0, self.edge, longest, 0.0);
         let mut path = vec![(a, 0.0)];
         while now < duration && a > 0.0 {
             let until = if duration - now <= 1.01 * step { duration } else { now + step };
@@ -444,6 +445,7 @@ impl Front<'_> {
             }
             path.push((next, until));
             step = (until - now) * (0.9 * (accuracy / error.max(1e-3 * accuracy)).sqrt()).clamp(0.5, 2.0);
+            step = step.min(longest);
             (now, a) = (until, next);
         }
         path

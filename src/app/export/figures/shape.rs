@@ -17,9 +17,10 @@ pub fn profile(profile: &dyn Profile, outcome: &Outcome, across: Axis) -> Panel 
     let reach = wanted.min(profile.contact_radius(profile.rim().radius()));
     let at = |k: usize| reach * (k as f64 / POINTS as f64);
     let of = |height: &dyn Fn(f64) -> f64| (0..=POINTS).map(|k| (at(k), height(at(k)))).collect::<Vec<_>>();
+    let below = if profile.bare().is_some() { "depth d(a) of touch" } else { "equivalent g(x)" };
     let panel = Panel::new(across, Axis::linear("height", "m"))
         .with(Series::new("profile f(r)", of(&|r| profile.height(profile.place(r)))))
-        .with(Series::new("equivalent g(x)", of(&|x| profile.reduced(profile.place(x)))));
+        .with(Series::new(below, of(&|x| profile.reduced(profile.place(x)))));
     if matches!(profile.rim(), Rim::Wall(_)) {
         panel.note("Beyond the radius of the punch both rise vertically.")
     } else {
