@@ -9,7 +9,7 @@ use crate::material::{Body, Elastic, Relaxation, Shear, Term, Terms, Viscoelasti
 use crate::run::record::{Outcome, Record};
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Scene;
-use crate::scene::history::{Entry, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
+use crate::scene::history::{Entry, Glide, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
 use crate::scene::plan::Plan;
 use crate::shape::{Paraboloid, Shape};
 use std::num::NonZeroUsize;
@@ -95,6 +95,12 @@ impl Sketch {
     #[must_use]
     pub fn body(self, body: Attempt<Body>) -> Self {
         self.with(|scene| body.map(|body| scene.bodies.0 = body))
+    }
+
+    /// A rigid indenter, and what it is pressed on in the place of the other body.
+    #[must_use]
+    pub fn ground(self, body: Attempt<Body>) -> Self {
+        self.with(|scene| body.map(|body| scene.bodies = (Body::Rigid, body)))
     }
 
     /// A law of adhesion.
@@ -191,6 +197,12 @@ impl Sketch {
     #[must_use]
     pub fn retract(self, speed: f64) -> Self {
         self.entry(|| Ok(Entry::Retract(Retract { speed: si(speed)? })))
+    }
+
+    /// Along the surface at a speed [m/s] for `over` [s], or as it is in the end.
+    #[must_use]
+    pub fn glide(self, speed: f64, over: Option<f64>) -> Self {
+        self.entry(|| Ok(Entry::Glide(Glide { speed: vec![si(speed)?], over: over.map(si).transpose()? })))
     }
 
     /// A free impact of 1 kg at a speed [m/s].

@@ -24,6 +24,7 @@
 
 use super::creep::Creep;
 use super::error::ContactError;
+use super::gliding::Gliding;
 use super::loaded::Loaded;
 use super::state::{Normal, Tangential};
 use crate::material::Spectrum;
@@ -184,6 +185,11 @@ pub trait ContactModel: Send {
 
     /// State of the tangential contact, if there is friction.
     fn tangential(&self) -> Option<Tangential> {
+        None
+    }
+
+    /// Where a contact that glides over a bed with memory is, and what holds it back.
+    fn gliding(&self) -> Option<Gliding> {
         None
     }
 

@@ -26,6 +26,7 @@ mod follow;
 mod fretting;
 mod plane;
 mod plastic;
+mod gliding;
 pub mod named;
 pub mod record;
 mod results;
@@ -112,7 +113,7 @@ impl Solved {
 #[must_use]
 pub fn tables(plan: &Plan) -> &'static [&'static str] {
     match plan {
-        Plan::Round(_) => &["pressure", "stress", "fretting"],
+        Plan::Round(_) => &["pressure", "stress", "fretting", "glides"],
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble"],
@@ -171,16 +172,18 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
         Some(_) => pressure_at_largest_force(plan, compose::contact(plan, Wanted::NOTHING)?, &run)?,
         None => None,
     };
+    let glides = gliding::steady(plan, &run.records)?;
     let pressures = Pressures { fields: &run.fields, on_axis };
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));
     results.extend(plastic::results(plan, &run.records));
     results.extend(wave::results(plan, &run.records));
+    results.extend(gliding::results(plan, &run.records, &glides));
     let outcome = Outcome {
-        error_estimate: error::estimate(plan, &run),
+        error_estimate: gliding::at_least(error::estimate(plan, &run), &glides),
         plan: parts(plan, &run),
-        tables: fretting.into_iter().collect(),
+        tables: fretting.into_iter().chain(gliding::table(&glides)).collect(),
         results,
         warnings: run
             .notes
@@ -189,6 +192,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
             .chain(viscoelastic::remark(&run))
             .chain(sliding::short_slides(plan, &run.records))
             .chain(wave::remark(plan, &run.records))
+            .chain(gliding::remark(plan))
             .collect(),
         records: run.records,
         fields: run.fields,

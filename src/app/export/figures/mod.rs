@@ -5,6 +5,7 @@ mod curve;
 mod fields;
 mod fit;
 mod friction;
+mod gliding;
 mod impacts;
 mod overlay;
 mod rough;
@@ -42,6 +43,7 @@ pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
 fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match plan {
         Plan::Round(RoundPlan { friction: Some(law), .. }) if slides(outcome) => friction::suiting(law, outcome),
+        Plan::Round(RoundPlan { travel: Some(travel), .. }) => gliding::suiting(travel),
         Plan::Round(round) => {
             let pressure = (!outcome.fields.is_empty()).then_some(Plot::Pressure);
             let shape = (!matches!(round.profile.rim(), Rim::Wall(_))).then_some(Plot::Shape);
@@ -95,6 +97,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
         Plot::Area => friction::area(plan, outcome).into_iter().collect(),
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
+        Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
         Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
     }
 }
