@@ -46,7 +46,12 @@ pub fn relaxing(relaxation: &Relaxation) -> Attempt<Body> {
     let term = |&(modulus, time): &(f64, f64)| Ok(Term { modulus: si(0.25 * modulus)?, time: si(time)? });
     let terms = Terms::List(relaxation.terms.iter().map(term).collect::<Attempt<_>>()?);
     let (equilibrium, viscosity) = (si(0.25 * relaxation.equilibrium)?, si(0.25 * relaxation.viscosity)?);
-    Ok(Body::Viscoelastic(Viscoelastic { poisson: si(0.5)?, shear: Shear { equilibrium, terms, viscosity } }))
+    Ok(Body::Viscoelastic(Viscoelastic {
+        poisson: si(0.5)?,
+        shear: Shear { equilibrium, terms, viscosity },
+        temperature: None,
+        shift: None,
+    }))
 }
 
 /// A history being written; the first part that makes no sense is kept as the reason why it cannot be run.

@@ -24,9 +24,8 @@
 
 use super::creep::Creep;
 use super::error::ContactError;
-use super::gliding::Gliding;
 use super::loaded::Loaded;
-use super::state::{Normal, Tangential};
+use super::state::{Gliding, Normal, Tangential};
 use crate::material::Spectrum;
 use std::sync::Arc;
 

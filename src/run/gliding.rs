@@ -7,15 +7,16 @@ use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::gliding::{SteadyGlide, SteadyState};
+use crate::contact::rough::{PerssonGlide, gliding_line};
 use crate::contact::viscoelastic::Spectrum;
 use crate::scene::history::Motion;
 use crate::scene::law::{Start, Travel};
-use crate::scene::plan::{RoundPlan, Shared};
+use crate::scene::plan::{RoughPlan, RoundPlan, Shared};
+use crate::shape::rough::{RoughError, RoughLine};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-const SPEED: Column<SteadyState> =
-    Column::new("speed", Unit::METRE_PER_SECOND, "speed v", |state| Some(state.speed));
+const SPEED: Column<SteadyState> = Column::new("speed", Unit::METRE_PER_SECOND, "speed v", |state| Some(state.speed));
 const COEFFICIENT: Column<SteadyState> =
     Column::new("resistance_coefficient", Unit::ONE, "resistance coefficient μ", SteadyState::coefficient);
 
@@ -53,6 +54,30 @@ pub fn steady(plan: &RoundPlan, records: &[Record]) -> Result<Vec<SteadyState>, 
     let Some(travel) = &plan.travel else { return Ok(Vec::new()) };
     let spectrum = Arc::new(Spectrum::new(&travel.relaxation));
     let glide = SteadyGlide::round(spectrum, plan.profile.clone(), plan.accuracy());
+    at_speeds(plan, &glide, (travel, records))
+}
+
+/// The steady states of the line of a rough scene, one per speed; depths count from its own first touch.
+///
+/// # Errors
+/// The contact would reach the ends of the line.
+pub fn steady_line(
+    plan: &RoughPlan,
+    line: &RoughLine,
+    records: &[Record],
+) -> Result<Vec<SteadyState>, SimulationError> {
+    let Some(travel) = &plan.travel else { return Ok(Vec::new()) };
+    let refused = |error: RoughError| SimulationError::Refused(format!("shape: {error}"));
+    let line = gliding_line(line, plan.surface.points, plan.base.as_deref()).map_err(refused)?;
+    let glide = SteadyGlide::line(Arc::new(Spectrum::new(&travel.relaxation)), Arc::new(line));
+    at_speeds(plan, &glide, (travel, records))
+}
+
+fn at_speeds(
+    plan: &Shared,
+    glide: &SteadyGlide,
+    (travel, records): (&Travel, &[Record]),
+) -> Result<Vec<SteadyState>, SimulationError> {
     let (held, entry) = (held(plan, travel, records), travel.entry);
     let one = |&speed: &f64| {
         let state = match held {
@@ -65,16 +90,59 @@ pub fn steady(plan: &RoundPlan, records: &[Record]) -> Result<Vec<SteadyState>, 
     states.into_iter().collect()
 }
 
+/// The mean of the members of an ensemble, speed by speed.
+#[must_use]
+pub fn mean(members: &[Vec<SteadyState>]) -> Vec<SteadyState> {
+    let over = |row: usize| {
+        let states: Vec<&SteadyState> = members.iter().filter_map(|states| states.get(row)).collect();
+        let mean =
+            |of: fn(&SteadyState) -> f64| states.iter().map(|state| of(state)).sum::<f64>() / (states.len() as f64);
+        Some(SteadyState {
+            indentation: mean(|state| state.indentation),
+            force: mean(|state| state.force),
+            resistance: mean(|state| state.resistance),
+            work: mean(|state| state.work),
+            ..**states.first()?
+        })
+    };
+    let rows = members.iter().map(Vec::len).min().unwrap_or(0);
+    (0..rows).filter_map(over).collect()
+}
+
 /// The steady states as a table, one row per speed.
 #[must_use]
 pub fn table(states: &[SteadyState]) -> Option<Table> {
     (!states.is_empty()).then(|| Table::new("glides").with(&COLUMNS, states.iter()))
 }
 
+/// A speed on rough ground with the coefficient that Persson's theory has for it.
+type Beside = (f64, Option<f64>);
+
+const PERSSON: Column<Beside> =
+    Column::new("persson_coefficient", Unit::ONE, "resistance coefficient μ", |beside| beside.1);
+
+/// The steady states of a rough line, and beside them Persson's theory of the surface it stands for, under the same
+/// nominal pressure; of a nominally flat surface.
+#[must_use]
+pub fn table_beside_theory(plan: &RoughPlan, states: &[SteadyState]) -> Option<Table> {
+    let (table, travel) = (table(states)?, plan.travel.as_ref()?);
+    if plan.base.is_some() {
+        return Some(table);
+    }
+    let (spectrum, rings) = (Spectrum::new(&travel.relaxation), &plan.surface.rings);
+    let beside = |state: &SteadyState| {
+        let pressure = state.force / plan.surface.length().powi(2);
+        let theory = PerssonGlide { rings, spectrum: &spectrum, pressure };
+        (state.speed, (pressure > 0.0).then(|| theory.coefficient(state.speed)))
+    };
+    let rows: Vec<Beside> = states.iter().map(beside).collect();
+    Some(table.with(&[PERSSON], rows.iter()))
+}
+
 /// The named results.
 #[must_use]
-pub fn results(plan: &RoundPlan, records: &[Record], states: &[SteadyState]) -> Vec<Named> {
-    let Some(travel) = &plan.travel else { return Vec::new() };
+pub fn results(travel: Option<&Travel>, records: &[Record], states: &[SteadyState]) -> Vec<Named> {
+    let Some(travel) = travel else { return Vec::new() };
     match (travel.start, states) {
         (Start::Followed, states) => followed(travel, records, states),
         (Start::LeftOut, [state]) => {
@@ -91,7 +159,8 @@ fn is_own(column: &Column<SteadyState>) -> bool {
 
 /// Of a start that has been followed: the state at its end, and the one it tends to.
 fn followed(travel: &Travel, records: &[Record], states: &[SteadyState]) -> Vec<Named> {
-    let last = last_of(records, travel.entry).and_then(|record| Some((record.tangential_force()?, record.normal.force)));
+    let last =
+        last_of(records, travel.entry).and_then(|record| Some((record.tangential_force()?, record.normal.force)));
     let coefficient = last.filter(|(_, force)| *force > 0.0).map(|(resistance, force)| resistance / force);
     let largest = records.iter().filter_map(Record::tangential_force).reduce(f64::max);
     let found = [

@@ -116,7 +116,7 @@ pub fn tables(plan: &Plan) -> &'static [&'static str] {
         Plan::Round(_) => &["pressure", "stress", "fretting", "glides"],
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
-        Plan::Rough(_) => &["ensemble"],
+        Plan::Rough(_) => &["ensemble", "glides"],
         Plan::RoughImpact(_) => &["ensemble", "impacts"],
     }
 }
@@ -179,7 +179,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
     results.extend(viscoelastic::results(plan, &run));
     results.extend(plastic::results(plan, &run.records));
     results.extend(wave::results(plan, &run.records));
-    results.extend(gliding::results(plan, &run.records, &glides));
+    results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
     let outcome = Outcome {
         error_estimate: gliding::at_least(error::estimate(plan, &run), &glides),
         plan: parts(plan, &run),

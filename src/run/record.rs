@@ -20,7 +20,7 @@
 use super::named::{Finding, Named};
 use super::table::{Column, Table};
 use super::unit::Unit;
-use crate::contact::gliding::Gliding;
+use crate::contact::state::Gliding;
 use crate::contact::state::Normal;
 use crate::contact::state::Tangential;
 use crate::scene::parts::Parts;
@@ -68,8 +68,7 @@ pub const CONTACT_RADIUS: Column<Record> =
 pub const STIFFNESS: Column<Record> =
     Column::new("stiffness", Unit::NEWTON_PER_METRE, "stiffness k", |record| Some(record.normal.stiffness));
 /// Tangential displacement.
-pub const SLIDE: Column<Record> =
-    Column::new("slide", Unit::METRE, "tangential displacement uₓ", Record::slide);
+pub const SLIDE: Column<Record> = Column::new("slide", Unit::METRE, "tangential displacement uₓ", Record::slide);
 /// Tangential force.
 pub const TANGENTIAL_FORCE: Column<Record> =
     Column::new("tangential_force", Unit::NEWTON, "tangential force Fₓ", Record::tangential_force);

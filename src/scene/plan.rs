@@ -138,6 +138,8 @@ pub struct RoughPlan {
     pub works: Option<EdgeWorks>,
     /// Coefficient μ of Coulomb friction.
     pub coefficient: Option<f64>,
+    /// The steady motion along the surface at the end, if there is one.
+    pub travel: Option<Travel>,
 }
 
 /// The impact of a rough body.
@@ -235,7 +237,11 @@ impl Plan {
     /// The steady motion along the surface at the end, if there is one.
     #[must_use]
     pub fn travel(&self) -> Option<&Travel> {
-        self.round()?.travel.as_ref()
+        match self {
+            Self::Round(plan) => plan.travel.as_ref(),
+            Self::Rough(plan) => plan.travel.as_ref(),
+            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) => None,
+        }
     }
 
     /// E*(t) of bodies that relax.

@@ -135,11 +135,8 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let scene = &shared.scene;
     let friction = scene.friction.as_ref().map(|friction| tangential(&shared, friction));
     let travel = travel(&shared);
-    let contact = if moves_along(&shared) {
-        ContactLaw::Gliding { relaxation: lasting(&shared) }
-    } else {
-        resting(&shared)
-    };
+    let contact =
+        if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
     RoundPlan { profile, contact, friction, travel, shared }
 }
 
@@ -198,6 +195,7 @@ fn rough(shared: Shared, (surface, base): (&Arc<Surface>, Option<&Arc<dyn Profil
         relaxation: shared.read.relaxation.clone(),
         works: shared.scene.adhesion.as_ref().map(works),
         coefficient: None,
+        travel: travel(&shared),
         shared,
     }
 }

@@ -12,7 +12,8 @@ fn scene(shape: &str, bodies: &str, parts: &str, history: &str) -> String {
 }
 
 fn ran(text: &str) -> Outcome {
-    let plan = Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap_or_else(|problems| panic!("{problems:?}"));
+    let plan =
+        Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap_or_else(|problems| panic!("{problems:?}"));
     run::run(&plan, Wanted::NOTHING).unwrap()
 }
 
@@ -51,7 +52,8 @@ fn a_list_of_speeds_is_each_speed_by_itself() {
 /// How many records there are, and where they stand, changes nothing: depths go in straight pieces.
 #[test]
 fn records_do_not_count() {
-    let history = "Indent(to: 1e-5, over: 0.1), Glide(speed: 1e-2, over: 0.02), Hold(over: 0.05), Glide(speed: 2e-2, over: 0.02)";
+    let history =
+        "Indent(to: 1e-5, over: 0.1), Glide(speed: 1e-2, over: 0.02), Hold(over: 0.05), Glide(speed: 2e-2, over: 0.02)";
     let few = on_rubber(history, "steps: 1, accuracy: 1e-4,");
     for steps in [2, 3, 50] {
         let many = on_rubber(history, &format!("steps: {steps}, accuracy: 1e-4,"));
@@ -70,10 +72,13 @@ fn records_do_not_count() {
 #[test]
 fn a_start_under_a_force_comes_to_the_steady_state() {
     let outcome = on_rubber("Press(to: 0.1, over: 1), Glide(speed: 2e-2, over: 0.2)", "accuracy: 1e-5, steps: 10,");
-    let (last, steady) = (number(&outcome, "resistance_coefficient"), number(&outcome, "steady_resistance_coefficient"));
+    let (last, steady) =
+        (number(&outcome, "resistance_coefficient"), number(&outcome, "steady_resistance_coefficient"));
     assert!((last / steady - 1.0).abs() < 5e-3, "{last} {steady}");
     let held = outcome.records.iter().filter(|record| record.time >= 1.0);
-    assert!(held.clone().count() == 11 && held.into_iter().all(|record| (record.normal.force / 0.1 - 1.0).abs() < 1e-9));
+    assert!(
+        held.clone().count() == 11 && held.into_iter().all(|record| (record.normal.force / 0.1 - 1.0).abs() < 1e-9)
+    );
 }
 
 /// Bodies that remember nothing do not resist: zero to the bit in the steady state, to rounding on the bed.
@@ -107,7 +112,10 @@ fn what_cannot_glide_is_told_why() {
     let ground = format!("Rigid, {RUBBER}");
     assert_eq!(gliding(ball, &ground, ""), "");
     let said = gliding(ball, &format!("{RUBBER}, Rigid"), "");
-    assert!(said.contains("Glide with Viscoelastic") && said.contains("the same points of it stay in contact"), "{said}");
+    assert!(
+        said.contains("Glide with Viscoelastic") && said.contains("the same points of it stay in contact"),
+        "{said}"
+    );
     let said = gliding("FlatPunch(radius: 1e-3)", &ground, "");
     assert!(said.contains("Glide of a FlatPunch") && said.contains("wall"), "{said}");
     let said = gliding("Cylinder(radius: 1e-2, datum: 1e-2)", &ground, "");
@@ -140,4 +148,78 @@ fn a_history_in_which_nothing_can_glide_is_told_why() {
     assert!(said.contains("Roll beside Glide"), "{said}");
     let cone = scene("Cone(slope: 0.1)", &format!("Rigid, {RUBBER}"), "", "Indent(to: 1e-5, over: 1), Roll(speed: 1)");
     assert!(refused(&cone).contains("only a ball"));
+}
+
+/// Williams, Landel & Ferry: at the temperature T a speed v does what v·a_T does at the reference, where a_T multiplies
+/// all times.
+#[test]
+fn a_temperature_shifts_the_speed() {
+    let rubber = |more: &str| {
+        format!(
+            "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e6, terms: [(modulus: 3e6, time: 0.01)], viscosity: 2), {more})"
+        )
+    };
+    let glided = |rubber: &str, speed: f64| {
+        let history = format!("Indent(to: 1e-5, over: 1), Glide(speed: {speed:e})");
+        number(
+            &ran(&scene("Paraboloid(radius: 5e-3)", &format!("Rigid, {rubber}"), "", &history)),
+            "resistance_coefficient",
+        )
+    };
+    let warm = rubber("temperature: \"60 degC\", shift: Wlf(c1: 8.86, c2: \"101.6 K\", reference: \"20 degC\")");
+    let factor = 10f64.powf(-8.86 * 40.0 / 141.6);
+    for speed in [1e-3, 0.1, 10.0] {
+        let (shifted, plain) = (glided(&warm, speed), glided(&rubber(""), speed * factor));
+        assert!((shifted / plain - 1.0).abs() < 1e-9, "{shifted} {plain}");
+    }
+    // At the reference nothing changes, to the bit.
+    let same = rubber("temperature: \"20 degC\", shift: Wlf(c1: 8.86, c2: 101.6, reference: 293.15)");
+    assert_eq!(glided(&same, 0.1).to_bits(), glided(&rubber(""), 0.1).to_bits());
+}
+
+/// A rough line glides in the steady state: slowly and fast without resistance, at rest under its force.
+#[test]
+fn a_rough_line_glides() {
+    let line = "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 1e-6, long: 2e-4, short: 4e-6), length: 2e-4, points: 512, seeds: 2)";
+    let text = |history: &str| scene(line, &format!("Rigid, {RUBBER}"), "accuracy: 1e-4,", history);
+    let outcome = ran(&text("Press(to: 4e-3, over: 1), Glide(speed: [1e-10, 1e-5, 1e-3, 1e-1, 1e4])"));
+    let table = outcome.table("glides").unwrap();
+    let of = |name: &str| -> Vec<f64> { table.column(name).unwrap().numbers().iter().copied().flatten().collect() };
+    let (coefficients, forces, depths) = (of("resistance_coefficient"), of("force"), of("indentation"));
+    assert!(forces.iter().all(|force| (force / 4e-3 - 1.0).abs() < 1e-9), "{forces:?}");
+    assert!(coefficients[0] < 1e-4 && coefficients[4] < 1e-4, "{coefficients:?}");
+    let largest = coefficients.iter().copied().fold(0.0, f64::max);
+    let slope = number(&outcome, "rms_slope");
+    assert!(largest > 0.02 * slope && largest < 2.0 * slope, "{largest} beside a slope of {slope}");
+    // The faster, the stiffer.
+    assert!(depths.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-9)), "{depths:?}");
+    assert!(table.column("leading_edge").unwrap().numbers().iter().all(Option::is_none));
+    // Persson's theory stands beside it: small at both ends too.
+    let theory = of("persson_coefficient");
+    assert!(theory[0] < 1e-4 && theory[4] < 1e-4 && theory[2] > 0.02 * slope && theory[2] < 2.0 * slope, "{theory:?}");
+    for (history, why) in [
+        ("Press(to: 4e-3, over: 1), Glide(speed: 1e-3, over: 1)", "how a rough line begins"),
+        ("Press(to: 4e-3, over: 1), Roll(speed: 1e-3)", "lays each of its heights on one place"),
+    ] {
+        let said = refused(&text(history));
+        assert!(said.contains(why), "{said}");
+    }
+    let liquid = text("Press(to: 4e-3, over: 1), Glide(speed: 1e-3)").replace("equilibrium: 1e6", "equilibrium: 0");
+    assert!(refused(&liquid).contains("ironed flat"));
+}
+
+/// On a ball the line is gone over once; without roughness it is the ball.
+#[test]
+fn a_line_on_a_ball_of_vanishing_roughness_is_the_ball() {
+    let line = "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 1e-13, long: 1e-3, short: 1e-4), length: 2e-3, points: 4000, base: Some(Paraboloid(radius: 5e-3)))";
+    let history = "Indent(to: 1e-5, over: 1), Glide(speed: [1e-3, 1e-1])";
+    let (rough, smooth) = (scene(line, &format!("Rigid, {RUBBER}"), "", history), on_rubber(history, ""));
+    let rough = ran(&rough);
+    for name in ["resistance_coefficient", "force"] {
+        let of = |outcome: &Outcome| outcome.table("glides").unwrap().column(name).unwrap().numbers().to_vec();
+        for (one, other) in of(&rough).into_iter().zip(of(&smooth)) {
+            // Springs of a 450th of the contact.
+            assert!((one.unwrap() / other.unwrap() - 1.0).abs() < 1e-4, "{name}: {one:?} {other:?}");
+        }
+    }
 }

@@ -27,9 +27,6 @@ const SHAPES: &[&str] = &[
     "Cylinder(radius: 1e-2, datum: 1e-2, width: 1e-2)",
     "RoughLine(length: 1e-3, points: 4096, seed: 1, seeds: 2, base: Sphere(radius: 1e-4), \
      spectrum: SelfAffine(hurst: 0.8, rms: 1e-7, long: 1e-4, short: 1e-6))",
-    "Glide(speed: [1, \"2 mm/s\"])",
-    "Glide(speed: 1e-3, over: 2)",
-    "Roll(speed: [1, 2], over: 1)",
     "Table(\"no_such.csv\")",
 ];
 
@@ -75,6 +72,9 @@ const ENTRIES: &[&str] = &[
     "Retract(speed: 1e-6)",
     "Impact(mass: 1, speed: [1], angle: \"30 deg\")",
     "Impact(mass: 1, speed: [])",
+    "Glide(speed: [1, \"2 mm/s\"])",
+    "Glide(speed: 1e-3, over: 2)",
+    "Roll(speed: [1, 2], over: 1)",
     "Table(\"no_such.csv\")",
 ];
 

@@ -21,7 +21,7 @@ pub(super) const CASES: &[Case] = &[
     Case::new("gliding/fast", Proof::Bound, 2e-6, "f = E(0)u: Hertz with E(0), up to a/vτ = 1e-6 of itself, in chords to 1e-6")
         .weak("the force; the resistance there is what is left of it")
         .by(fast),
-    Case::new("gliding/start", Proof::Order, 1e-3, "springs of a 708th of the contact: first order, for the load between the last of them and the edge is left out")
+    Case::new("gliding/start", Proof::Order, 1e-4, "springs of a 708th of the contact, of second order, their edges within a part of a spring")
         .weak("against the steady state of the same model, found another way")
         .by(start),
     Case::new("gliding/power is heat", Proof::Order, 1e-4, "springs of a 708th of the contact: heat on the last half of the way against the resistance times that way")

@@ -32,6 +32,8 @@ struct Held {
 #[derive(Debug, Clone, Copy)]
 struct Fading {
     keep: f64,
+    /// ∫ z dt over z.
+    integral: f64,
     /// Heat over z².
     heat: f64,
 }
@@ -57,7 +59,8 @@ impl Held {
 impl Fading {
     fn of(mode: &Mode, duration: f64) -> Self {
         let y = duration / mode.time;
-        Self { keep: decay(y).0, heat: 0.5 * decay(2.0 * y).1 / mode.compliance }
+        let (keep, lost) = decay(y);
+        Self { keep, integral: mode.time * lost, heat: 0.5 * decay(2.0 * y).1 / mode.compliance }
     }
 }
 
@@ -106,8 +109,12 @@ impl Kernel {
     fn press(&self, loads: &mut [f64], motion: &Motion, tally: &mut Tally) {
         let Motion { start, speed, duration } = *motion;
         let (mut impulse, mut heat) = (0.0, 0.0);
-        for (held, s) in self.elements.iter().zip(loads) {
-            impulse += held.impulse[0] * *s + held.impulse[1] * speed;
+        for (element, (held, s)) in self.elements.iter().zip(loads).enumerate() {
+            let integral = held.impulse[0] * *s + held.impulse[1] * speed;
+            if let Some(diary) = &mut tally.diary {
+                diary.load(element, integral);
+            }
+            impulse += integral;
             heat += *s * (held.heat[0] * *s + held.heat[1] * speed) + held.heat[2] * speed * speed;
             *s = held.keep * *s + held.push * speed;
         }
@@ -132,7 +139,10 @@ impl Kernel {
 
     fn recover(&self, free: &mut Free, tally: &mut Tally) {
         let mut heat = 0.0;
-        for (fading, z) in self.modes.iter().zip(&mut free.modes) {
+        for (mode, (fading, z)) in self.modes.iter().zip(&mut free.modes).enumerate() {
+            if let Some(diary) = &mut tally.diary {
+                diary.mode(mode, fading.integral * *z);
+            }
             heat += fading.heat * *z * *z;
             *z *= fading.keep;
         }

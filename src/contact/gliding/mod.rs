@@ -32,8 +32,10 @@
 //! ```
 
 mod bed;
+mod cycle;
 mod kernel;
 mod steady;
+mod sweep;
 mod tally;
 mod track;
 #[cfg(test)]
@@ -41,16 +43,4 @@ mod tests;
 
 pub use bed::GlidingBed;
 pub use steady::{SteadyGlide, SteadyState};
-
-/// Where a gliding contact is, and what holds it back.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Gliding {
-    /// Way it has glided [m].
-    pub slide: f64,
-    /// Force against the motion F_x [N].
-    pub resistance: f64,
-    /// Where the contact begins, from the middle of the body in the direction of its motion [m].
-    pub leading_edge: Option<f64>,
-    /// Where it ends [m]; behind the middle it is negative.
-    pub trailing_edge: Option<f64>,
-}
+pub use track::GlidingLine;

@@ -1,11 +1,13 @@
 //! The steady state: one spring swept through the profile tells of all.
 
+use super::cycle;
 use super::kernel::Kernel;
+use super::sweep::swept;
 use super::tally::Tally;
-use super::track::Track;
+use super::track::{GlidingLine, Track};
 use crate::contact::error::{BedError, ContactError};
 use crate::contact::viscoelastic::Spectrum;
-use crate::contact::viscoelastic::spring::{Motion, Spring};
+use crate::contact::viscoelastic::spring::Spring;
 use crate::numerics::root;
 use crate::shape::Profile;
 use std::sync::Arc;
@@ -17,8 +19,15 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct SteadyGlide {
     spectrum: Arc<Spectrum>,
-    profile: Arc<dyn Profile>,
+    form: Form,
     accuracy: f64,
+}
+
+/// What glides.
+#[derive(Debug, Clone)]
+enum Form {
+    Round(Arc<dyn Profile>),
+    Line(Arc<GlidingLine>),
 }
 
 /// A contact in steady motion.
@@ -57,7 +66,15 @@ impl SteadyGlide {
     /// A round body of the profile `profile` on a bed of the material `spectrum`, to the relative accuracy `accuracy`.
     #[must_use]
     pub fn round(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>, accuracy: f64) -> Self {
-        Self { spectrum, profile, accuracy }
+        Self { spectrum, form: Form::Round(profile), accuracy }
+    }
+
+    /// A rough line on a bed of the material `spectrum`; depths count from its first touch.
+    ///
+    /// A line is its own polygon, so that nothing is left to refine.
+    #[must_use]
+    pub fn line(spectrum: Arc<Spectrum>, line: Arc<GlidingLine>) -> Self {
+        Self { spectrum, form: Form::Line(line), accuracy: ROUNDING }
     }
 
     /// At the speed `speed` > 0 [m/s] and the depth `depth` [m].
@@ -65,7 +82,7 @@ impl SteadyGlide {
     /// # Errors
     /// The contact outgrows the profile.
     pub fn at_depth(&self, speed: f64, depth: f64) -> Result<SteadyState, ContactError> {
-        self.refined(|count, _| self.pass(speed, depth, count))
+        self.refined(|count, _| self.pass((speed, depth), count, &mut Vec::new()))
     }
 
     /// At the speed `speed` > 0 [m/s] under the normal force `force` [N].
@@ -74,9 +91,17 @@ impl SteadyGlide {
     /// The contact outgrows the profile.
     pub fn at_force(&self, speed: f64, force: f64) -> Result<SteadyState, ContactError> {
         self.refined(|count, last| {
-            let guess = last.map_or_else(|| self.profile.reduced(self.profile.scale()), |state| state.indentation);
+            let guess = last.map_or_else(|| self.typical_depth(), |state| state.indentation);
             self.balanced(speed, force, (count, guess))
         })
+    }
+
+    /// A depth [m] such as the profile has.
+    fn typical_depth(&self) -> f64 {
+        match &self.form {
+            Form::Round(profile) => profile.reduced(profile.scale()),
+            Form::Line(line) => 0.1 * line.height(),
+        }
     }
 
     /// What `pass` finds with so many chords that twice as many say the same.
@@ -86,6 +111,9 @@ impl SteadyGlide {
     ) -> Result<SteadyState, ContactError> {
         let mut count = CHORDS.0;
         let mut state = pass(count, None)?;
+        if let Form::Line(_) = self.form {
+            return Ok(SteadyState { error: LINE, ..state });
+        }
         loop {
             count *= 2;
             let next = pass(count, Some(&state))?;
@@ -101,41 +129,87 @@ impl SteadyGlide {
 
     /// The depth under which the bed carries `force` [N], found from a guess [m].
     fn balanced(&self, speed: f64, force: f64, (count, guess): (usize, f64)) -> Result<SteadyState, ContactError> {
+        let mut loads = Vec::new();
         if force <= 0.0 {
-            return self.pass(speed, 0.0, count);
+            return self.pass((speed, 0.0), count, &mut loads);
         }
         let overloaded = || ContactError::from(BedError::Overloaded { force });
         // Forces go with a power of the depth: in logarithms the root is that of a line.
-        let lack = |depth: f64| {
-            self.pass(speed, depth.exp(), count).map_or(f64::INFINITY, |state| (state.force / force).ln())
+        let mut lack = |depth: f64| {
+            let state = self.pass((speed, depth.exp()), count, &mut loads);
+            let lack = state.map_or(f64::INFINITY, |state| (state.force / force).ln());
+            if lack.abs() <= MET { 0.0 } else { lack }
         };
-        let (low, high) = bracket(lack, guess.ln()).ok_or_else(overloaded)?;
+        let (low, high) = bracket(&mut lack, guess.ln()).ok_or_else(overloaded)?;
         let depth = root::brent(lack, low, high).map_err(|_| overloaded())?;
-        self.pass(speed, depth.exp(), count)
+        self.pass((speed, depth.exp()), count, &mut loads)
     }
 
-    /// One spring swept through `count` chords on either side.
-    fn pass(&self, speed: f64, depth: f64, count: usize) -> Result<SteadyState, ContactError> {
+    /// One spring swept through the line, or through `count` chords on either side of a round profile.
+    ///
+    /// `loads` are those with which a periodic line has come back before, to begin with.
+    fn pass(
+        &self,
+        (speed, depth): (f64, f64),
+        count: usize,
+        loads: &mut Vec<f64>,
+    ) -> Result<SteadyState, ContactError> {
         if depth <= 0.0 {
             return Ok(apart(speed, depth));
         }
-        let outgrown = || BedError::BeyondProfile { indentation: depth };
-        let track = Track::of_profile(self.profile.as_ref(), depth, count).ok_or_else(outgrown)?;
-        let (tally, left) = swept(&mut Kernel::new(self.spectrum.clone()), &track, speed);
-        let place = |time: Option<f64>| time.map(|time| track.front - speed * time);
-        Ok(SteadyState {
-            speed,
-            indentation: depth,
-            force: speed * tally.impulse,
-            resistance: tally.heat + left,
-            work: tally.work,
-            leading_edge: place(tally.touched),
-            trailing_edge: place(tally.released),
-            error: 0.0,
-        })
+        match &self.form {
+            Form::Round(profile) => {
+                let outgrown = || BedError::BeyondProfile { indentation: depth };
+                let track = Track::of_profile(profile.as_ref(), depth, count).ok_or_else(outgrown)?;
+                let state = self.once(&track, speed);
+                let place = |time: Option<f64>| time.map(|time| track.front - speed * time);
+                let edges = [state.touched, state.released].map(place);
+                Ok(of_sums((speed, depth), &state, edges))
+            }
+            Form::Line(line) => {
+                let track = line.track(depth)?;
+                let sums = if line.is_periodic() {
+                    let lost = || BedError::Unsteady { speed };
+                    cycle::steady(&mut Kernel::new(self.spectrum.clone()), &track, (speed, loads)).ok_or_else(lost)?
+                } else {
+                    self.once(&track, speed)
+                };
+                Ok(of_sums((speed, depth), &sums, [None, None]))
+            }
+        }
+    }
+
+    /// A spring never touched, swept along a track: its sums, what is left in it at the end among the heat.
+    fn once(&self, track: &Track, speed: f64) -> Tally {
+        let (mut kernel, mut tally) = (Kernel::new(self.spectrum.clone()), Tally::default());
+        let spring = swept(&mut kernel, track, (speed, Spring::untouched(&self.spectrum)), &mut tally);
+        let last = track.depths.last().copied().unwrap_or(0.0);
+        tally.heat += match &spring {
+            Spring::Pressed(loads) => self.spectrum.stored_pressed(last, loads),
+            Spring::Free(free) => self.spectrum.stored_free(free),
+        };
+        tally
     }
 }
 
+/// The state that a spring with these sums tells of.
+fn of_sums((speed, indentation): (f64, f64), sums: &Tally, edges: [Option<f64>; 2]) -> SteadyState {
+    SteadyState {
+        speed,
+        indentation,
+        force: speed * sums.impulse,
+        resistance: sums.heat,
+        work: sums.work,
+        leading_edge: edges[0],
+        trailing_edge: edges[1],
+        error: 0.0,
+    }
+}
+
+/// How closely a force is met, as a part of itself.
+const MET: f64 = 1e-13;
+/// How closely the steady state of a line is met.
+const LINE: f64 = 1e-9;
 /// What a few thousand roundings leave of a sum.
 const ROUNDING: f64 = 1e-13;
 
@@ -150,10 +224,14 @@ fn apart(speed: f64, indentation: f64) -> SteadyState {
     SteadyState { speed, indentation, force, resistance, work, leading_edge: None, trailing_edge: None, error }
 }
 
-/// Two arguments around `guess` between which a growing function becomes positive.
-fn bracket(function: impl Fn(f64) -> f64, guess: f64) -> Option<(f64, f64)> {
-    let positive = function(guess) > 0.0;
-    let (mut near, mut step) = (guess, if positive { -1.0 } else { 1.0 } * 1e-3);
+/// Two arguments around `guess` between which a function becomes positive that grows with a slope of one to two.
+fn bracket(mut function: impl FnMut(f64) -> f64, guess: f64) -> Option<(f64, f64)> {
+    let first = function(guess);
+    let positive = first > 0.0;
+    let (mut near, mut step) = (guess, -(1.05 * first).clamp(-LONGEST, LONGEST));
+    if step.abs() <= 0.0 {
+        return Some((guess, guess));
+    }
     for _ in 0..60 {
         let far = near + step;
         if !far.is_finite() {
@@ -167,20 +245,5 @@ fn bracket(function: impl Fn(f64) -> f64, guess: f64) -> Option<(f64, f64)> {
     None
 }
 
-/// A spring never touched, swept along a track: its sums, and the energy [J/m] that is left in it at the end, of which
-/// all will be heat.
-fn swept(kernel: &mut Kernel, track: &Track, speed: f64) -> (Tally, f64) {
-    let (mut spring, mut tally) = (Spring::untouched(kernel.spectrum()), Tally::default());
-    for (step, depths) in track.steps.iter().zip(track.depths.windows(2)) {
-        let duration = step / speed;
-        kernel.prepare(duration);
-        let motion = Motion { start: depths[0], speed: (depths[1] - depths[0]) / duration, duration };
-        kernel.step(&mut spring, &motion, &mut tally);
-    }
-    let last = track.depths.last().copied().unwrap_or(0.0);
-    let left = match &spring {
-        Spring::Pressed(loads) => kernel.spectrum().stored_pressed(last, loads),
-        Spring::Free(free) => kernel.spectrum().stored_free(free),
-    };
-    (tally, left)
-}
+/// Longest first step of a search, in the logarithm of the depth.
+const LONGEST: f64 = 3.0;

@@ -1,8 +1,13 @@
 //! Gliding contacts against closed forms, limits and laws.
 
-use super::{GlidingBed, SteadyGlide};
+use super::cycle;
+use super::kernel::Kernel;
+use super::sweep::swept;
+use super::tally::Tally;
+use super::{GlidingBed, GlidingLine, SteadyGlide, SteadyState};
 use crate::contact::model::{ContactModel, Pull, Straight};
 use crate::contact::viscoelastic::laws::recipe;
+use crate::contact::viscoelastic::spring::Spring;
 use crate::input::quantity::{Length, Positive};
 use crate::material::{Relaxation, Spectrum};
 use crate::shape::{Cone, Paraboloid, Profile};
@@ -127,12 +132,17 @@ fn a_bed_comes_into_the_steady_state() {
     let steady = SteadyGlide::round(spectrum, ball(1.0), 1e-8).at_depth(speed, depth).unwrap();
     let (state, gliding) = (bed.state(), bed.gliding().unwrap());
     assert!((state.force / steady.force - 1.0).abs() < 1e-4, "{:e}", state.force / steady.force - 1.0);
-    assert!((gliding.resistance / steady.resistance - 1.0).abs() < 1e-3, "{:e}", gliding.resistance / steady.resistance);
+    assert!(
+        (gliding.resistance / steady.resistance - 1.0).abs() < 1e-3,
+        "{:e}",
+        gliding.resistance / steady.resistance
+    );
     assert!((gliding.leading_edge.unwrap() / steady.leading_edge.unwrap() - 1.0).abs() < 1e-12);
     assert!((gliding.trailing_edge.unwrap() - steady.trailing_edge.unwrap()).abs() < 2.0 * 0.1 / 400.0);
     // On from there the power is heat: F_x Δx.
     let before = bed.state();
-    bed.follow(&Straight { slide: 2.0 * way, sliding_speed: speed, ..Straight::between(depth, depth, way / speed) }).unwrap();
+    bed.follow(&Straight { slide: 2.0 * way, sliding_speed: speed, ..Straight::between(depth, depth, way / speed) })
+        .unwrap();
     let after = bed.state();
     let done = after.dissipated + after.stored.elastic - before.dissipated - before.stored.elastic;
     assert!((done / (steady.resistance * way) - 1.0).abs() < 1e-4, "{:e}", done / (steady.resistance * way));
@@ -150,6 +160,107 @@ fn a_bed_under_a_force_comes_into_the_steady_state() {
     bed.press(&pull(0.8, 4.0)).unwrap().unwrap();
     let steady = SteadyGlide::round(spectrum, ball(1.0), 1e-8).at_force(speed, force).unwrap();
     let (state, gliding) = (bed.state(), bed.gliding().unwrap());
-    assert!((state.indentation.unwrap() / steady.indentation - 1.0).abs() < 2e-4, "{:e}", state.indentation.unwrap() / steady.indentation - 1.0);
-    assert!((gliding.resistance / steady.resistance - 1.0).abs() < 2e-3, "{:e}", gliding.resistance / steady.resistance - 1.0);
+    assert!(
+        (state.indentation.unwrap() / steady.indentation - 1.0).abs() < 2e-4,
+        "{:e}",
+        state.indentation.unwrap() / steady.indentation - 1.0
+    );
+    assert!(
+        (gliding.resistance / steady.resistance - 1.0).abs() < 2e-3,
+        "{:e}",
+        gliding.resistance / steady.resistance - 1.0
+    );
+}
+
+/// Gaps of a line of a few waves at `count` points, one period long.
+fn waves(count: usize, parts: &[(u32, f64, f64)]) -> Vec<f64> {
+    let at = |k: usize| {
+        let x = std::f64::consts::TAU * (k as f64) / count as f64;
+        parts.iter().map(|(q, height, phase)| height * (f64::from(*q) * x + phase).cos()).sum()
+    };
+    (0..count).map(at).collect()
+}
+
+/// Harmonics of a polygon that are summed.
+const HARMONICS: i32 = 20_000;
+
+/// Full contact of the polygon of a cosine: ½Σ Bₘ²qₘE″(qₘv) over its own harmonics qₘ = q(1 + mN), whose amplitudes are
+/// B(sin(qh/2)/(qₘh/2))². E″ grows at most as q, so that a term is at most (q/qₘ)² of the first, and what is
+/// left out beyond |m| = M at most 2(q/Nq₁)²/M of the sum, q₁ the longest wave.
+fn in_full_contact(spectrum: &Spectrum, (count, length): (usize, f64), part: (u32, f64), speed: f64) -> f64 {
+    let (points, h) = (count as f64, length / count as f64);
+    let base = std::f64::consts::TAU / length;
+    let wave = |m: i32| {
+        let q = base * (f64::from(part.0) + f64::from(m) * points);
+        let amplitude = part.1 * ((0.5 * base * f64::from(part.0) * h).sin() / (0.5 * q * h)).powi(2);
+        0.5 * length * amplitude * amplitude * q.abs() * spectrum.loss(q.abs() * speed)
+    };
+    (-HARMONICS..=HARMONICS).map(wave).sum()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    /// In full contact of a line, whatever the spectrum and the speed.
+    #[test]
+    fn a_line_in_full_contact(recipe in recipe(6), v in -60i32..60, q in 1u32..4) {
+        let recipe = crate::contact::viscoelastic::laws::Recipe { equilibrium: Some(0), viscosity: None, ..recipe };
+        let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
+        let (speed, count) = (10f64.powf(0.1 * f64::from(v)), 64);
+        let gaps = waves(count, &[(q, 1.0, 0.3)]);
+        let line = Arc::new(GlidingLine::periodic(&gaps, 1.0 / count as f64));
+        // So deep that nothing is let go.
+        let depth = 4.0 * spectrum.instantaneous() / spectrum.equilibrium();
+        let state = SteadyGlide::line(spectrum.clone(), line).at_depth(speed, depth).unwrap();
+        let expected = in_full_contact(&spectrum, (count, 1.0), (q, 1.0), speed);
+        let left_out = 2.0 * (f64::from(q) / count as f64).powi(2) / f64::from(HARMONICS);
+        let off = state.resistance / expected - 1.0;
+        prop_assert!(off.abs() < left_out + 1e-9, "{:e} {expected:e}", state.resistance);
+        let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        let force = spectrum.equilibrium() * (depth + lowest);
+        prop_assert!((state.force / force - 1.0).abs() < 1e-9, "{:e} {force:e}", state.force);
+    }
+
+    /// Partial contact: found at once it is what comes of itself after many periods; where the period starts does
+    /// not matter; work in is heat; μ is never above the steepest slope.
+    #[test]
+    fn a_line_in_partial_contact(recipe in recipe(5), v in -30i32..30, d in 1i32..30, turn in 0usize..60) {
+        let recipe = crate::contact::viscoelastic::laws::Recipe { equilibrium: Some(recipe.equilibrium.unwrap_or(0)), ..recipe };
+        let spectrum = Arc::new(Spectrum::new(&recipe.relaxation()));
+        let (speed, depth, count) = (10f64.powf(0.1 * f64::from(v)), 0.1 * f64::from(d), 60);
+        let mut gaps = waves(count, &[(1, 1.0, 0.3), (2, 0.5, 1.0), (5, 0.2, 2.0)]);
+        let of = |gaps: &[f64]| -> SteadyState {
+            let line = Arc::new(GlidingLine::periodic(gaps, 1.0 / count as f64));
+            SteadyGlide::line(spectrum.clone(), line).at_depth(speed, depth).unwrap()
+        };
+        let state = of(&gaps);
+        gaps.rotate_left(turn);
+        let turned = of(&gaps);
+        prop_assert!((turned.force / state.force - 1.0).abs() < 1e-12 && (turned.resistance - state.resistance).abs() <= 1e-11 * state.resistance);
+        let steepest = 2.0 * std::f64::consts::PI * (1.0 + 1.0 + 1.0);
+        let scale = state.force * steepest;
+        prop_assert!(state.resistance >= 0.0 && state.resistance <= scale * (1.0 + 1e-9));
+        prop_assert!((state.work - state.resistance).abs() <= 1e-8 * scale, "{:e} {:e}", state.work, state.resistance);
+    }
+}
+
+/// Newton's method finds what comes of itself, period after period.
+#[test]
+fn the_steady_state_is_the_one_that_comes_of_itself() {
+    let gaps = waves(60, &[(1, 1.0, 0.3), (2, 0.5, 1.0), (5, 0.2, 2.0)]);
+    for (viscosity, depth, speed) in [(0.0, 0.3, 0.3), (0.0, 1.5, 3.0), (0.05, 0.5, 1.0), (0.0, 0.05, 20.0)] {
+        let spectrum = material(1.0, &[(3.0, 0.1), (1.0, 2.0)], viscosity);
+        let line = GlidingLine::periodic(&gaps, 1.0 / 60.0);
+        let track = line.track(depth).unwrap();
+        let mut kernel = Kernel::new(spectrum.clone());
+        let found = cycle::steady(&mut kernel, &track, (speed, &mut Vec::new())).unwrap();
+        let mut spring = Spring::Pressed(vec![0.0; 2]);
+        let mut tally = Tally::default();
+        for _ in 0..3000 {
+            tally = Tally::default();
+            spring = swept(&mut kernel, &track, (speed, spring), &mut tally);
+        }
+        assert!((found.impulse / tally.impulse - 1.0).abs() < 1e-9, "{:e} {:e}", found.impulse, tally.impulse);
+        assert!((found.heat / tally.heat - 1.0).abs() < 1e-9, "{:e} {:e}", found.heat, tally.heat);
+    }
 }

@@ -70,10 +70,12 @@ fn depth_after(entry: &EntryTraits<'_>, before: Option<f64>) -> Option<f64> {
     let stage = entry.stages.last()?;
     match (stage.control, stage.normal) {
         (None, _) | (Some(Control::Indentation), Path::Stay) => before,
-        (Some(Control::Indentation), path @ (Path::To(_) | Path::Steady { .. } | Path::Wave(_))) => match (path, before) {
-            (Path::To(depth), _) => Some(depth),
-            (path, before) => before.map(|depth| path.at(depth, 1.0, stage.over)),
-        },
+        (Some(Control::Indentation), path @ (Path::To(_) | Path::Steady { .. } | Path::Wave(_))) => {
+            match (path, before) {
+                (Path::To(depth), _) => Some(depth),
+                (path, before) => before.map(|depth| path.at(depth, 1.0, stage.over)),
+            }
+        }
         (Some(Control::Indentation), Path::UntilParted { .. }) | (Some(Control::Force), _) => None,
     }
 }

@@ -18,8 +18,13 @@ pub(super) fn on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
     let shape = draft.shape()?;
     let why = match (shape.family(), shape, motion) {
         (Family::Wavy(_), _, _) => "a series of the half-plane has no springs to be gone through",
-        (Family::Line(_) | Family::Map(..), _, _) => "a rough line that moves along is not computed yet",
-        (Family::Round, Shape::Ellipsoid(_), _) => "the way in which it moves is not told: expected Paraboloid(radius: …)",
+        (Family::Line(_) | Family::Map(..), _, Motion::Rolls) => {
+            "what rolls lays each of its heights on one place of the ground, which a line that is drawn over it does not: expected Glide"
+        }
+        (Family::Line(_) | Family::Map(..), _, Motion::Glides) => return of_rough(draft, entry),
+        (Family::Round, Shape::Ellipsoid(_), _) => {
+            "the way in which it moves is not told: expected Paraboloid(radius: …)"
+        }
         (Family::Round, shape, _) if shape.is_plane() => {
             "the springs under a lying body stand for strips, not for places one after the other"
         }
@@ -31,6 +36,26 @@ pub(super) fn on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
             Rim::Wall(_) => "its wall would push the ground before it, which a bed of small slopes does not know",
             Rim::None | Rim::End(_) => return None,
         },
+    };
+    refused(entry, format!("{} of a {} cannot be computed: {why}", entry.name, shape.name()))
+}
+
+/// A rough line has a steady state where the ground comes back.
+fn of_rough(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let (glide, _) = entry.glide?;
+    let shape = draft.shape()?;
+    let liquid = draft.relaxation().is_some_and(|relaxation| relaxation.equilibrium <= 0.0);
+    let why = match draft.profile().map(|profile| profile.rim()) {
+        _ if !glide.is_steady() => {
+            "how a rough line begins is not followed, for each of its springs would have a past of its own: expected no `over`, for the steady state"
+        }
+        _ if liquid => {
+            "a ground that flows is ironed flat and has no steady state: expected an equilibrium modulus above zero"
+        }
+        Some(Rim::Wall(_)) => {
+            "the wall of its base would push the ground before it, which a bed of small slopes does not know"
+        }
+        Some(Rim::None | Rim::End(_)) | None => return None,
     };
     refused(entry, format!("{} of a {} cannot be computed: {why}", entry.name, shape.name()))
 }
@@ -73,7 +98,8 @@ pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pr
         }
         (_, _, Motion::Glides | Motion::Rolls) => return None,
     };
-    let name = if one.is_uneven() || matches!(one, Body::Plastic(_) | Body::Viscoelastic(_)) { one } else { two }.name();
+    let name =
+        if one.is_uneven() || matches!(one, Body::Plastic(_) | Body::Viscoelastic(_)) { one } else { two }.name();
     refused(entry, format!("{} with {name} cannot be computed: {why}", entry.name))
 }
 
@@ -107,7 +133,10 @@ pub(super) fn on_springs(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<P
     draft.springs()?;
     refused(
         entry,
-        format!("{} with springs cannot be computed, for its springs follow from the accuracy: leave springs out", entry.name),
+        format!(
+            "{} with springs cannot be computed, for its springs follow from the accuracy: leave springs out",
+            entry.name
+        ),
     )
 }
 
@@ -116,16 +145,26 @@ pub(super) fn in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<P
     let (glide, _) = entry.glide?;
     let last = draft.length()?.checked_sub(1)?;
     if entry.number == 0 {
-        return refused(entry, format!("the bodies only touch at the start: expected an Indent or Press before {}", entry.name));
+        return refused(
+            entry,
+            format!("the bodies only touch at the start: expected an Indent or Press before {}", entry.name),
+        );
     }
     match glide {
         Glide { speed, over: Some(_) } if speed.len() > 1 => refused(
             entry,
-            format!("{} has {} speeds, each of which has a steady state that takes no time: expected no `over`, or one speed", entry.name, speed.len()),
+            format!(
+                "{} has {} speeds, each of which has a steady state that takes no time: expected no `over`, or one speed",
+                entry.name,
+                speed.len()
+            ),
         ),
         Glide { over: None, .. } if entry.number != last => refused(
             entry,
-            format!("{} without a duration is the steady state, behind which nothing can follow: expected `over`, or the entry at the end", entry.name),
+            format!(
+                "{} without a duration is the steady state, behind which nothing can follow: expected `over`, or the entry at the end",
+                entry.name
+            ),
         ),
         Glide { .. } => None,
     }
@@ -135,7 +174,8 @@ pub(super) fn in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<P
 pub(super) fn beside(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let glides = |other: &&EntryTraits<'_>| other.glide.is_some_and(|(glide, _)| !glide.is_steady());
     let glide = draft.entries().flatten().find(glides)?;
-    let waves = entry.stages.iter().any(|stage| stage.normal.is_wave() || matches!(stage.normal, Path::UntilParted { .. }));
+    let waves =
+        entry.stages.iter().any(|stage| stage.normal.is_wave() || matches!(stage.normal, Path::UntilParted { .. }));
     if !waves {
         return None;
     }

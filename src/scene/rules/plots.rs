@@ -33,7 +33,9 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         );
     }
     if matches!(plot, Plot::Pressure | Plot::Stress) && draft.moves_along()? {
-        return Some("the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance");
+        return Some(
+            "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance",
+        );
     }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape => return None,

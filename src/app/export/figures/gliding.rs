@@ -31,9 +31,19 @@ fn over_speed(states: &Table) -> Option<Vec<Panel>> {
     let (speed, coefficient) = (states.column("speed")?, states.column("resistance_coefficient")?);
     let marks = |series: Series| if states.rows() <= MARKED { series.marks(Marks::Numbered) } else { series };
     let drawn = Panel::new(log(axis(speed)), axis(coefficient).from(0.0));
-    let drawn = drawn.with(marks(Series::new("", points(speed, coefficient))));
+    let theory = states.column("persson_coefficient");
+    let name = if theory.is_some() { "bed of the line" } else { "" };
+    let drawn = drawn.with(marks(Series::new(name, points(speed, coefficient))));
+    let drawn = match theory {
+        Some(theory) => drawn.with(Series::new("Persson, of the surface", points(speed, theory)).line(Line::Dashed)),
+        None => drawn,
+    };
     let edges = ["leading_edge", "trailing_edge"].map(|name| states.column(name));
     let [Some(leading), Some(trailing)] = edges else { return Some(vec![drawn]) };
+    // A rough line has no two edges.
+    if leading.numbers().iter().all(Option::is_none) {
+        return Some(vec![drawn]);
+    }
     let place = crate::app::figure::Axis::linear("edge of the contact", leading.unit.symbol);
     let contact = Panel::new(log(axis(speed)), place)
         .with(marks(Series::new("leading", points(speed, leading))))

@@ -18,7 +18,7 @@ use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Outcome, Record};
 use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::Plot;
-use crate::scene::plan::{ImpactPlan, Plan, RoundPlan};
+use crate::scene::plan::{ImpactPlan, Plan, RoughPlan, RoundPlan};
 use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
@@ -55,6 +55,9 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
             _ => vec![Plot::Restitution],
         },
         Plan::Plane(_) => vec![Plot::Force, Plot::Radius, Plot::Pressure],
+        Plan::Rough(RoughPlan { travel: Some(travel), .. }) => {
+            gliding::suiting(travel).into_iter().chain([Plot::Shape]).collect()
+        }
         Plan::Rough(rough) => rough::suiting(rough),
         Plan::RoughImpact(impact) if impact.impact.speed.len() > 1 => vec![Plot::Restitution],
         Plan::RoughImpact(_) => vec![Plot::Force, Plot::Shape],
