@@ -9,7 +9,7 @@ use crate::material::{Body, Elastic, Relaxation, Shear, Term, Terms, Viscoelasti
 use crate::run::record::{Outcome, Record};
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Scene;
-use crate::scene::history::{Entry, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
+use crate::scene::history::{Entry, Glide, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
 use crate::scene::plan::Plan;
 use crate::shape::{Paraboloid, Shape};
 use std::num::NonZeroUsize;
@@ -46,7 +46,12 @@ pub fn relaxing(relaxation: &Relaxation) -> Attempt<Body> {
     let term = |&(modulus, time): &(f64, f64)| Ok(Term { modulus: si(0.25 * modulus)?, time: si(time)? });
     let terms = Terms::List(relaxation.terms.iter().map(term).collect::<Attempt<_>>()?);
     let (equilibrium, viscosity) = (si(0.25 * relaxation.equilibrium)?, si(0.25 * relaxation.viscosity)?);
-    Ok(Body::Viscoelastic(Viscoelastic { poisson: si(0.5)?, shear: Shear { equilibrium, terms, viscosity } }))
+    Ok(Body::Viscoelastic(Viscoelastic {
+        poisson: si(0.5)?,
+        shear: Shear { equilibrium, terms, viscosity },
+        temperature: None,
+        shift: None,
+    }))
 }
 
 /// A history being written; the first part that makes no sense is kept as the reason why it cannot be run.
@@ -95,6 +100,12 @@ impl Sketch {
     #[must_use]
     pub fn body(self, body: Attempt<Body>) -> Self {
         self.with(|scene| body.map(|body| scene.bodies.0 = body))
+    }
+
+    /// A rigid indenter, and what it is pressed on in the place of the other body.
+    #[must_use]
+    pub fn ground(self, body: Attempt<Body>) -> Self {
+        self.with(|scene| body.map(|body| scene.bodies = (Body::Rigid, body)))
     }
 
     /// A law of adhesion.
@@ -191,6 +202,12 @@ impl Sketch {
     #[must_use]
     pub fn retract(self, speed: f64) -> Self {
         self.entry(|| Ok(Entry::Retract(Retract { speed: si(speed)? })))
+    }
+
+    /// Along the surface at a speed [m/s] for `over` [s], or as it is in the end.
+    #[must_use]
+    pub fn glide(self, speed: f64, over: Option<f64>) -> Self {
+        self.entry(|| Ok(Entry::Glide(Glide { speed: vec![si(speed)?], over: over.map(si).transpose()? })))
     }
 
     /// A free impact of 1 kg at a speed [m/s].

@@ -58,6 +58,12 @@ pub enum BedError {
         /// Radius up to which the layers are known [m].
         known: f64,
     },
+    /// The steady state of a line that glides is not found.
+    #[error("the steady state of the line at the speed {speed:e} m/s is not found: expected another speed")]
+    Unsteady {
+        /// Speed [m/s].
+        speed: f64,
+    },
     /// The contact would become larger than the profile under a force.
     #[error("the contact outgrows the profile under the force {force:e} N")]
     Overloaded {

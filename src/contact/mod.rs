@@ -28,6 +28,7 @@ pub mod elliptic;
 mod elastic;
 pub mod foundation;
 pub mod error;
+pub mod gliding;
 pub mod loaded;
 pub mod mapped;
 pub mod model;

@@ -25,7 +25,7 @@
 use super::creep::Creep;
 use super::error::ContactError;
 use super::loaded::Loaded;
-use super::state::{Normal, Tangential};
+use super::state::{Gliding, Normal, Tangential};
 use crate::material::Spectrum;
 use std::sync::Arc;
 
@@ -184,6 +184,11 @@ pub trait ContactModel: Send {
 
     /// State of the tangential contact, if there is friction.
     fn tangential(&self) -> Option<Tangential> {
+        None
+    }
+
+    /// Where a contact that glides over a bed with memory is, and what holds it back.
+    fn gliding(&self) -> Option<Gliding> {
         None
     }
 

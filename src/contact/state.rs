@@ -48,3 +48,16 @@ pub struct Tangential {
     /// Area of a sheared adhesive contact over its area without shear, A/A_JKR.
     pub area_ratio: Option<f64>,
 }
+
+/// Where a gliding contact is, and what holds it back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gliding {
+    /// Way it has glided [m].
+    pub slide: f64,
+    /// Force against the motion F_x [N].
+    pub resistance: f64,
+    /// Where the contact begins, from the middle of the body in the direction of its motion [m].
+    pub leading_edge: Option<f64>,
+    /// Where it ends [m]; behind the middle it is negative.
+    pub trailing_edge: Option<f64>,
+}

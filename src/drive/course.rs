@@ -21,6 +21,11 @@ pub enum Path {
     To(f64),
     /// Stays.
     Stay,
+    /// On at this speed [m/s].
+    Steady {
+        /// Speed [m/s].
+        speed: f64,
+    },
     /// amplitude·sin(2π·frequency·t) about the present value.
     Wave(Wave),
     /// Back at this speed [m/s] until the bodies part.
@@ -55,6 +60,7 @@ impl Path {
             Self::To(to) if part >= 1.0 => to,
             Self::To(to) => from + part * (to - from),
             Self::Stay | Self::UntilParted { .. } => from,
+            Self::Steady { speed } => from + speed * part * over,
             Self::Wave(wave) => from + wave.at(part * over),
         }
     }
@@ -64,7 +70,7 @@ impl Path {
     pub fn is_wave(self) -> bool {
         match self {
             Self::Wave(_) => true,
-            Self::To(_) | Self::Stay | Self::UntilParted { .. } => false,
+            Self::To(_) | Self::Stay | Self::Steady { .. } | Self::UntilParted { .. } => false,
         }
     }
 

@@ -148,7 +148,11 @@ impl ActiveStage {
 
     /// Sliding speed [m/s] of a stage that slides steadily.
     fn sliding_speed(&self) -> f64 {
-        if let Path::To(to) = self.course.tangential { (to - self.slide).abs() / self.course.over } else { 0.0 }
+        match self.course.tangential {
+            Path::To(to) => (to - self.slide).abs() / self.course.over,
+            Path::Steady { speed } => speed,
+            Path::Stay | Path::Wave(_) | Path::UntilParted { .. } => 0.0,
+        }
     }
 }
 
@@ -218,6 +222,7 @@ impl Driver {
                 Remainder::Done
             }
             Path::To(to) => Remainder::Straight(to),
+            Path::Steady { speed } => Remainder::Straight(depth + speed * course.over),
             Path::Stay | Path::UntilParted { .. } => Remainder::Straight(depth),
         };
         Ok(())

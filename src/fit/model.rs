@@ -129,6 +129,7 @@ impl Model<'_> {
             ContactLaw::ViscoelasticSprings { relaxation, .. } if plan.scene.springs.is_none() => relaxation,
             ContactLaw::Continuous { edge: Some(_), .. }
             | ContactLaw::ViscoelasticSprings { .. }
+            | ContactLaw::Gliding { .. }
             | ContactLaw::Direct(_)
             | ContactLaw::Plastic(_)
             | ContactLaw::Springs { .. } => return None,
@@ -170,6 +171,7 @@ impl Model<'_> {
             }
             ContactLaw::Direct(ElasticAdhesion::Finite { .. })
             | ContactLaw::Plastic(_)
+            | ContactLaw::Gliding { .. }
             | ContactLaw::Springs { .. }
             | ContactLaw::Continuous { .. }
             | ContactLaw::ViscoelasticSprings { .. } => Way::Run,

@@ -34,6 +34,8 @@ pub trait Dimension: Copy + fmt::Debug + 'static {
     const UNITS: &'static [(&'static str, f64, f64)];
     /// Names and signs of the parts it may be given as the sum of; the last may be left out. None of most.
     const PARTS: &'static [(&'static str, f64)] = &[];
+    /// Units that do not count from the zero of the SI unit, with what zero of them is in it. None of most.
+    const ZEROS: &'static [(&'static str, f64)] = &[];
 }
 
 /// Which values make sense.
@@ -48,6 +50,7 @@ macro_rules! dimension {
     (
         $(#[$doc:meta])* $name:ident, $words:literal, [$(($unit:literal, $up:expr, $down:expr)),+ $(,)?]
         $(, sum of [$(($part:literal, $sign:expr)),+ $(,)?])?
+        $(, from [$(($scale:literal, $zero:expr)),+ $(,)?])?
     ) => {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,6 +59,7 @@ macro_rules! dimension {
             const NAME: &'static str = $words;
             const UNITS: &'static [(&'static str, f64, f64)] = &[$(($unit, $up, $down)),+];
             $(const PARTS: &'static [(&'static str, f64)] = &[$(($part, $sign)),+];)?
+            $(const ZEROS: &'static [(&'static str, f64)] = &[$(($scale, $zero)),+];)?
         }
     };
 }
@@ -140,6 +144,15 @@ dimension!(
     ]
 );
 dimension!(
+    /// Temperature, in kelvins; a difference has no zero and is a number of kelvins.
+    Kelvin, "a temperature", [("K", 1.0, 1.0), ("mK", 1.0, 1e3), ("degC", 1.0, 1.0), ("°C", 1.0, 1.0)],
+    from [("degC", 273.15), ("°C", 273.15)]
+);
+dimension!(
+    /// Difference of temperatures, in kelvins.
+    KelvinApart, "a difference of temperatures", [("K", 1.0, 1.0), ("mK", 1.0, 1e3)]
+);
+dimension!(
     /// A plain ratio without a unit.
     Unity, "a plain number", [("", 1.0, 1.0), ("1", 1.0, 1.0), ("%", 1.0, 1e2)]
 );
@@ -203,6 +216,10 @@ pub type Viscosity = Quantity<PascalSecond, NotNegative>;
 pub type Poisson = Quantity<Unity, PoissonRange>;
 /// A positive plain number.
 pub type Positive = Quantity<Unity, AboveZero>;
+/// An absolute temperature [K].
+pub type Temperature = Quantity<Kelvin, AboveZero>;
+/// A positive difference of temperatures [K].
+pub type TemperatureDifference = Quantity<KelvinApart, AboveZero>;
 /// A plain number, zero or above.
 pub type Ratio = Quantity<Unity, NotNegative>;
 /// A relative error to aim at.
@@ -285,7 +302,7 @@ impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
                 D::NAME
             ))
         })?;
-        let Some(&(_, up, down)) = D::UNITS.iter().find(|u| same_unit(unit, u.0)) else {
+        let Some(&(known_unit, up, down)) = D::UNITS.iter().find(|u| same_unit(unit, u.0)) else {
             if unit.starts_with(',') {
                 let right = text.replacen(',', ".", 1);
                 return Err(QuantityError(format!("\"{text}\" has a comma: expected a decimal point, \"{right}\"")));
@@ -293,12 +310,13 @@ impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
             let fault = if unit.is_empty() { "has no unit".to_owned() } else { format!("has the unit \"{unit}\"") };
             return Err(QuantityError(format!("\"{text}\" {fault}: expected {} in one of {}", D::NAME, known())));
         };
-        Self::checked(value * up / down, &format!("\"{text}\""))
+        let zero = D::ZEROS.iter().find(|zero| zero.0 == known_unit).map_or(0.0, |zero| zero.1);
+        Self::checked(value * up / down + zero, &format!("\"{text}\""))
     }
 }
 
 /// The SI units of all dimensions; that of a plain number is empty.
-pub const SI_UNITS: [&str; 13] = [
+pub const SI_UNITS: [&str; 14] = [
     Metre::UNITS[0].0,
     Pascal::UNITS[0].0,
     Newton::UNITS[0].0,
@@ -311,6 +329,7 @@ pub const SI_UNITS: [&str; 13] = [
     Kilogram::UNITS[0].0,
     PascalSecond::UNITS[0].0,
     Radian::UNITS[0].0,
+    Kelvin::UNITS[0].0,
     Unity::UNITS[0].0,
 ];
 

@@ -20,7 +20,9 @@ pub use spectrum::Element;
 pub use spectrum::{Mode, Spectrum};
 
 use crate::input::problem::Problem;
-use crate::input::quantity::{Duration, Modulus, Poisson, QuantityError, Stress, Viscosity};
+use crate::input::quantity::{
+    Duration, Modulus, Poisson, Positive, QuantityError, Stress, Temperature, TemperatureDifference, Viscosity,
+};
 use crate::input::table::{TableError, Tables};
 use serde::{Deserialize, Deserializer, Serialize, de};
 use std::{
@@ -181,8 +183,48 @@ pub struct Plastic {
 pub struct Viscoelastic {
     /// Poisson's ratio ν, constant in time.
     pub poisson: Poisson,
-    /// Relaxation in shear.
+    /// Relaxation in shear; with a shift that at its reference temperature.
     pub shear: Shear,
+    /// Temperature T [K], with a shift.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub temperature: Option<Temperature>,
+    /// How the temperature shifts the times.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shift: Option<Shift>,
+}
+
+/// How a temperature shifts all times of a material alike, each τᵢ to a_T τᵢ and η to a_T η.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+pub enum Shift {
+    /// Williams, Landel & Ferry.
+    Wlf(Wlf),
+}
+
+/// The shift of Williams, Landel & Ferry, log₁₀ a_T = −C₁(T − T_r)/(C₂ + T − T_r).
+///
+/// For amorphous polymers from their glass transition T_g to some 100 K above it (J. Am. Chem. Soc. 77, 3701, 1955, eq. 20;
+/// of many C₁ = 17.44, C₂ = 51.6 K for T_r = T_g); the moduli are taken as those at T_r.
+/// Check: these constants give a_T = 10^(−17.44·50/101.6) = 2.6·10⁻⁹ at 50 K above T_g.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Wlf {
+    /// C₁.
+    pub c1: Positive,
+    /// C₂ [K].
+    pub c2: TemperatureDifference,
+    /// T_r [K], at which the times are given.
+    pub reference: Temperature,
+}
+
+impl Shift {
+    /// a_T at the temperature `temperature` [K]; `None` where the law has no value.
+    #[must_use]
+    pub fn factor(&self, temperature: f64) -> Option<f64> {
+        let Self::Wlf(Wlf { c1, c2, reference }) = self;
+        let above = temperature - reference.si();
+        let factor = 10f64.powf(-c1.si() * above / (c2.si() + above));
+        (c2.si() + above > 0.0 && factor > 0.0 && factor.is_finite()).then_some(factor)
+    }
 }
 
 /// Relaxation function in shear, G(t) = G∞ + Σ Gᵢ e^(−t/τᵢ), and a parallel dashpot η.
@@ -349,10 +391,12 @@ impl Viscoelastic {
             Terms::List(terms) => terms.iter().map(|term| (term.modulus.si(), term.time.si())).collect(),
             Terms::Table(path) => terms_of_table(path, tables)?,
         };
+        let shift = self.shift.as_ref().zip(self.temperature);
+        let shifted = shift.and_then(|(shift, temperature)| shift.factor(temperature.si())).unwrap_or(1.0);
         Ok(Relaxation {
             equilibrium: scale * self.shear.equilibrium.si(),
-            terms: terms.into_iter().map(|(modulus, time)| (scale * modulus, time)).collect(),
-            viscosity: scale * self.shear.viscosity.si(),
+            terms: terms.into_iter().map(|(modulus, time)| (scale * modulus, shifted * time)).collect(),
+            viscosity: shifted * (scale * self.shear.viscosity.si()),
         })
     }
 }
@@ -448,6 +492,9 @@ fn elastic(body: &Elastic) -> Alone {
 
 /// E*(t) against a rigid body, above zero at once.
 fn instantly_stiff(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Relaxation, Problem> {
+    if let Some(problem) = badly_shifted(body, path) {
+        return Err(problem);
+    }
     let relaxation =
         body.relaxation(tables).map_err(|error| Problem::new(format!("{path}.shear.terms"), error.to_string()))?;
     if relaxation.instantaneous() > 0.0 {
@@ -455,6 +502,31 @@ fn instantly_stiff(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Resu
     }
     let message = "has no modulus above zero: expected an equilibrium modulus or at least one term";
     Err(Problem::new(format!("{path}.shear"), message))
+}
+
+/// A temperature without a shift, a shift without a temperature, or one where the law has no value.
+fn badly_shifted(body: &Viscoelastic, path: &str) -> Option<Problem> {
+    match (body.temperature, &body.shift) {
+        (None, None) => None,
+        (Some(_), None) => Some(Problem::new(
+            format!("{path}.temperature"),
+            "without a shift it changes nothing: expected shift: Wlf(c1: …, c2: …, reference: …) beside it, or no temperature",
+        )),
+        (None, Some(_)) => Some(Problem::new(
+            format!("{path}.shift"),
+            "lacks the temperature to which it shifts: expected temperature: \"20 degC\" or the like, or no shift",
+        )),
+        (Some(temperature), Some(shift)) if shift.factor(temperature.si()).is_none() => {
+            let Shift::Wlf(Wlf { c2, reference, .. }) = shift;
+            let lowest = reference.si() - c2.si();
+            let what = format!(
+                "{:?} K is too near to {lowest:?} K or below it, where the times of Wlf become infinite: expected a higher one",
+                temperature.si()
+            );
+            Some(Problem::new(format!("{path}.temperature"), what))
+        }
+        (Some(_), Some(_)) => None,
+    }
 }
 
 impl Pair {
@@ -493,7 +565,7 @@ mod tests {
 
     fn rubber(terms: Terms) -> Body {
         let shear = Shear { equilibrium: Stress::new(0.1).unwrap(), terms, viscosity: Viscosity::default() };
-        Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear })
+        Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None })
     }
 
     /// Bound: a handful of roundings.

@@ -7,6 +7,7 @@ use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::foundation::Foundation;
+use crate::contact::gliding::GlidingBed;
 use crate::contact::mapped::MappedContact;
 use crate::contact::model::ContactModel;
 use crate::contact::plastic::PlasticContact;
@@ -18,6 +19,7 @@ use crate::friction::contact::{
 };
 use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
 use crate::friction::{FrictionError, ViscoelasticBed};
+use crate::material::Relaxation;
 use crate::run::record::ErrorEstimate;
 use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw};
 use crate::scene::plan::{RoughPlan, RoundPlan, Shared};
@@ -40,6 +42,7 @@ pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>
             Box::new(SpringBed::new(plan.ground(), count.get(), bed_radius, work.unwrap_or(0.0)))
         }
         ContactLaw::Plastic(ball) => Box::new(PlasticContact::new(*ball)),
+        ContactLaw::Gliding { relaxation } => Box::new(gliding_bed(plan, relaxation)?),
         ContactLaw::Continuous { relaxation, edge } => viscoelastic::continuous(plan, relaxation, edge.as_ref()),
         ContactLaw::ViscoelasticSprings { relaxation, count } => viscoelastic::springs(plan, relaxation, count.get()),
     };
@@ -52,6 +55,29 @@ pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>
         }
     };
     Ok(told(&plan.profile, bed))
+}
+
+/// Springs in half the largest contact of a body that moves along, for the accuracy of a scene.
+pub(super) fn springs_of_gliding(plan: &Shared) -> f64 {
+    (2.0 * plan.accuracy()).sqrt().recip().clamp(256.0, 2048.0).ceil()
+}
+
+/// Most springs of the way of a body that moves along.
+const MOST_SPRINGS: f64 = 4e6;
+
+/// The bed of springs of a body that moves along, just touching.
+fn gliding_bed(plan: &RoundPlan, relaxation: &Relaxation) -> Result<GlidingBed, SimulationError> {
+    let spectrum = Arc::new(Spectrum::new(relaxation));
+    let width = viscoelastic::reach(plan, &spectrum) / springs_of_gliding(plan);
+    let way = |stage: &Stage| if let Path::Steady { speed } = stage.tangential { speed * stage.over } else { 0.0 };
+    let ways: f64 = plan.stages.iter().map(way).sum();
+    if ways > MOST_SPRINGS * width {
+        let what = format!(
+            "history: a way of {ways:.3e} m goes over more than {MOST_SPRINGS:.0e} springs of the width {width:.1e} m: expected a shorter one, or no `over` for the steady state alone"
+        );
+        return Err(SimulationError::Refused(what));
+    }
+    Ok(GlidingBed::new(spectrum, plan.profile.clone(), (width, plan.accuracy())))
 }
 
 /// A contact that tells of itself in radii, or in the half widths of a section, whatever the places of its bed.

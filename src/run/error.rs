@@ -48,6 +48,7 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
             ),
             None => of(sums(run), "continuous bed, exact in time: what the polynomials of its panels miss"),
         },
+        ContactLaw::Gliding { .. } => gliding_error(plan, run),
         ContactLaw::Plastic(_) => of(1e-13, "yielding ball in closed form: rounding"),
         ContactLaw::ViscoelasticSprings { count, .. } => viscoelastic_springs_error(plan, run, count.get()),
     }
@@ -127,6 +128,15 @@ fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldE
         sums(run) + pieces + 2.0 * off,
         "continuous bed: what the polynomials of its panels miss, and forces and energies with the opening edge followed better",
     )
+}
+
+/// The error of the bed under a body that moves along, against the largest contact.
+fn gliding_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
+    let part = compose::springs_of_gliding(plan).recip();
+    ErrorEstimate {
+        relative: part * part + CHORDS * plan.accuracy() + run.force_error,
+        basis: "bed of springs under a polygon: second order in their width, and straight pieces of the depth to the accuracy asked for; the tangential force within that part of the normal one times the slope at the edge".to_owned(),
+    }
 }
 
 /// How far the least and the greatest forces of two runs are apart, or the energies at their ends, each as a part of

@@ -200,7 +200,8 @@ impl Run {
     }
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
-        let record = Record { entry: self.entry, time, normal, tangential };
+        let gliding = self.contact.gliding();
+        let record = Record { entry: self.entry, time, normal, tangential, gliding };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }

@@ -15,7 +15,7 @@ const POSITIONS: usize = 192;
 #[must_use]
 pub fn is_fretting(plan: &RoundPlan) -> bool {
     let to_and_fro = |stage: &Stage| match stage.tangential {
-        Path::Stay | Path::UntilParted { .. } => false,
+        Path::Stay | Path::Steady { .. } | Path::UntilParted { .. } => false,
         Path::To(_) => stage.extent == Extent::Row,
         Path::Wave(_) => true,
     };

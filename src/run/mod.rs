@@ -26,6 +26,7 @@ mod follow;
 mod fretting;
 mod plane;
 mod plastic;
+mod gliding;
 pub mod named;
 pub mod record;
 mod results;
@@ -112,10 +113,10 @@ impl Solved {
 #[must_use]
 pub fn tables(plan: &Plan) -> &'static [&'static str] {
     match plan {
-        Plan::Round(_) => &["pressure", "stress", "fretting"],
+        Plan::Round(_) => &["pressure", "stress", "fretting", "glides"],
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
-        Plan::Rough(_) => &["ensemble"],
+        Plan::Rough(_) => &["ensemble", "glides"],
         Plan::RoughImpact(_) => &["ensemble", "impacts"],
     }
 }
@@ -167,16 +168,18 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
 fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
     let run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
     let fretting = fretting::map(plan, run.path());
+    let glides = gliding::steady(plan, &run.records)?;
     let pressures = Pressures { fields: &run.fields, on_axis: run.pressure_at_largest_force() };
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));
     results.extend(plastic::results(plan, &run.records));
     results.extend(wave::results(plan, &run.records));
+    results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
     let outcome = Outcome {
-        error_estimate: error::estimate(plan, &run),
+        error_estimate: gliding::at_least(error::estimate(plan, &run), &glides),
         plan: parts(plan, &run),
-        tables: fretting.into_iter().collect(),
+        tables: fretting.into_iter().chain(gliding::table(&glides)).collect(),
         results,
         warnings: run
             .notes
@@ -185,6 +188,7 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
             .chain(viscoelastic::remark(&run))
             .chain(sliding::short_slides(plan, &run.records))
             .chain(wave::remark(plan, &run.records))
+            .chain(gliding::remark(plan))
             .collect(),
         records: run.records,
         fields: run.fields,

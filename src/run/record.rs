@@ -20,6 +20,7 @@
 use super::named::{Finding, Named};
 use super::table::{Column, Table};
 use super::unit::Unit;
+use crate::contact::state::Gliding;
 use crate::contact::state::Normal;
 use crate::contact::state::Tangential;
 use crate::scene::parts::Parts;
@@ -36,6 +37,21 @@ pub struct Record {
     pub normal: Normal,
     /// State of the tangential contact, if the scene has friction.
     pub tangential: Option<Tangential>,
+    /// Where a contact that glides or rolls over a bed with memory is, and what holds it back.
+    pub gliding: Option<Gliding>,
+}
+
+impl Record {
+    /// Way along the surface [m], if the scene has one.
+    fn slide(&self) -> Option<f64> {
+        self.tangential.map(|state| state.slide).or(self.gliding.map(|state| state.slide))
+    }
+
+    /// Force against the motion along the surface [N], if the scene has one.
+    #[must_use]
+    pub fn tangential_force(&self) -> Option<f64> {
+        self.tangential.map(|state| state.force).or(self.gliding.map(|state| state.resistance))
+    }
 }
 
 /// Time.
@@ -52,15 +68,21 @@ pub const CONTACT_RADIUS: Column<Record> =
 pub const STIFFNESS: Column<Record> =
     Column::new("stiffness", Unit::NEWTON_PER_METRE, "stiffness k", |record| Some(record.normal.stiffness));
 /// Tangential displacement.
-pub const SLIDE: Column<Record> =
-    Column::new("slide", Unit::METRE, "tangential displacement uₓ", |record| Some(record.tangential?.slide));
+pub const SLIDE: Column<Record> = Column::new("slide", Unit::METRE, "tangential displacement uₓ", Record::slide);
 /// Tangential force.
 pub const TANGENTIAL_FORCE: Column<Record> =
-    Column::new("tangential_force", Unit::NEWTON, "tangential force Fₓ", |record| Some(record.tangential?.force));
+    Column::new("tangential_force", Unit::NEWTON, "tangential force Fₓ", Record::tangential_force);
 /// Radius of the sticking part.
 pub const STICK_RADIUS: Column<Record> = Column::new("stick_radius", Unit::METRE, "stick radius c", |record| {
     record.normal.contact_radius.and(Some(record.tangential?.stick_radius))
 });
+
+/// Where the contact of a moving body begins.
+pub const LEADING_EDGE: Column<Record> =
+    Column::new("leading_edge", Unit::METRE, "leading edge", |record| record.gliding?.leading_edge);
+/// Where it ends.
+pub const TRAILING_EDGE: Column<Record> =
+    Column::new("trailing_edge", Unit::METRE, "trailing edge", |record| record.gliding?.trailing_edge);
 
 /// Columns every scene has.
 const NORMAL: &[Column<Record>] = &[
@@ -83,12 +105,16 @@ const TANGENTIAL: &[Column<Record>] = &[
 const SHEARED: &[Column<Record>] =
     &[Column::new("area_ratio", Unit::ONE, "A/A₀", |record| record.tangential?.area_ratio)];
 
+/// Columns of a body that glides or rolls over a bed with memory.
+const GLIDING: &[Column<Record>] = &[SLIDE, TANGENTIAL_FORCE, LEADING_EDGE, TRAILING_EDGE];
+
 /// The columns of records: those of a part appear if the scene has it.
 #[must_use]
 pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let rubs = records.iter().any(|record| record.tangential.is_some());
     let peels = records.iter().any(|record| record.tangential.is_some_and(|state| state.area_ratio.is_some()));
-    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels)]
+    let glides = records.iter().any(|record| record.gliding.is_some());
+    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides)]
         .into_iter()
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()

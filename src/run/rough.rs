@@ -3,15 +3,17 @@
 use super::compose;
 use super::ensemble::{self, Ensemble};
 use super::follow::follow;
+use super::gliding;
 use super::named::Named;
 use super::record::{ErrorEstimate, Outcome, Record};
 use super::unit::Unit;
 use super::{SimulationError, Wanted};
+use crate::contact::gliding::SteadyState;
 use crate::contact::rough::VALIDITY;
 use crate::contact::state::Normal;
 use crate::scene::plan::RoughPlan;
 use crate::scene::surface::Surface;
-use crate::shape::rough::{RoughError, Scatter};
+use crate::shape::rough::{RoughError, RoughLine, Scatter};
 use rayon::prelude::*;
 
 /// Runs a scene with a rough shape, all members of its ensemble in parallel; `done` is told the share behind.
@@ -19,6 +21,8 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
     let surface = &plan.surface;
     let count = surface.seeds.len();
     let members = members(surface, done, |seed| member(plan, seed))?;
+    let glides: Vec<Vec<SteadyState>> = members[..count].iter().map(|member| member.glides.clone()).collect();
+    let glides = gliding::mean(&glides);
     let (all, pulls): (Vec<_>, Vec<_>) = members.into_iter().map(|member| (member.records, member.pulls)).unzip();
     let members = &all[..count];
     let ensemble = Ensemble::of(members);
@@ -27,11 +31,12 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
     if plan.works.is_some() {
         results.extend(pulled(&pulls[..count], records.last()));
     }
+    results.extend(gliding::results(plan.travel.as_ref(), &records, &glides));
     Ok(Outcome {
         results,
         records,
         fields: Vec::new(),
-        tables: ensemble.iter().map(Ensemble::table).collect(),
+        tables: ensemble.iter().map(Ensemble::table).chain(gliding::table_beside_theory(plan, &glides)).collect(),
         error_estimate: estimate(&all, count),
         warnings: remarks(plan),
         plan: plan.parts(),
@@ -73,6 +78,8 @@ pub(super) fn remarks(plan: &RoughPlan) -> Vec<String> {
 struct Member {
     records: Vec<Record>,
     pulls: Pulls,
+    /// Steady states, of a surface of the scene itself.
+    glides: Vec<SteadyState>,
 }
 
 /// Forces [N] of sudden changes.
@@ -98,7 +105,12 @@ fn member(plan: &RoughPlan, seed: u64) -> Result<Member, SimulationError> {
     let contact = compose::rough(plan, seed).map_err(|error| without_surface(seed, &error))?;
     let run = follow(plan, contact, Wanted { instants: false, ..Wanted::NOTHING })?;
     let pulls = Pulls::of(run.jumps());
-    Ok(Member { records: run.records, pulls })
+    let glides = if plan.surface.seeds.contains(&seed) {
+        gliding::steady_line(plan, &RoughLine::new(&plan.surface.rings, seed), &run.records)?
+    } else {
+        Vec::new()
+    };
+    Ok(Member { records: run.records, pulls, glides })
 }
 
 /// The results of adhesion: forces are means over the members, if all have one.

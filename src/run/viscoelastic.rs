@@ -52,7 +52,7 @@ const FINER: f64 = 4.0;
 
 /// A radius [m] the contact of a scene does not outgrow: of its largest depth, or of the creep under its
 /// largest force over all its time.
-fn reach(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
+pub(super) fn reach(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
     let (mut depth, mut force, mut time) = (0f64, 0f64, 0.0);
     let mut before = 0.0;
     for stage in &plan.stages {
@@ -61,7 +61,7 @@ fn reach(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
             (Some(Control::Force), Path::To(to)) => force = force.max(to),
             (Some(Control::Indentation), Path::To(to)) => (before, depth) = (to, depth.max(to)),
             (_, Path::Wave(wave)) => depth = depth.max(before.max(depth) + wave.amplitude),
-            (_, Path::To(_) | Path::Stay | Path::UntilParted { .. }) => {}
+            (_, Path::To(_) | Path::Stay | Path::Steady { .. } | Path::UntilParted { .. }) => {}
         }
     }
     let creep = Creep::new(spectrum.clone(), plan.profile.clone()).after(force, 0.0).after(force, time);

@@ -27,6 +27,7 @@ pub use crate::friction::contact::Interface;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::{CoulombBed, TangentialMemory};
 use crate::material::Relaxation;
+use crate::scene::history::Motion;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -106,6 +107,30 @@ impl HeldEdge {
         };
         attraction.closing(self.closing)
     }
+}
+
+/// Steady motion along the surface, behind what the history has done.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Travel {
+    /// Number of the history entry.
+    pub entry: usize,
+    /// Speeds [m/s].
+    pub speeds: Vec<f64>,
+    /// Whether the body glides or rolls.
+    pub motion: Motion,
+    /// E*(t); without terms of elastic bodies.
+    pub relaxation: Arc<Relaxation>,
+    /// Whether the motion is asked for as it is in the end, or also how it comes to that.
+    pub start: Start,
+}
+
+/// How a steady motion begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// The history leads there.
+    Followed,
+    /// It is not asked for.
+    LeftOut,
 }
 
 /// Springs are equally wide up to this part of the largest contact, and in geometric progression beyond.
@@ -235,6 +260,11 @@ pub enum ContactLaw {
         /// Number of springs.
         count: SpringCount,
     },
+    /// The bed of springs under a body that glides or rolls.
+    Gliding {
+        /// E*(t); without terms of elastic bodies.
+        relaxation: Arc<Relaxation>,
+    },
     /// The closed form of a ball that yields.
     Plastic(YieldingBall),
 }
@@ -245,6 +275,7 @@ impl ContactLaw {
     pub fn solver(&self, friction: Option<&FrictionLaw>) -> Solver {
         match self {
             Self::Plastic(_) => Solver::new("yielding ball", "the body yields: Hertz's contact, then a force that grows in a straight line, and Hertz's again over the dent it leaves (Thornton 1997), all in closed form; no spring is allocated"),
+            Self::Gliding { .. } => Solver::new("gliding bed", "the body moves along, and every place of the bed has a past of its own: springs under the polygon of the profile, each touched and let go by itself; exact in time, second order in the width of a spring"),
             Self::Direct(_) => Solver::new("direct", "the state depends on the present depth or force alone: the edge is a root of the equilibrium on g(x) and the force an integral up to it; no spring is allocated"),
             Self::Springs { count, .. } => Solver::new("springs", format!("`springs: {count}` asks for the classical bed")),
             Self::Continuous { .. } => Solver::new("continuous bed", match friction {
@@ -262,7 +293,8 @@ impl ContactLaw {
     #[must_use]
     pub fn springs(&self) -> usize {
         match self {
-            Self::Direct(_) | Self::Continuous { .. } | Self::Plastic(_) => 0,
+            // Of a body that moves along they are known from the run.
+            Self::Direct(_) | Self::Continuous { .. } | Self::Gliding { .. } | Self::Plastic(_) => 0,
             Self::Springs { count, .. } => count.get(),
             Self::ViscoelasticSprings { count, .. } => count.get(),
         }
@@ -277,9 +309,11 @@ impl ContactLaw {
     pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
         match self {
             Self::Direct(adhesion) => Some(*adhesion),
-            Self::Springs { .. } | Self::Continuous { .. } | Self::ViscoelasticSprings { .. } | Self::Plastic(_) => {
-                None
-            }
+            Self::Springs { .. }
+            | Self::Continuous { .. }
+            | Self::ViscoelasticSprings { .. }
+            | Self::Gliding { .. }
+            | Self::Plastic(_) => None,
         }
     }
 
@@ -291,7 +325,9 @@ impl ContactLaw {
             Self::Springs { work: Some(work), .. } => Bodies::Elastic(ElasticAdhesion::Vanishing { work: *work }),
             Self::Springs { work: None, .. } => Bodies::Elastic(ElasticAdhesion::None),
             Self::Continuous { relaxation, edge } => Bodies::Viscoelastic(relaxation, edge.as_ref()),
-            Self::ViscoelasticSprings { relaxation, .. } => Bodies::Viscoelastic(relaxation, None),
+            Self::ViscoelasticSprings { relaxation, .. } | Self::Gliding { relaxation } => {
+                Bodies::Viscoelastic(relaxation, None)
+            }
             Self::Plastic(ball) => Bodies::Plastic(ball),
         }
     }

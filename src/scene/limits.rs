@@ -29,8 +29,9 @@ fn no_history(draft: &Draft<'_>) -> Option<Problem> {
 }
 
 fn no_speed(entry: &EntryTraits<'_>) -> Option<Problem> {
-    let impact = entry.impact?;
-    impact.speed.is_empty().then(|| {
+    let impact = entry.impact.map(|impact| &impact.speed);
+    let speeds = impact.or(entry.glide.map(|(glide, _)| &glide.speed))?;
+    speeds.is_empty().then(|| {
         Problem::new(
             format!("{}.speed", entry.place()),
             "is an empty list: expected at least one speed such as \"1 m/s\"",

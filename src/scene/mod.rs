@@ -128,6 +128,8 @@ pub enum Plot {
     Area,
     /// Restitution against speed.
     Restitution,
+    /// Resistance of a body that glides or rolls over a body that remembers: over the speed, or over the time.
+    Resistance,
 }
 
 impl Scene {

@@ -48,10 +48,11 @@ pub(super) enum Component {
     Sliding,
     Peeling,
     Springs,
+    Gliding,
 }
 
 impl Component {
-    const ALL: [Self; 10] = [
+    const ALL: [Self; 11] = [
         Self::Profile,
         Self::VanishingRange,
         Self::FiniteRange,
@@ -62,6 +63,7 @@ impl Component {
         Self::Sliding,
         Self::Peeling,
         Self::Springs,
+        Self::Gliding,
     ];
 
     pub(super) fn name(self) -> &'static str {
@@ -76,6 +78,7 @@ impl Component {
             Self::Sliding => "gross sliding on the pressure",
             Self::Peeling => "peeling under shear",
             Self::Springs => "springs",
+            Self::Gliding => "springs under a body that moves along",
         }
     }
 }

@@ -18,7 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
+use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Travel};
 use super::read::Read;
 use super::surface::Surface;
 use crate::contact::foundation::Foundation;
@@ -95,6 +95,8 @@ pub struct RoundPlan {
     pub contact: ContactLaw,
     /// Who computes the tangential contact, if there is friction.
     pub friction: Option<FrictionLaw>,
+    /// The steady motion along the surface at the end, if there is one.
+    pub travel: Option<Travel>,
 }
 
 /// The impact of a round body.
@@ -136,6 +138,8 @@ pub struct RoughPlan {
     pub works: Option<EdgeWorks>,
     /// Coefficient μ of Coulomb friction.
     pub coefficient: Option<f64>,
+    /// The steady motion along the surface at the end, if there is one.
+    pub travel: Option<Travel>,
 }
 
 /// The impact of a rough body.
@@ -228,6 +232,16 @@ impl Plan {
     #[must_use]
     pub fn bodies(&self) -> Option<Bodies<'_>> {
         self.of_round(|plan| Some(plan.contact.bodies()), |plan| Some(plan.law.bodies()))
+    }
+
+    /// The steady motion along the surface at the end, if there is one.
+    #[must_use]
+    pub fn travel(&self) -> Option<&Travel> {
+        match self {
+            Self::Round(plan) => plan.travel.as_ref(),
+            Self::Rough(plan) => plan.travel.as_ref(),
+            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) => None,
+        }
     }
 
     /// E*(t) of bodies that relax.

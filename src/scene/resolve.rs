@@ -1,6 +1,8 @@
 //! From a scene as written to the decision who computes it.
 
-use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount};
+use super::law::{
+    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount, Start, Travel,
+};
 use super::mended::Mended;
 use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared};
 use super::read::{Geometry, Read};
@@ -16,6 +18,7 @@ use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{Body, Relaxation};
 use crate::scene::history::{EntryTraits, Impact};
+use crate::scene::stage::Path;
 use crate::shape::{Profile, Shape};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -130,18 +133,50 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
 
 fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let scene = &shared.scene;
+    let friction = scene.friction.as_ref().map(|friction| tangential(&shared, friction));
+    let travel = travel(&shared);
+    let contact =
+        if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
+    RoundPlan { profile, contact, friction, travel, shared }
+}
+
+/// Whether the history leads the body along the surface of a bed that remembers.
+fn moves_along(shared: &Shared) -> bool {
+    shared.stages.iter().any(|stage| matches!(stage.tangential, Path::Steady { .. }))
+}
+
+/// The motion along the surface with which a history ends.
+fn travel(shared: &Shared) -> Option<Travel> {
+    let entries = shared.scene.history.iter().enumerate().rev();
+    let mut glides = entries.filter_map(|(entry, of)| Some((entry, of.traits(entry, None, None).glide?)));
+    let (entry, (glide, motion)) = glides.next()?;
+    Some(Travel {
+        entry,
+        speeds: glide.speed.iter().map(|speed| speed.si()).collect(),
+        motion,
+        relaxation: lasting(shared),
+        start: if glide.is_steady() { Start::LeftOut } else { Start::Followed },
+    })
+}
+
+/// E*(t) of the bodies, elastic ones included.
+fn lasting(shared: &Shared) -> Arc<Relaxation> {
+    shared.read.relaxation.clone().unwrap_or_else(|| Arc::new(unrelaxed(shared)))
+}
+
+/// Who computes a contact that stays where it is.
+fn resting(shared: &Shared) -> ContactLaw {
+    let scene = &shared.scene;
     let adhesion = scene.adhesion.as_ref();
-    let contact = match (shared.read.relaxation.clone(), scene.springs) {
-        (None, None) => match (yielding(&shared), pinned(adhesion)) {
+    match (shared.read.relaxation.clone(), scene.springs) {
+        (None, None) => match (yielding(shared), pinned(adhesion)) {
             (Some(ball), _) => ContactLaw::Plastic(ball),
-            (None, Some(edge)) => ContactLaw::Continuous { relaxation: Arc::new(unrelaxed(&shared)), edge: Some(edge) },
+            (None, Some(edge)) => ContactLaw::Continuous { relaxation: Arc::new(unrelaxed(shared)), edge: Some(edge) },
             (None, None) => ContactLaw::Direct(elastic(adhesion)),
         },
         (None, Some(count)) => ContactLaw::Springs { count, work: adhesion.map(|adhesion| adhesion.traits().work) },
-        (Some(relaxation), asked) => viscoelastic(&shared, relaxation, asked),
-    };
-    let friction = scene.friction.as_ref().map(|friction| tangential(&shared, friction));
-    RoundPlan { profile, contact, friction, shared }
+        (Some(relaxation), asked) => viscoelastic(shared, relaxation, asked),
+    }
 }
 
 /// The ball of bodies that yield, the softer one first.
@@ -160,6 +195,7 @@ fn rough(shared: Shared, (surface, base): (&Arc<Surface>, Option<&Arc<dyn Profil
         relaxation: shared.read.relaxation.clone(),
         works: shared.scene.adhesion.as_ref().map(works),
         coefficient: None,
+        travel: travel(&shared),
         shared,
     }
 }

@@ -64,7 +64,8 @@ impl Stage {
     pub fn force(&self) -> Option<f64> {
         match (self.control?, self.normal) {
             (Control::Force, Path::To(force)) => Some(force),
-            (Control::Force, Path::Stay | Path::Wave(_) | Path::UntilParted { .. }) | (Control::Indentation, _) => None,
+            (Control::Force, Path::Stay | Path::Steady { .. } | Path::Wave(_) | Path::UntilParted { .. })
+            | (Control::Indentation, _) => None,
         }
     }
 
@@ -73,7 +74,7 @@ impl Stage {
     pub fn slide(&self) -> Option<f64> {
         match self.tangential {
             Path::To(slide) => Some(slide),
-            Path::Stay | Path::Wave(_) | Path::UntilParted { .. } => None,
+            Path::Stay | Path::Steady { .. } | Path::Wave(_) | Path::UntilParted { .. } => None,
         }
     }
 

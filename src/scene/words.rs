@@ -27,14 +27,29 @@ impl RoundPlan {
     pub fn parts(&self) -> Parts {
         let mut used = self.contact.pieces();
         used.extend(self.friction.iter().map(FrictionLaw::piece));
+        used.extend(self.travel.iter().map(|_| Component::Gliding));
         let tangential = self.friction.as_ref().map_or(0, FrictionLaw::bytes);
         Parts {
             springs: self.contact.springs(),
             state_bytes: self.contact.bytes() + tangential,
-            ..Parts::round(self.contact.solver(self.friction.as_ref()), &used)
+            ..Parts::round(self.solver(), &used)
         }
     }
 }
+
+impl RoundPlan {
+    /// Who leads the contact through its history, and who finds its steady motion.
+    fn solver(&self) -> Solver {
+        let solver = self.contact.solver(self.friction.as_ref());
+        match &self.travel {
+            None => solver,
+            Some(_) => Solver { reason: format!("{}; {STEADY}", solver.reason), ..solver },
+        }
+    }
+}
+
+/// How a steady motion along the surface is found.
+const STEADY: &str = "in the steady motion along the surface all springs of the bed go through the same one after the other: one, swept through the profile, tells of all";
 
 impl ImpactPlan {
     /// The plan in words; bytes are known from the run.
@@ -87,6 +102,7 @@ impl RoughPlan {
             ("relaxation", self.relaxation.is_some()),
             ("adhesive patches", self.works.is_some()),
             ("Coulomb springs", self.coefficient.is_some()),
+            (Component::Gliding.name(), self.travel.is_some()),
         ] {
             (if there { &mut used } else { &mut left_out }).push(part);
         }

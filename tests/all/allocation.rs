@@ -115,7 +115,8 @@ fn springs_friction_and_prony_elements_cost_what_they_say() {
         terms: Terms::List(vec![term]),
         viscosity: Viscosity::new(0.0).unwrap(),
     };
-    let rubber = Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear });
+    let rubber =
+        Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None });
     let relaxing = run(&ready(Scene { bodies: (rubber, Body::Rigid), ..elastic() }), Wanted::NOTHING).0;
     assert!(relaxing > bare, "{relaxing} bytes with a Prony element, {bare} without");
 }

@@ -312,7 +312,7 @@ fn relaxing(equilibrium: f64, terms: &[(f64, f64)], friction: Friction, history:
         terms: Terms::List(terms.iter().map(term).collect()),
         viscosity: Viscosity::default(),
     };
-    let body = Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear };
+    let body = Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None };
     Scene { bodies: (Body::Viscoelastic(body), Body::Rigid), ..scene(ball(), friction, history) }
 }
 

@@ -15,6 +15,8 @@ mod friction;
 #[cfg(feature = "cli")]
 mod fuzz;
 #[cfg(feature = "text")]
+mod gliding;
+#[cfg(feature = "text")]
 mod ground;
 mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]

@@ -72,6 +72,9 @@ const ENTRIES: &[&str] = &[
     "Retract(speed: 1e-6)",
     "Impact(mass: 1, speed: [1], angle: \"30 deg\")",
     "Impact(mass: 1, speed: [])",
+    "Glide(speed: [1, \"2 mm/s\"])",
+    "Glide(speed: 1e-3, over: 2)",
+    "Roll(speed: [1, 2], over: 1)",
     "Table(\"no_such.csv\")",
 ];
 
@@ -90,6 +93,7 @@ const PLOTS: &[&str] = &[
     "Coefficient",
     "Area",
     "Restitution",
+    "Resistance",
 ];
 
 /// Scenes of which few parts fit together.

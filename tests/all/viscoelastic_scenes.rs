@@ -28,7 +28,7 @@ fn rubber(equilibrium: f64, terms: &[(f64, f64)], viscosity: f64) -> Body {
         terms: Terms::List(terms.iter().map(term).collect()),
         viscosity: Viscosity::new(viscosity).unwrap(),
     };
-    Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear })
+    Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None })
 }
 
 fn elastic(young: f64) -> Body {

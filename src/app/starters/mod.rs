@@ -35,6 +35,7 @@ starters!(
     "impact",
     "restitution",
     "oblique",
+    "glide",
     "history",
     "rough",
     "ensemble",

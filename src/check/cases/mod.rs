@@ -14,6 +14,7 @@ mod elastic;
 pub(super) mod estimates;
 pub(super) mod extremes;
 mod friction;
+mod gliding;
 #[cfg(feature = "half-space")]
 mod half_space;
 mod impact;
@@ -49,6 +50,7 @@ pub fn all() -> Vec<Case> {
         friction::CASES,
         impact::CASES,
         plastic::CASES,
+        gliding::CASES,
         rough::CASES,
         half_space,
         estimates::CASES,

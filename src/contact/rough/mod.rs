@@ -16,15 +16,19 @@ mod adhesive;
 mod bed;
 mod elastic;
 mod ends;
+mod gliding;
 mod ground;
 mod patches;
+mod persson;
 mod relaxing;
 mod told;
 
 pub use adhesive::AdhesiveRough;
 pub use bed::{BedState, RoughBed};
 pub use elastic::RoughContact;
+pub use gliding::gliding_line;
 pub use ground::EdgeWorks;
+pub use persson::PerssonGlide;
 pub use relaxing::RelaxingRough;
 
 /// What a rough bed is good for, to be shown beside its results.

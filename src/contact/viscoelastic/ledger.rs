@@ -66,7 +66,7 @@ impl Spectrum {
 }
 
 /// ∫ s dt of a Maxwell element that starts at the load `s` and moves at the speed `v` for the time `t`.
-pub(super) fn impulse(term: &Element, s: f64, v: f64, t: f64) -> f64 {
+pub(in crate::contact) fn impulse(term: &Element, s: f64, v: f64, t: f64) -> f64 {
     let y = t / term.time;
     let lost = decay(y).1;
     s * term.time * lost + term.modulus * v * term.time * (term.time * square_remainder(y, lost))

@@ -104,6 +104,15 @@ impl Spring {
         Self::Free(Free { rest: 0.0, modes: vec![0.0; spectrum.modes().len()] })
     }
 
+    /// Whether it is as it was before anything touched it.
+    #[must_use]
+    pub fn is_untouched(&self) -> bool {
+        match self {
+            Self::Pressed(_) => false,
+            Self::Free(free) => free.rest.abs() <= 0.0 && free.is_at_rest(),
+        }
+    }
+
     /// The spring after a motion (displacements as this spring sees them), every event at its instant.
     ///
     /// At constant speed there are at most two: touched, then released. `watch` sees every piece.

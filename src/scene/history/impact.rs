@@ -70,6 +70,6 @@ impl<'de> de::Visitor<'de> for SpeedsVisitor {
     }
 }
 
-fn one_or_more<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Speed>, D::Error> {
+pub(super) fn one_or_more<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Speed>, D::Error> {
     deserializer.deserialize_any(SpeedsVisitor)
 }

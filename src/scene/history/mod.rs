@@ -11,11 +11,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod glide;
 mod impact;
 mod motion;
 mod ramp;
 mod wave;
 
+pub use glide::{Glide, Motion};
 pub use impact::Impact;
 pub use motion::{Driven, MotionTable};
 pub use ramp::{Hold, Indent, Press, Retract, Slide};
@@ -45,6 +47,10 @@ pub enum Entry {
     Shake(Oscillate),
     /// Retracts at constant speed until the bodies part.
     Retract(Retract),
+    /// Glides along the surface at constant speed; depth or force stays as it is.
+    Glide(Glide),
+    /// Rolls along the surface at constant speed; depth or force stays as it is.
+    Roll(Glide),
     /// A free impact; the only entry of its history.
     Impact(Impact),
     /// A table of time and indentation or force, next to the scene.
@@ -66,6 +72,8 @@ pub struct EntryTraits<'e> {
     pub table: Option<(&'e std::path::Path, &'e [usize])>,
     /// The impact, if it is one.
     pub impact: Option<&'e Impact>,
+    /// The motion along the surface of a body that glides or rolls, if it is one.
+    pub glide: Option<(&'e Glide, Motion)>,
     /// Fewest records it can have.
     pub least_records: usize,
 }
@@ -93,11 +101,17 @@ impl Entry {
             field,
             table: None,
             impact: None,
+            glide: None,
             least_records: steps.unwrap_or(1),
         };
         let waves = |name, field, wave: &Oscillate, stage| EntryTraits {
             least_records: wave.least_records(steps),
             ..moves(name, field, Stage { records: steps.unwrap_or_else(|| wave.records()), ..stage })
+        };
+        let glides = |name, glide: &'e Glide, motion| EntryTraits {
+            stages: glide.stage(rest).into_iter().collect(),
+            glide: Some((glide, motion)),
+            ..moves(name, ".speed", rest)
         };
         match self {
             Self::Indent(indent) => moves("Indent", ".to", indent.stage(rest)),
@@ -108,6 +122,8 @@ impl Entry {
             Self::Oscillate(wave) => waves("Oscillate", ".amplitude", wave, wave.deep(rest)),
             Self::Shake(wave) => waves("Shake", ".amplitude", wave, wave.along(rest)),
             Self::Retract(retract) => moves("Retract", "", retract.stage(rest)),
+            Self::Glide(glide) => glides("Glide", glide, Motion::Glides),
+            Self::Roll(glide) => glides("Roll", glide, Motion::Rolls),
             Self::Impact(impact) => {
                 EntryTraits { stages: Vec::new(), impact: Some(impact), ..moves("Impact", "", rest) }
             }
@@ -131,8 +147,12 @@ impl EntryTraits<'_> {
     /// Whether it moves the bodies along the surface.
     #[must_use]
     pub fn slides(&self) -> bool {
-        let along = self.stages.iter().any(|stage| stage.tangential != Path::Stay);
-        along || self.impact.is_some_and(Impact::is_oblique)
+        let along = |stage: &Stage| match stage.tangential {
+            Path::To(_) | Path::Wave(_) => true,
+            // A body that glides feels the bed, not a friction.
+            Path::Steady { .. } | Path::Stay | Path::UntilParted { .. } => false,
+        };
+        self.stages.iter().any(along) || self.impact.is_some_and(Impact::is_oblique)
     }
 
     /// Whether it slides one way, and nothing else moves.

@@ -35,7 +35,7 @@ fn target<'t>(entry: &'t EntryTraits<'t>, before: Option<f64>) -> Option<Demand<
     let value = |stage: &Stage| match stage.normal {
         Path::To(value) => Some(value),
         Path::Wave(wave) => before.map(|depth| depth + wave.amplitude),
-        Path::Stay | Path::UntilParted { .. } => None,
+        Path::Stay | Path::Steady { .. } | Path::UntilParted { .. } => None,
     };
     let values = entry.stages.iter().enumerate();
     let values =
@@ -70,10 +70,12 @@ fn depth_after(entry: &EntryTraits<'_>, before: Option<f64>) -> Option<f64> {
     let stage = entry.stages.last()?;
     match (stage.control, stage.normal) {
         (None, _) | (Some(Control::Indentation), Path::Stay) => before,
-        (Some(Control::Indentation), path @ (Path::To(_) | Path::Wave(_))) => match (path, before) {
-            (Path::To(depth), _) => Some(depth),
-            (path, before) => before.map(|depth| path.at(depth, 1.0, stage.over)),
-        },
+        (Some(Control::Indentation), path @ (Path::To(_) | Path::Steady { .. } | Path::Wave(_))) => {
+            match (path, before) {
+                (Path::To(depth), _) => Some(depth),
+                (path, before) => before.map(|depth| path.at(depth, 1.0, stage.over)),
+            }
+        }
         (Some(Control::Indentation), Path::UntilParted { .. }) | (Some(Control::Force), _) => None,
     }
 }

@@ -200,6 +200,17 @@ impl<'s> Draft<'s> {
         self.as_written(entry)?.impact.map(|impact| impact.speed.len())
     }
 
+    /// Whether a body glides or rolls.
+    pub(super) fn glides(&self) -> Option<bool> {
+        self.knows_history_by_kind().then(|| self.written.entries.iter().any(|entry| entry.glide.is_some()))
+    }
+
+    /// Whether a body is followed as it glides or rolls.
+    pub(super) fn moves_along(&self) -> Option<bool> {
+        let follows = |entry: &EntryTraits<'_>| entry.glide.is_some_and(|(glide, _)| !glide.is_steady());
+        self.knows_history_by_kind().then(|| self.written.entries.iter().any(follows))
+    }
+
     /// The figures wanted, with their numbers.
     pub(super) fn plots(&self) -> impl Iterator<Item = (usize, Plot)> {
         let numbered = self.written.scene.plots.iter().flatten().copied().enumerate();

@@ -11,6 +11,7 @@
 
 mod depth;
 mod draft;
+mod glide;
 mod ground;
 mod history;
 mod parts;
@@ -91,7 +92,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 40] = [
+pub const RULES: [Rule; 49] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Bodies, Bodies, ground::beside),
     Rule::once(Bodies, Shape, ground::under_shape),
@@ -127,6 +128,15 @@ pub const RULES: [Rule; 40] = [
     Rule::entry(Friction, history::slide_without_friction),
     Rule::entry(Friction, history::shake_in_gross_sliding),
     Rule::entry(Springs, history::impact_on_springs),
+    Rule::entry(Shape, glide::on_shape),
+    Rule::entry(Shape, glide::steep_on_dashpot),
+    Rule::entry(Bodies, glide::of_bodies),
+    Rule::entry(Adhesion, glide::with_adhesion),
+    Rule::entry(Friction, glide::with_friction),
+    Rule::entry(Springs, glide::on_springs),
+    Rule::entry(History, glide::in_history),
+    Rule::entry(History, glide::beside),
+    Rule::entry(History, glide::both),
     Rule::entry(History, history::impact_beside_others),
     Rule::entry(History, history::nothing_to_part),
     Rule::many(History, Shape, depth::too_deep),

@@ -32,6 +32,11 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
         );
     }
+    if matches!(plot, Plot::Pressure | Plot::Stress) && draft.moves_along()? {
+        return Some(
+            "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance",
+        );
+    }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape => return None,
         Plot::Radius | Plot::Pressure | Plot::Stress => {
@@ -54,6 +59,7 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             "expected CoulombOrowan or Pressure friction, and no adhesion",
         ),
         Plot::Area => (draft.adheres()? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
+        Plot::Resistance => (draft.glides()?, "expected Glide or Roll in the history"),
         Plot::Restitution => (draft.speeds()? > 1, "expected an Impact with a list of at least two speeds"),
     };
     (!there).then_some(what)
@@ -65,9 +71,14 @@ const STRESS_OF_PLANE: &str =
 /// What a plane contact lacks for a figure, whatever else the scene has.
 fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
     match plot {
-        Plot::Force | Plot::Energy | Plot::Radius | Plot::Pressure | Plot::Moduli | Plot::Area | Plot::Restitution => {
-            None
-        }
+        Plot::Force
+        | Plot::Energy
+        | Plot::Radius
+        | Plot::Pressure
+        | Plot::Moduli
+        | Plot::Area
+        | Plot::Restitution
+        | Plot::Resistance => None,
         Plot::Stress => Some(STRESS_OF_PLANE),
         Plot::Shape => {
             Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")

@@ -5,6 +5,7 @@ mod curve;
 mod fields;
 mod fit;
 mod friction;
+mod gliding;
 mod impacts;
 mod overlay;
 mod rough;
@@ -17,7 +18,7 @@ use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Outcome, Record};
 use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::Plot;
-use crate::scene::plan::{ImpactPlan, Plan, RoundPlan};
+use crate::scene::plan::{ImpactPlan, Plan, RoughPlan, RoundPlan};
 use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
@@ -42,6 +43,7 @@ pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
 fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match plan {
         Plan::Round(RoundPlan { friction: Some(law), .. }) if slides(outcome) => friction::suiting(law, outcome),
+        Plan::Round(RoundPlan { travel: Some(travel), .. }) => gliding::suiting(travel),
         Plan::Round(round) => {
             let pressure = (!outcome.fields.is_empty()).then_some(Plot::Pressure);
             let shape = (!matches!(round.profile.rim(), Rim::Wall(_))).then_some(Plot::Shape);
@@ -53,6 +55,9 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
             _ => vec![Plot::Restitution],
         },
         Plan::Plane(_) => vec![Plot::Force, Plot::Radius, Plot::Pressure],
+        Plan::Rough(RoughPlan { travel: Some(travel), .. }) => {
+            gliding::suiting(travel).into_iter().chain([Plot::Shape]).collect()
+        }
         Plan::Rough(rough) => rough::suiting(rough),
         Plan::RoughImpact(impact) if impact.impact.speed.len() > 1 => vec![Plot::Restitution],
         Plan::RoughImpact(_) => vec![Plot::Force, Plot::Shape],
@@ -95,6 +100,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
         Plot::Area => friction::area(plan, outcome).into_iter().collect(),
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
+        Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
         Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
     }
 }
