@@ -220,7 +220,7 @@ impl Run {
     }
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
-        let record = Record { entry: self.entry, time, normal, tangential };
+        let record = Record { entry: self.entry, time, normal, tangential, worn: None };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }
@@ -249,6 +249,11 @@ impl Run {
     /// The straight steps the tangential contact has taken, if they were kept.
     pub(super) fn path(&self) -> &[Pose] {
         self.contact.path()
+    }
+
+    /// What is controlled at its end, and the tangential displacement [m] there.
+    pub(super) fn ends_with(&self) -> (Control, f64) {
+        (self.control, self.slide)
     }
 
     /// What the last loop of an oscillation says of the material.

@@ -23,6 +23,7 @@ use super::unit::Unit;
 use crate::contact::state::Normal;
 use crate::contact::state::Tangential;
 use crate::scene::parts::Parts;
+use crate::wear::Worn;
 use serde::Serialize;
 
 /// State of the contact at one time.
@@ -36,6 +37,8 @@ pub struct Record {
     pub normal: Normal,
     /// State of the tangential contact, if the scene has friction.
     pub tangential: Option<Tangential>,
+    /// What has been worn off, if the scene has wear.
+    pub worn: Option<Worn>,
 }
 
 /// Time.
@@ -83,12 +86,22 @@ const TANGENTIAL: &[Column<Record>] = &[
 const SHEARED: &[Column<Record>] =
     &[Column::new("area_ratio", Unit::ONE, "A/A₀", |record| record.tangential?.area_ratio)];
 
+/// Volume worn off.
+pub const WORN_VOLUME: Column<Record> =
+    Column::new("worn_volume", Unit::CUBIC_METRE, "worn volume V", |record| Some(record.worn?.volume));
+/// Largest depth worn off.
+pub const WEAR_DEPTH: Column<Record> =
+    Column::new("wear_depth", Unit::METRE, "largest worn depth", |record| Some(record.worn?.depth));
+/// Columns of a scene with wear.
+const WORN: &[Column<Record>] = &[WORN_VOLUME, WEAR_DEPTH];
+
 /// The columns of records: those of a part appear if the scene has it.
 #[must_use]
 pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let rubs = records.iter().any(|record| record.tangential.is_some());
     let peels = records.iter().any(|record| record.tangential.is_some_and(|state| state.area_ratio.is_some()));
-    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels)]
+    let wears = records.iter().any(|record| record.worn.is_some());
+    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels), (WORN, wears)]
         .into_iter()
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()

@@ -47,11 +47,12 @@ pub(super) enum Component {
     ViscoelasticFriction,
     Sliding,
     Peeling,
+    Wear,
     Springs,
 }
 
 impl Component {
-    const ALL: [Self; 10] = [
+    const ALL: [Self; 11] = [
         Self::Profile,
         Self::VanishingRange,
         Self::FiniteRange,
@@ -61,6 +62,7 @@ impl Component {
         Self::ViscoelasticFriction,
         Self::Sliding,
         Self::Peeling,
+        Self::Wear,
         Self::Springs,
     ];
 
@@ -75,6 +77,7 @@ impl Component {
             Self::ViscoelasticFriction => "stick and slip by relaxing springs",
             Self::Sliding => "gross sliding on the pressure",
             Self::Peeling => "peeling under shear",
+            Self::Wear => "wear of the profile (Archard)",
             Self::Springs => "springs",
         }
     }

@@ -18,7 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw};
+use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, WearLaw};
 use super::read::Read;
 use super::surface::Surface;
 use crate::contact::foundation::Foundation;
@@ -95,6 +95,8 @@ pub struct RoundPlan {
     pub contact: ContactLaw,
     /// Who computes the tangential contact, if there is friction.
     pub friction: Option<FrictionLaw>,
+    /// How the indenter wears, if it does.
+    pub wear: Option<WearLaw>,
 }
 
 /// The impact of a round body.

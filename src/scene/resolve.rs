@@ -1,6 +1,6 @@
 //! From a scene as written to the decision who computes it.
 
-use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount};
+use super::law::{ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount, WearLaw};
 use super::mended::Mended;
 use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared};
 use super::read::{Geometry, Read};
@@ -17,6 +17,7 @@ use crate::input::table::Tables;
 use crate::material::{Body, Relaxation};
 use crate::scene::history::{EntryTraits, Impact};
 use crate::shape::{Profile, Shape};
+use crate::wear::Wear;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -141,7 +142,8 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
         (Some(relaxation), asked) => viscoelastic(&shared, relaxation, asked),
     };
     let friction = scene.friction.as_ref().map(|friction| tangential(&shared, friction));
-    RoundPlan { profile, contact, friction, shared }
+    let wear = scene.wear.as_ref().map(|Wear::Archard(law)| WearLaw::new(law.coefficient.si(), shared.accuracy()));
+    RoundPlan { profile, contact, friction, wear, shared }
 }
 
 /// The ball of bodies that yield, the softer one first.

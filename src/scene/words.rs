@@ -1,6 +1,6 @@
 //! Plans in words.
 
-use super::law::FrictionLaw;
+use super::law::{FrictionLaw, WearLaw};
 use super::parts::{Component, Parts, Solver};
 use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use crate::contact::direct::QuasiStatic;
@@ -27,11 +27,14 @@ impl RoundPlan {
     pub fn parts(&self) -> Parts {
         let mut used = self.contact.pieces();
         used.extend(self.friction.iter().map(FrictionLaw::piece));
+        used.extend(self.wear.map(|_| Component::Wear));
+        let mut solver = self.contact.solver(self.friction.as_ref());
+        solver.reason.extend(self.wear.map(WearLaw::in_words));
         let tangential = self.friction.as_ref().map_or(0, FrictionLaw::bytes);
         Parts {
             springs: self.contact.springs(),
             state_bytes: self.contact.bytes() + tangential,
-            ..Parts::round(self.contact.solver(self.friction.as_ref()), &used)
+            ..Parts::round(solver, &used)
         }
     }
 }

@@ -24,6 +24,7 @@ mod rough;
 mod shapes;
 mod stress;
 mod viscoelastic;
+mod wear;
 
 use super::case::{Attempt, Case};
 use super::study::{Study, Thoroughness};
@@ -47,6 +48,7 @@ pub fn all() -> Vec<Case> {
         adhesive::CASES,
         viscoelastic::CASES,
         friction::CASES,
+        wear::CASES,
         impact::CASES,
         plastic::CASES,
         rough::CASES,

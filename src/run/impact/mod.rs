@@ -119,6 +119,7 @@ fn records(plan: &ImpactPlan, moments: &[ImpactState]) -> Vec<Record> {
             dissipated: moment.dissipated,
         },
         tangential: None,
+        worn: None,
     };
     moments.iter().map(record).collect()
 }
