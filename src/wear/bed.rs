@@ -21,6 +21,9 @@ const MOST_STEPS: usize = 200;
 /// Cells kept outside the contact.
 const SPARE: usize = 4;
 
+/// Part of the largest compression within which a spring that is worn off lies at the depth: what the steps leave.
+const SLACK: f64 = 1e-6;
+
 /// Springs in cells under a profile that wears.
 #[derive(Debug, Clone)]
 pub struct WornBed {
@@ -127,7 +130,8 @@ impl WornBed {
 
     /// Contact radius [m].
     pub fn contact_radius(&self, pressed: &Pressed) -> f64 {
-        let below: Vec<f64> = pressed.reduced.iter().map(|g| pressed.depth - g).collect();
+        let depth = pressed.depth + slack(pressed);
+        let below: Vec<f64> = pressed.reduced.iter().map(|g| depth - g).collect();
         match below.iter().rposition(|&below| below > 0.0) {
             None => 0.0,
             Some(last) if last + 1 >= below.len() => self.rings.outer(),
@@ -142,9 +146,10 @@ impl WornBed {
 
     /// Whether the contact is one piece: no cell is apart inside one that is touched.
     pub fn is_in_one_piece(&self, pressed: &Pressed) -> bool {
-        let apart = |g: &f64| *g > pressed.depth * (1.0 + 1e-9);
+        let slack = slack(pressed);
+        let apart = |g: &f64| *g > pressed.depth + slack;
         let first = pressed.reduced.iter().position(apart).unwrap_or(pressed.reduced.len());
-        pressed.reduced[first..].iter().all(|g| *g >= pressed.depth)
+        pressed.reduced[first..].iter().all(|g| *g >= pressed.depth - slack)
     }
 
     /// An upper bound of the rates [1/m] at which a form of the profile decays per k_w under the slips `slips` of the rings:
@@ -162,4 +167,10 @@ impl WornBed {
         };
         2.0 * self.modulus * (0..rings.len()).map(row).fold(0.0, f64::max)
     }
+}
+
+/// How far above the depth [m] a spring still counts as touched.
+fn slack(pressed: &Pressed) -> f64 {
+    let touch = pressed.reduced.iter().copied().fold(f64::INFINITY, f64::min);
+    SLACK * (pressed.depth - touch).max(0.0)
 }
