@@ -84,6 +84,7 @@ pub mod material;
 pub mod ground;
 pub mod contact;
 pub mod friction;
+pub mod wear;
 pub mod library;
 pub mod drive;
 pub mod scene;

@@ -12,6 +12,7 @@ use crate::scene::Scene;
 use crate::scene::history::{Entry, Glide, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
 use crate::scene::plan::Plan;
 use crate::shape::{Paraboloid, Shape};
+use crate::wear::{Archard, Wear};
 use std::num::NonZeroUsize;
 
 /// A quantity by its number in SI units.
@@ -66,7 +67,7 @@ impl Sketch {
     pub fn of(shape: Attempt<Shape>) -> Self {
         let scene = |shape| {
             let bodies = (elastic(0.75, 0.5)?, Body::Rigid);
-            let (adhesion, friction) = (None, None);
+            let (adhesion, friction, wear) = (None, None, None);
             let (accuracy, springs, steps, plots, sweep) = (None, None, None, None, None);
             let (title, history) = (String::new(), Vec::new());
             Ok(Scene {
@@ -75,6 +76,7 @@ impl Sketch {
                 bodies,
                 adhesion,
                 friction,
+                wear,
                 history,
                 accuracy,
                 springs,
@@ -130,6 +132,13 @@ impl Sketch {
     #[must_use]
     pub fn coulomb(self, coefficient: f64) -> Self {
         self.friction(si(coefficient).map(|coefficient| Friction::Coulomb(Coulomb { coefficient })))
+    }
+
+    /// Archard's law of wear with the coefficient `coefficient` k_w [m²/N].
+    #[must_use]
+    pub fn archard(self, coefficient: f64) -> Self {
+        let law = si(coefficient).map(|coefficient| Wear::Archard(Archard { coefficient }));
+        self.with(|scene| law.map(|law| scene.wear = Some(law)))
     }
 
     /// Relative error to aim at.

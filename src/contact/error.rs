@@ -64,6 +64,11 @@ pub enum BedError {
         /// Speed [m/s].
         speed: f64,
     },
+    /// Wear beyond what numbers hold.
+    #[error(
+        "wear at this rate cannot be followed, for its numbers are too large: expected a smaller coefficient or a shorter way"
+    )]
+    Endless,
     /// The contact would become larger than the profile under a force.
     #[error("the contact outgrows the profile under the force {force:e} N")]
     Overloaded {

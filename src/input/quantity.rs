@@ -138,6 +138,13 @@ dimension!(
     ]
 );
 dimension!(
+    /// Volume per work, in square metres per newton (cubic metres per newton metre).
+    SquareMetrePerNewton, "a wear coefficient", [
+        ("m^2/N", 1.0, 1.0), ("1/Pa", 1.0, 1.0), ("mm^2/N", 1.0, 1e6), ("um^2/N", 1.0, 1e12), ("mm^3/(N m)", 1.0, 1e9),
+        ("mm^3/Nm", 1.0, 1e9), ("um^3/(N m)", 1.0, 1e18), ("um^3/Nm", 1.0, 1e18), ("m^3/(N m)", 1.0, 1.0),
+    ]
+);
+dimension!(
     /// Angle, in radians.
     Radian, "an angle", [
         ("rad", 1.0, 1.0), ("deg", std::f64::consts::PI, 180.0), ("°", std::f64::consts::PI, 180.0), ("mrad", 1.0, 1e3),
@@ -212,6 +219,8 @@ pub type Frequency = Quantity<Hertz, AboveZero>;
 pub type Mass = Quantity<Kilogram, AboveZero>;
 /// A viscosity [Pa s], zero for none.
 pub type Viscosity = Quantity<PascalSecond, NotNegative>;
+/// Volume worn per path and normal force [m²/N], zero for none.
+pub type WearCoefficient = Quantity<SquareMetrePerNewton, NotNegative>;
 /// Poisson's ratio.
 pub type Poisson = Quantity<Unity, PoissonRange>;
 /// A positive plain number.
@@ -285,7 +294,8 @@ fn split(text: &str) -> (&str, &str) {
 }
 
 fn same_unit(given: &str, known: &str) -> bool {
-    let plain = |text: &str| text.replace(['µ', 'μ'], "u").replace('²', "^2").replace(['·', '*'], " ");
+    let plain =
+        |text: &str| text.replace(['µ', 'μ'], "u").replace('²', "^2").replace('³', "^3").replace(['·', '*'], " ");
     plain(given) == plain(known)
 }
 
@@ -316,7 +326,7 @@ impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
 }
 
 /// The SI units of all dimensions; that of a plain number is empty.
-pub const SI_UNITS: [&str; 14] = [
+pub const SI_UNITS: [&str; 15] = [
     Metre::UNITS[0].0,
     Pascal::UNITS[0].0,
     Newton::UNITS[0].0,
@@ -328,6 +338,7 @@ pub const SI_UNITS: [&str; 14] = [
     Hertz::UNITS[0].0,
     Kilogram::UNITS[0].0,
     PascalSecond::UNITS[0].0,
+    SquareMetrePerNewton::UNITS[0].0,
     Radian::UNITS[0].0,
     Kelvin::UNITS[0].0,
     Unity::UNITS[0].0,

@@ -18,3 +18,4 @@ pub mod legendre;
 pub mod quadrature;
 pub mod root;
 pub mod special;
+pub mod stabilized;

@@ -2,7 +2,8 @@
 
 use super::table::{Column, Table};
 use super::unit::Unit;
-use crate::contact::model::ContactModel;
+use crate::contact::model::{ContactModel, Loading};
+use crate::contact::state::Tangential;
 use crate::run::record::{Field, FieldRow, Record};
 use std::f64::consts::FRAC_PI_2;
 
@@ -14,17 +15,21 @@ const OUTSIDE: usize = 64;
 /// Pressure, shear stress and surface of a contact; `None` where the bodies are apart.
 #[must_use]
 pub fn field(contact: &dyn ContactModel, label: String, time: f64) -> Option<Field> {
-    let loading = contact.loading()?;
+    Some(of(contact.loading()?.as_ref(), contact.tangential(), (label, time)))
+}
+
+/// The same of a load.
+pub fn of(loading: &dyn Loading, tangential: Option<Tangential>, (label, time): (String, f64)) -> Field {
     let a = loading.contact_radius();
     let mut radii = radii(a, loading.reach());
-    radii.extend(about_stick(contact.tangential().map(|state| state.stick_radius), a));
+    radii.extend(about_stick(tangential.map(|state| state.stick_radius), a));
     radii.sort_by(f64::total_cmp);
     let row = |(&radius, shear): (&f64, Option<f64>)| {
         let (pressure, displacement) = (loading.pressure(radius), loading.surface(radius));
         FieldRow { radius, pressure, displacement, shear }
     };
     let rows = radii.iter().zip(loading.shear(&radii)).map(row).collect();
-    Some(Field { label, time, contact_radius: a, stress_intensity: loading.stress_intensity(), rows })
+    Field { label, time, contact_radius: a, stress_intensity: loading.stress_intensity(), rows }
 }
 
 /// Radii on both sides of the border of stick, where the shear stress has a corner.

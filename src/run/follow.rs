@@ -201,7 +201,7 @@ impl Run {
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
         let gliding = self.contact.gliding();
-        let record = Record { entry: self.entry, time, normal, tangential, gliding };
+        let record = Record { entry: self.entry, time, normal, tangential, gliding, worn: None };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }
@@ -241,6 +241,11 @@ impl Run {
     /// The straight steps the tangential contact has taken, if they were kept.
     pub(super) fn path(&self) -> &[Pose] {
         self.contact.path()
+    }
+
+    /// What is controlled at its end, and the tangential displacement [m] there.
+    pub(super) fn ends_with(&self) -> (Control, f64) {
+        (self.control, self.slide)
     }
 
     /// What the last loop of an oscillation says of the material.

@@ -37,6 +37,7 @@ pub mod table;
 pub mod unit;
 mod warnings;
 mod wave;
+mod wear;
 mod viscoelastic;
 
 pub use crate::contact::error::ContactError;
@@ -113,7 +114,7 @@ impl Solved {
 #[must_use]
 pub fn tables(plan: &Plan) -> &'static [&'static str] {
     match plan {
-        Plan::Round(_) => &["pressure", "stress", "fretting", "glides"],
+        Plan::Round(_) => &["pressure", "stress", "fretting", "glides", "profiles"],
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble", "glides"],
@@ -166,6 +167,14 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
 /// The order: each stage is followed record by record, jumps between records included; then the named results
 /// are read off the records.
 fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
+    if let Some(law) = plan.wear {
+        return wear::run(plan, law, wanted);
+    }
+    run_unworn(plan, wanted)
+}
+
+/// Leads a round contact through its history; the profile stays as it is.
+fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
     let run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
     let fretting = fretting::map(plan, run.path());
     let glides = gliding::steady(plan, &run.records)?;

@@ -24,6 +24,7 @@ use crate::contact::state::Gliding;
 use crate::contact::state::Normal;
 use crate::contact::state::Tangential;
 use crate::scene::parts::Parts;
+use crate::wear::Worn;
 use serde::Serialize;
 
 /// State of the contact at one time.
@@ -39,6 +40,8 @@ pub struct Record {
     pub tangential: Option<Tangential>,
     /// Where a contact that glides or rolls over a bed with memory is, and what holds it back.
     pub gliding: Option<Gliding>,
+    /// What has been worn off, if the scene has wear.
+    pub worn: Option<Worn>,
 }
 
 impl Record {
@@ -107,6 +110,14 @@ const SHEARED: &[Column<Record>] =
 
 /// Columns of a body that glides or rolls over a bed with memory.
 const GLIDING: &[Column<Record>] = &[SLIDE, TANGENTIAL_FORCE, LEADING_EDGE, TRAILING_EDGE];
+/// Volume worn off.
+pub const WORN_VOLUME: Column<Record> =
+    Column::new("worn_volume", Unit::CUBIC_METRE, "worn volume V", |record| Some(record.worn?.volume));
+/// Largest depth worn off.
+pub const WEAR_DEPTH: Column<Record> =
+    Column::new("wear_depth", Unit::METRE, "largest worn depth", |record| Some(record.worn?.depth));
+/// Columns of a scene with wear.
+const WORN: &[Column<Record>] = &[WORN_VOLUME, WEAR_DEPTH];
 
 /// The columns of records: those of a part appear if the scene has it.
 #[must_use]
@@ -114,7 +125,8 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let rubs = records.iter().any(|record| record.tangential.is_some());
     let peels = records.iter().any(|record| record.tangential.is_some_and(|state| state.area_ratio.is_some()));
     let glides = records.iter().any(|record| record.gliding.is_some());
-    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides)]
+    let wears = records.iter().any(|record| record.worn.is_some());
+    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears)]
         .into_iter()
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()

@@ -24,6 +24,8 @@ impl Unit {
     pub const ONE: Self = Self { symbol: "", ending: "", prefixed: false };
     /// A length.
     pub const METRE: Self = Self { symbol: "m", ending: "_m", prefixed: true };
+    /// A volume.
+    pub const CUBIC_METRE: Self = Self { symbol: "m³", ending: "_m3", prefixed: false };
     /// A curvature.
     pub const PER_METRE: Self = Self { symbol: "1/m", ending: "_per_m", prefixed: false };
     /// A time.
@@ -50,8 +52,9 @@ impl Unit {
     pub const JOULE_PER_SQUARE_METRE: Self = Self { symbol: "J/m²", ending: "_j_per_m2", prefixed: true };
 
     /// All units that names end with.
-    const NAMED: [Self; 14] = [
+    const NAMED: [Self; 15] = [
         Self::METRE,
+        Self::CUBIC_METRE,
         Self::PER_METRE,
         Self::SECOND,
         Self::METRE_PER_SECOND,

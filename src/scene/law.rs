@@ -404,6 +404,31 @@ impl ImpactLaw {
     }
 }
 
+/// How the indenter wears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WearLaw {
+    /// Volume worn per path and normal force, k_w [m²/N].
+    pub coefficient: f64,
+    /// Cells per contact radius.
+    pub cells: usize,
+}
+
+impl WearLaw {
+    /// Cells of the width h err by (h/a)² times 0.1 or less, but for the edge.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped before")]
+    pub(super) fn new(coefficient: f64, accuracy: f64) -> Self {
+        Self { coefficient, cells: (0.1 / accuracy.sqrt()).ceil().clamp(24.0, 256.0) as usize }
+    }
+
+    /// What it adds to the reason for a solver.
+    pub(super) fn in_words(self) -> String {
+        format!(
+            "; from the first slide on the profile wears: {} cells per contact radius and as many rings of the surface, joined by one matrix, in stable explicit steps chosen by their error, each of which costs the square of the cells",
+            self.cells
+        )
+    }
+}
+
 /// Who computes the tangential contact.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FrictionLaw {

@@ -8,6 +8,8 @@ use crate::scene::rules::Draft;
 const MOST_SPRINGS: usize = 1 << 26;
 /// Most records of a scene: beyond it the outputs alone would fill the memory.
 const MOST_RECORDS: usize = 10_000_000;
+/// Records of a contact that wears, unless the scene asks for more: few of many cycles are kept.
+const MOST_WORN: usize = 10_000;
 
 /// What is beyond the limits of a scene.
 #[must_use]
@@ -42,7 +44,8 @@ fn no_speed(entry: &EntryTraits<'_>) -> Option<Problem> {
 fn too_many_records(draft: &Draft<'_>) -> Option<Problem> {
     let (counted, mut sum) = (draft.counts_records()?, 0usize);
     let entry = draft.entries().map_while(|entry| entry).find(|entry| {
-        sum = sum.saturating_add(entry.least_records);
+        let least = if draft.wear().is_some() { entry.least_records.min(MOST_WORN) } else { entry.least_records };
+        sum = sum.saturating_add(least);
         sum > MOST_RECORDS
     })?;
     let path = if counted { "steps".to_owned() } else { entry.place() };

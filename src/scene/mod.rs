@@ -18,6 +18,7 @@
 //!     bodies,
 //!     adhesion: None,
 //!     friction: None,
+//!     wear: None,
 //!     history: history.clone(),
 //!     accuracy: None,
 //!     springs: None,
@@ -55,6 +56,7 @@ use crate::material::Body;
 use crate::scene::history::Entry;
 use crate::scene::swept::Swept;
 use crate::shape::Shape;
+use crate::wear::Wear;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroUsize;
 
@@ -75,6 +77,9 @@ pub struct Scene {
     /// Friction, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<Friction>,
+    /// Wear of the indenter, if any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wear: Option<Wear>,
     /// What is done, in order.
     pub history: Vec<Entry>,
     /// Relative error to aim at, 1e-6 if absent.
@@ -122,6 +127,8 @@ pub enum Plot {
     Shear,
     /// Energy lost to friction over the radius, of a contact that is shaken.
     Fretting,
+    /// Worn profiles and their pressures in time, and the worn volume.
+    Wear,
     /// Coefficient of sliding friction against the load, without adhesion.
     Coefficient,
     /// Area of a sheared adhesive contact against the sliding speed.

@@ -47,12 +47,13 @@ pub(super) enum Component {
     ViscoelasticFriction,
     Sliding,
     Peeling,
+    Wear,
     Springs,
     Gliding,
 }
 
 impl Component {
-    const ALL: [Self; 11] = [
+    const ALL: [Self; 12] = [
         Self::Profile,
         Self::VanishingRange,
         Self::FiniteRange,
@@ -62,6 +63,7 @@ impl Component {
         Self::ViscoelasticFriction,
         Self::Sliding,
         Self::Peeling,
+        Self::Wear,
         Self::Springs,
         Self::Gliding,
     ];
@@ -77,6 +79,7 @@ impl Component {
             Self::ViscoelasticFriction => "stick and slip by relaxing springs",
             Self::Sliding => "gross sliding on the pressure",
             Self::Peeling => "peeling under shear",
+            Self::Wear => "wear of the profile (Archard)",
             Self::Springs => "springs",
             Self::Gliding => "springs under a body that moves along",
         }

@@ -18,7 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Travel};
+use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Travel, WearLaw};
 use super::read::Read;
 use super::surface::Surface;
 use crate::contact::foundation::Foundation;
@@ -97,6 +97,8 @@ pub struct RoundPlan {
     pub friction: Option<FrictionLaw>,
     /// The steady motion along the surface at the end, if there is one.
     pub travel: Option<Travel>,
+    /// How the indenter wears, if it does.
+    pub wear: Option<WearLaw>,
 }
 
 /// The impact of a round body.

@@ -1,7 +1,7 @@
 //! From a scene as written to the decision who computes it.
 
 use super::law::{
-    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount, Start, Travel,
+    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount, Start, Travel, WearLaw,
 };
 use super::mended::Mended;
 use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared};
@@ -20,6 +20,7 @@ use crate::material::{Body, Relaxation};
 use crate::scene::history::{EntryTraits, Impact};
 use crate::scene::stage::Path;
 use crate::shape::{Profile, Shape};
+use crate::wear::Wear;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -137,7 +138,8 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let travel = travel(&shared);
     let contact =
         if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
-    RoundPlan { profile, contact, friction, travel, shared }
+    let wear = scene.wear.as_ref().map(|Wear::Archard(law)| WearLaw::new(law.coefficient.si(), shared.accuracy()));
+    RoundPlan { profile, contact, friction, travel, wear, shared }
 }
 
 /// Whether the history leads the body along the surface of a bed that remembers.

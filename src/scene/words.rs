@@ -1,6 +1,6 @@
 //! Plans in words.
 
-use super::law::FrictionLaw;
+use super::law::{FrictionLaw, WearLaw};
 use super::parts::{Component, Parts, Solver};
 use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use crate::contact::direct::QuasiStatic;
@@ -28,11 +28,14 @@ impl RoundPlan {
         let mut used = self.contact.pieces();
         used.extend(self.friction.iter().map(FrictionLaw::piece));
         used.extend(self.travel.iter().map(|_| Component::Gliding));
+        used.extend(self.wear.map(|_| Component::Wear));
+        let mut solver = self.solver();
+        solver.reason.extend(self.wear.map(WearLaw::in_words));
         let tangential = self.friction.as_ref().map_or(0, FrictionLaw::bytes);
         Parts {
             springs: self.contact.springs(),
             state_bytes: self.contact.bytes() + tangential,
-            ..Parts::round(self.solver(), &used)
+            ..Parts::round(solver, &used)
         }
     }
 }

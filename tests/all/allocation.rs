@@ -66,6 +66,7 @@ fn elastic() -> Scene {
         springs: None,
         steps: NonZeroUsize::new(10),
         plots: None,
+        wear: None,
         sweep: None,
         fit: None,
     }

@@ -52,6 +52,7 @@ fn scene(shape: Shape, friction: Friction, history: Vec<Entry>) -> Scene {
         springs: None,
         steps: NonZeroUsize::new(5),
         plots: None,
+        wear: None,
         sweep: None,
         fit: None,
     }

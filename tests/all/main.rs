@@ -43,4 +43,6 @@ mod text;
 #[cfg(feature = "text")]
 mod told;
 mod viscoelastic_scenes;
+#[cfg(feature = "text")]
+mod wear;
 mod wavy_jumps;

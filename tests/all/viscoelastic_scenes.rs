@@ -48,6 +48,7 @@ fn scene(bodies: (Body, Body), history: Vec<Entry>) -> Scene {
         springs: None,
         steps: NonZeroUsize::new(10),
         plots: None,
+        wear: None,
         sweep: None,
         fit: None,
     }

@@ -31,6 +31,7 @@ starters!(
     "oscillation",
     "friction",
     "fretting",
+    "wear",
     "plastic",
     "impact",
     "restitution",

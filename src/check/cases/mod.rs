@@ -25,6 +25,7 @@ mod rough;
 mod shapes;
 mod stress;
 mod viscoelastic;
+mod wear;
 
 use super::case::{Attempt, Case};
 use super::study::{Study, Thoroughness};
@@ -48,6 +49,7 @@ pub fn all() -> Vec<Case> {
         adhesive::CASES,
         viscoelastic::CASES,
         friction::CASES,
+        wear::CASES,
         impact::CASES,
         plastic::CASES,
         gliding::CASES,

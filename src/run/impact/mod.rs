@@ -120,6 +120,7 @@ fn records(plan: &ImpactPlan, moments: &[ImpactState]) -> Vec<Record> {
         },
         tangential: None,
         gliding: None,
+        worn: None,
     };
     moments.iter().map(record).collect()
 }

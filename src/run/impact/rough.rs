@@ -91,7 +91,8 @@ fn member(plan: &RoughImpactPlan, seed: u64) -> Result<Member, SimulationError> 
         member.rows.push(ImpactRow { speed, rebound: one.rebound, peak_pressure: None, oblique: None });
         member.bytes = member.bytes.max(one.bytes);
         if speed >= fastest {
-            let record = |(time, normal)| Record { entry: 0, time, normal, tangential: None, gliding: None };
+            let record =
+                |(time, normal)| Record { entry: 0, time, normal, tangential: None, gliding: None, worn: None };
             member.records = one.moments.into_iter().map(record).collect();
             member.pull_off_force = one.pull_off_force;
         }

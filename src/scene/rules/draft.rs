@@ -11,6 +11,7 @@ use crate::scene::mended::{Look, Mended};
 use crate::scene::reach::Bound;
 use crate::scene::{Plot, Scene};
 use crate::shape::{Profile, Shape};
+use crate::wear::Wear;
 use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 
@@ -143,6 +144,16 @@ impl<'s> Draft<'s> {
     /// The friction, if there is one.
     pub(super) fn friction(&self, look: Look) -> Option<&'s Friction> {
         self.seen("friction", look, |scene| scene.friction.as_ref())?
+    }
+
+    /// The name of the law of wear, if there is one.
+    pub(in crate::scene) fn wear(&self) -> Option<&'static str> {
+        self.seen("wear", Look::Kind, |scene| scene.wear.as_ref().map(Wear::name))?
+    }
+
+    /// Whether there is wear.
+    pub(super) fn wears(&self) -> Option<bool> {
+        self.seen("wear", Look::Kind, |scene| scene.wear.is_some())
     }
 
     /// The friction by its kind, unless the history is an impact, which has its own rules.

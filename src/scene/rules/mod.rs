@@ -17,13 +17,14 @@ mod history;
 mod parts;
 mod plastic;
 mod plots;
+mod wear;
 
 pub use draft::Draft;
 pub(super) use draft::{Parts, Written};
 
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;
-use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Springs};
+use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Springs, Wear};
 
 /// What is wrong with a draft, in the order of the table.
 #[must_use]
@@ -42,6 +43,8 @@ pub enum Part {
     Adhesion,
     /// The friction.
     Friction,
+    /// The wear.
+    Wear,
     /// The history.
     History,
     /// A number of springs.
@@ -92,7 +95,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 49] = [
+pub const RULES: [Rule; 56] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Bodies, Bodies, ground::beside),
     Rule::once(Bodies, Shape, ground::under_shape),
@@ -113,6 +116,13 @@ pub const RULES: [Rule; 49] = [
     Rule::once(Friction, Adhesion, parts::friction_with_closing),
     Rule::once(Springs, Adhesion, parts::springs_under_adhesion),
     Rule::once(Springs, Adhesion, parts::springs_with_closing),
+    Rule::once(Wear, Friction, wear::without_friction),
+    Rule::once(Wear, Friction, wear::under_friction),
+    Rule::once(Wear, Bodies, wear::of_bodies),
+    Rule::once(Wear, Adhesion, wear::under_adhesion),
+    Rule::once(Wear, Shape, wear::on_shape),
+    Rule::once(Wear, Springs, wear::on_springs),
+    Rule::entry(Wear, wear::in_entry),
     Rule::once(Shape, Adhesion, parts::adhesion_on_shape),
     Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),

@@ -27,6 +27,11 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     if of_plane.or(of_ground).is_some() {
         return of_plane.or(of_ground);
     }
+    if matches!(plot, Plot::Stress | Plot::Fretting) && draft.wear().is_some() {
+        return Some(
+            "it is not computed of a profile that wears: expected Wear, Friction, Stick or Pressure, or no wear",
+        );
+    }
     if plot == Plot::Stress && yields(draft)? {
         return Some(
             "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
@@ -54,6 +59,7 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             let sticks = draft.rubs()? && !slides_as_a_whole(draft)?;
             (sticks, "expected Coulomb friction and Shake or a Table with slide_m")
         }
+        Plot::Wear => (draft.wears()?, "expected a wear such as Archard(coefficient: \"1e-15 m^2/N\")"),
         Plot::Coefficient => (
             !draft.adheres()? && slides_as_a_whole(draft)?,
             "expected CoulombOrowan or Pressure friction, and no adhesion",
@@ -83,7 +89,7 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
         Plot::Shape => {
             Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")
         }
-        Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Coefficient => {
+        Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Wear | Plot::Coefficient => {
             Some("a series of the half-plane knows no friction: expected Force, Radius, Pressure or Energy")
         }
     }

@@ -12,6 +12,7 @@ mod rough;
 mod shape;
 mod stress;
 mod sweep;
+mod wear;
 
 use crate::app::figure::{Axis, Figure, Panel, Series};
 use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Outcome, Record};
@@ -42,6 +43,7 @@ pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
 /// What suits a scene that asks for nothing.
 fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match plan {
+        Plan::Round(_) if outcome.table("profiles").is_some() => vec![Plot::Wear, Plot::Stick, Plot::Force],
         Plan::Round(RoundPlan { friction: Some(law), .. }) if slides(outcome) => friction::suiting(law, outcome),
         Plan::Round(RoundPlan { travel: Some(travel), .. }) => gliding::suiting(travel),
         Plan::Round(round) => {
@@ -97,6 +99,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Stick => vec![friction::stick(plan, records)],
         Plot::Shear => friction::stress(plan, outcome).into_iter().collect(),
         Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
+        Plot::Wear => wear::panels(outcome),
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
         Plot::Area => friction::area(plan, outcome).into_iter().collect(),
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
@@ -146,6 +149,10 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);
             over_time.into_iter().chain([against_depth(force_of(plan))]).collect()
         }
+        // The same depth carries less as the profile wears.
+        Plan::Round(RoundPlan { wear: Some(_), .. }) => {
+            [FORCE, INDENTATION].map(|column| against_time(records, &column)).into()
+        }
         Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(force_of(plan))],
         Plan::Round(_) => {
             let over_time = [force_of(plan), &INDENTATION].map(|column| against_time(records, column));
@@ -157,6 +164,9 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
 /// Contact radius against indentation, and against time where the bodies remember.
 fn radius(plan: &Plan, records: &[Record]) -> Vec<Panel> {
     let column = radius_of(plan);
+    if plan.round().is_some_and(|round| round.wear.is_some()) {
+        return vec![against_time(records, column)];
+    }
     let by_depth = against_depth(plan, records, column, axis_of(column).from(0.0));
     let over_time = plan.relaxation().map(|_| against_time(records, column));
     std::iter::once(by_depth).chain(over_time).collect()
