@@ -220,7 +220,7 @@ impl Run {
     }
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
-        let record = Record { entry: self.entry, time, normal, tangential };
+        let record = Record { entry: self.entry, time, normal, tangential, pixels: None };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }

@@ -28,6 +28,7 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
         results.extend(pulled(&pulls[..count], records.last()));
     }
     Ok(Outcome {
+        map: None,
         results,
         records,
         fields: Vec::new(),

@@ -68,6 +68,7 @@ fn elastic() -> Scene {
         plots: None,
         sweep: None,
         fit: None,
+        solver: None,
     }
 }
 

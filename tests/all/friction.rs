@@ -54,6 +54,7 @@ fn scene(shape: Shape, friction: Friction, history: Vec<Entry>) -> Scene {
         plots: None,
         sweep: None,
         fit: None,
+        solver: None,
     }
 }
 

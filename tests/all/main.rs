@@ -16,6 +16,8 @@ mod friction;
 mod fuzz;
 #[cfg(feature = "text")]
 mod ground;
+#[cfg(all(feature = "text", feature = "half-space"))]
+mod half_space;
 mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;

@@ -50,6 +50,7 @@ fn scene(bodies: (Body, Body), history: Vec<Entry>) -> Scene {
         plots: None,
         sweep: None,
         fit: None,
+        solver: None,
     }
 }
 

@@ -39,6 +39,7 @@ starters!(
     "rough",
     "ensemble",
     "height-map",
+    "half-space",
     "westergaard",
     "seal",
 );

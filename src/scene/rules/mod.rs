@@ -14,15 +14,17 @@ mod draft;
 mod ground;
 mod history;
 mod parts;
+mod pixels;
 mod plastic;
 mod plots;
 
 pub use draft::Draft;
 pub(super) use draft::{Parts, Written};
+pub(super) use pixels::tips_without_pixels;
 
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;
-use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Springs};
+use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Solver, Springs};
 
 /// What is wrong with a draft, in the order of the table.
 #[must_use]
@@ -45,6 +47,8 @@ pub enum Part {
     History,
     /// A number of springs.
     Springs,
+    /// A solver of one's own choice.
+    Solver,
     /// The figures.
     Plots,
 }
@@ -91,8 +95,18 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 40] = [
+pub const RULES: [Rule; 50] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
+    Rule::once(Solver, Solver, pixels::built),
+    Rule::once(Solver, Solver, pixels::grid),
+    Rule::once(Solver, Bodies, pixels::bodies),
+    Rule::once(Solver, Adhesion, pixels::adhesion),
+    Rule::once(Solver, Friction, pixels::friction),
+    Rule::once(Solver, Springs, pixels::springs),
+    Rule::once(Solver, Shape, pixels::shape),
+    Rule::once(Solver, Shape, pixels::window),
+    Rule::once(Solver, Shape, pixels::tips),
+    Rule::entry(Solver, pixels::moves),
     Rule::once(Bodies, Bodies, ground::beside),
     Rule::once(Bodies, Shape, ground::under_shape),
     Rule::once(Bodies, Friction, ground::friction),

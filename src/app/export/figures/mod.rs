@@ -7,6 +7,7 @@ mod fit;
 mod friction;
 mod impacts;
 mod overlay;
+mod pixels;
 mod rough;
 mod shape;
 mod stress;
@@ -56,6 +57,7 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
         Plan::Rough(rough) => rough::suiting(rough),
         Plan::RoughImpact(impact) if impact.impact.speed.len() > 1 => vec![Plot::Restitution],
         Plan::RoughImpact(_) => vec![Plot::Force, Plot::Shape],
+        Plan::HalfSpace(plan) => pixels::suiting(plan, outcome),
     }
 }
 
@@ -93,6 +95,9 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Shear => friction::stress(plan, outcome).into_iter().collect(),
         Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
+        Plot::Area if matches!(plan, Plan::HalfSpace(_)) => vec![pixels::area(outcome)],
+        Plot::Contact => pixels::contact(outcome).into_iter().collect(),
+        Plot::Distribution => pixels::distribution(outcome),
         Plot::Area => friction::area(plan, outcome).into_iter().collect(),
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
         Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
@@ -107,7 +112,7 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
         }
         Plan::Rough(rough) => Some(rough::line(rough)),
         Plan::RoughImpact(impact) => Some(rough::line(&impact.rough)),
-        Plan::Plane(_) => None,
+        Plan::Plane(_) | Plan::HalfSpace(_) => None,
     }
 }
 
@@ -115,7 +120,9 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
 fn oblique(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let angle = match plan {
         Plan::Impact(plan) => plan.impact.incidence(),
-        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => return Vec::new(),
+        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::HalfSpace(_) => {
+            return Vec::new();
+        }
     };
     let tables = outcome.table("incidence").zip(outcome.table("impacts"));
     tables.and_then(|(table, impacts)| impacts::incidence(angle, table, impacts)).unwrap_or_default()
@@ -135,7 +142,7 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = [INDENTATION, FORCE].map(|column| against_time(records, &column));
             over_time.into_iter().chain([rough::against_depth(outcome)]).collect()
         }
-        Plan::Plane(_) => vec![against_depth(force_of(plan))],
+        Plan::Plane(_) | Plan::HalfSpace(_) => vec![against_depth(force_of(plan))],
         Plan::Impact(_) => {
             let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);
             over_time.into_iter().chain([against_depth(force_of(plan))]).collect()
