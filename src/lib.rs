@@ -87,6 +87,8 @@ pub mod friction;
 pub mod wear;
 pub mod library;
 pub mod drive;
+#[cfg(feature = "half-space")]
+pub mod halfspace;
 pub mod scene;
 pub mod run;
 #[cfg(feature = "text")]
@@ -96,8 +98,6 @@ pub mod sweep;
 #[cfg(feature = "fit")]
 pub mod fit;
 pub mod prelude;
-#[cfg(feature = "half-space")]
-pub mod halfspace;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod app;

@@ -14,11 +14,19 @@ const LARGEST: u64 = 512 << 20;
 /// # Errors
 /// The file cannot be read; the matrix is empty or ragged or holds something that is not a finite number.
 pub fn read(file: &Path, path: &Path) -> Result<Array2<f64>, TableError> {
-    let bytes = read_bytes(file, LARGEST).map_err(|fault| {
+    let bytes = opened(file, path)?;
+    if bytes.starts_with(NPY) { numpy(&bytes, path) } else { plain(&bytes, path) }
+}
+
+/// The bytes of the file at `file`; errors name it `path`.
+///
+/// # Errors
+/// The file cannot be read.
+pub(super) fn opened(file: &Path, path: &Path) -> Result<Vec<u8>, TableError> {
+    read_bytes(file, LARGEST).map_err(|fault| {
         let message = if file.exists() { fault.message } else { format!("{} ({})", fault.message, file.display()) };
         TableError::whole(path, message)
-    })?;
-    if bytes.starts_with(NPY) { numpy(&bytes, path) } else { plain(&bytes, path) }
+    })
 }
 
 /// Rows of numbers, separated by commas, semicolons, tabs or blanks; lines of comment begin with #.
@@ -67,10 +75,23 @@ fn shaped(size: (usize, usize), heights: Vec<f64>, path: &Path) -> Result<Array2
 }
 
 /// First bytes of a NumPy file.
-const NPY: &[u8] = b"\x93NUMPY";
+pub(super) const NPY: &[u8] = b"\x93NUMPY";
 
-/// A NumPy array of two dimensions: versions 1 to 3, numbers of 4 or 8 bytes, in either order of bytes and of axes.
+/// A NumPy array all of whose numbers are heights.
 fn numpy(bytes: &[u8], path: &Path) -> Result<Array2<f64>, TableError> {
+    let heights = unchecked(bytes, path)?;
+    if let Some(((i, j), value)) = heights.indexed_iter().find(|(_, height)| !height.is_finite()) {
+        let message = format!("column {}: {value} is not finite: expected a height in metres", j + 1);
+        return Err(TableError::at(path, i + 1, message));
+    }
+    Ok(heights)
+}
+
+/// A NumPy array of two dimensions: versions 1 to 3, numbers of 2, 4 or 8 bytes, in either order of bytes and of axes.
+///
+/// # Errors
+/// It is none.
+pub(super) fn unchecked(bytes: &[u8], path: &Path) -> Result<Array2<f64>, TableError> {
     let whole = |message: &str| TableError::whole(path, message);
     let broken = || whole("the header of the NumPy file is broken: expected what `numpy.save` writes");
     let wide = *bytes.get(6).ok_or_else(broken)? > 1;
@@ -81,10 +102,6 @@ fn numpy(bytes: &[u8], path: &Path) -> Result<Array2<f64>, TableError> {
     let header = Header::of(&String::from_utf8_lossy(header)).map_err(|message| whole(&message))?;
     let heights = header.numbers(&bytes[start + length..]).map_err(|message| whole(&message))?;
     let heights = header.arranged(heights);
-    if let Some(((i, j), value)) = heights.indexed_iter().find(|(_, height)| !height.is_finite()) {
-        let message = format!("column {}: {value} is not finite: expected a height in metres", j + 1);
-        return Err(TableError::at(path, i + 1, message));
-    }
     if heights.is_empty() { Err(whole("is empty: expected rows of heights in metres")) } else { Ok(heights) }
 }
 

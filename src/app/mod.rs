@@ -17,6 +17,7 @@ pub mod fault;
 mod read;
 pub mod scene_file;
 mod matrix_file;
+mod topography_file;
 pub mod table_file;
 pub mod data_file;
 pub mod fitting;

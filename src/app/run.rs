@@ -9,7 +9,7 @@
 //! let plan = scene_file::plan("ball.ron".as_ref(), text).map_err(|faults| faults[0].message.clone())?;
 //! let formats = [run::Format::Csv];
 //! let products = run::products(&plan, "ball.ron", &run::compute(&plan, &formats)?, &formats)?;
-//! assert!(products[0].ending == ".csv" && products[0].content.starts_with("time_s,"));
+//! assert!(products[0].ending == ".csv" && products[0].content.starts_with(b"time_s,"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -48,7 +48,7 @@ pub struct Product {
     /// Ending such as `.csv` or `.pressure.csv`.
     pub ending: String,
     /// Content.
-    pub content: String,
+    pub content: Vec<u8>,
 }
 
 /// Why a scene gave no files.
@@ -83,13 +83,18 @@ pub fn compute_watched(plan: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sy
     let wanted = Wanted {
         fields: formats.contains(&Format::Csv)
             || formats.contains(&Format::Json)
-            || figure && (plan.scene.plots.is_none() || plotted(Plot::Pressure) || plotted(Plot::Shear)),
+            || figure
+                && (plan.scene.plots.is_none()
+                    || [Plot::Pressure, Plot::Shear, Plot::Contact].into_iter().any(plotted)),
         stresses: (figure || formats.contains(&Format::Csv)) && plotted(Plot::Stress),
         fretting: formats.contains(&Format::Csv) || figure,
         instants: true,
     };
     Ok(run::run_watched(plan, wanted, done)?)
 }
+
+/// Endings of the files that hold pressure and gap on pixels.
+const ARRAYS: [&str; 2] = [".pressure.npy", ".gap.npy"];
 
 /// Endings of all files a scene can give, known before it is computed.
 #[must_use]
@@ -98,6 +103,9 @@ pub fn endings(plan: &Plan, formats: &[Format]) -> Vec<String> {
     if formats.contains(&Format::Csv) {
         endings.push(".csv".to_owned());
         endings.extend(run::tables(plan).iter().map(|name| format!(".{name}.csv")));
+        if let Plan::HalfSpace(_) = plan {
+            endings.extend(ARRAYS.map(str::to_owned));
+        }
     }
     endings.extend(formats.contains(&Format::Json).then(|| ".json".to_owned()));
     endings.extend((cfg!(feature = "plot") && formats.contains(&Format::Svg)).then(|| ".svg".to_owned()));
@@ -111,17 +119,28 @@ pub fn endings(plan: &Plan, formats: &[Format]) -> Vec<String> {
 pub fn products(plan: &Plan, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
     let mut products = Vec::new();
     if formats.contains(&Format::Csv) {
-        products.push(Product { ending: ".csv".to_owned(), content: export::csv(&outcome.record_table())? });
+        products
+            .push(Product { ending: ".csv".to_owned(), content: export::csv(&outcome.record_table())?.into_bytes() });
         for table in &outcome.tables {
-            products.push(Product { ending: format!(".{}.csv", table.name), content: export::csv(table)? });
+            products
+                .push(Product { ending: format!(".{}.csv", table.name), content: export::csv(table)?.into_bytes() });
         }
     }
+    if let Some(map) = outcome.map.as_ref().filter(|_| formats.contains(&Format::Csv)) {
+        let arrays = ARRAYS.into_iter().zip([&map.pressure, &map.gap]);
+        products
+            .extend(arrays.map(|(ending, array)| Product { ending: ending.to_owned(), content: export::npy(array) }));
+    }
     if formats.contains(&Format::Json) {
-        products.push(Product { ending: ".json".to_owned(), content: export::json(&plan.scene, file, outcome)? });
+        products.push(Product {
+            ending: ".json".to_owned(),
+            content: export::json(&plan.scene, file, outcome)?.into_bytes(),
+        });
     }
     #[cfg(feature = "plot")]
     if formats.contains(&Format::Svg) {
-        products.push(Product { ending: ".svg".to_owned(), content: export::figures(plan, outcome).svg() });
+        products
+            .push(Product { ending: ".svg".to_owned(), content: export::figures(plan, outcome).svg().into_bytes() });
     }
     Ok(products)
 }

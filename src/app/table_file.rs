@@ -11,9 +11,9 @@
 //! # Ok::<(), springbed::input::table::TableError>(())
 //! ```
 
-use super::matrix_file;
 use super::read::{number, read_text};
-use crate::input::table::{Columns, TableError, Tables};
+use super::{matrix_file, topography_file};
+use crate::input::table::{Columns, RawMap, TableError, Tables};
 use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
 use ndarray::Array2;
 use std::cell::RefCell;
@@ -77,6 +77,10 @@ impl Tables for TableFiles {
 
     fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError> {
         matrix_file::read(&self.file(path), path)
+    }
+
+    fn topography(&self, path: &Path) -> Result<RawMap, TableError> {
+        topography_file::read(&self.file(path), path)
     }
 }
 

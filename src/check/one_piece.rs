@@ -40,6 +40,8 @@ pub fn in_words(plan: &Plan, outcome: &Outcome) -> Vec<String> {
         Plan::Rough(_) | Plan::RoughImpact(_) => {
             return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
         }
+        // The records count its patches.
+        Plan::HalfSpace(_) => return Vec::new(),
         Plan::Plane(plane) => return sealed(plan, &plane.section, outcome),
         Plan::Round(round) => round.profile.as_ref(),
         Plan::Impact(impact) => impact.profile.as_ref(),

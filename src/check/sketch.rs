@@ -11,6 +11,7 @@ use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Scene;
 use crate::scene::history::{Entry, Glide, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
 use crate::scene::plan::Plan;
+use crate::scene::solver::{HalfSpace, SolverChoice};
 use crate::shape::{Paraboloid, Shape};
 use crate::wear::{Archard, Wear};
 use std::num::NonZeroUsize;
@@ -84,6 +85,7 @@ impl Sketch {
                 plots,
                 sweep,
                 fit: None,
+                solver: None,
             })
         };
         Self { scene: shape.and_then(scene), tables: InMemory::default() }
@@ -161,6 +163,16 @@ impl Sketch {
     pub fn springs(self, springs: Option<usize>) -> Self {
         self.with(|scene| {
             scene.springs = springs.and_then(NonZeroUsize::new);
+            Ok(())
+        })
+    }
+
+    /// Pixels of a half-space along a side, in the place of springs.
+    #[must_use]
+    pub fn pixels(self, grid: usize) -> Self {
+        self.with(|scene| {
+            let grid = NonZeroUsize::new(grid);
+            scene.solver = Some(SolverChoice::HalfSpace(HalfSpace { grid, ..HalfSpace::default() }));
             Ok(())
         })
     }

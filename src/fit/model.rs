@@ -8,7 +8,7 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::creep::Creep;
 use crate::contact::foundation::Foundation;
-use crate::input::table::{Columns, TableError, Tables};
+use crate::input::table::{Columns, RawMap, TableError, Tables};
 use crate::material::Spectrum;
 use crate::run::{Wanted, run};
 use crate::scene::Scene;
@@ -262,5 +262,9 @@ impl Tables for Drive<'_> {
 
     fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError> {
         self.tables.heights(path)
+    }
+
+    fn topography(&self, path: &Path) -> Result<RawMap, TableError> {
+        self.tables.topography(path)
     }
 }

@@ -42,13 +42,16 @@ mod grid;
 mod input;
 mod kernel;
 mod line;
+mod pieces;
 mod run;
 mod solution;
 mod transform;
 mod vector;
 
+pub use crate::shape::Boundary;
 pub use error::HalfSpaceError;
 pub use line::{PlaneBoundary, PlaneProblem, PlaneSolution, solve_plane};
+pub use pieces::{Pieces, pieces};
 pub use solution::Solution;
 
 use ndarray::ArrayView2;
@@ -56,15 +59,6 @@ use ndarray::ArrayView2;
 use grid::Law;
 use input::Input;
 use transform::Size;
-
-/// What happens at the edge of the height map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Boundary {
-    /// The half-space goes on, load-free; displacement is zero far away.
-    Free,
-    /// Everything repeats; the mean displacement is zero, so approach counts from the mean surface.
-    Periodic,
-}
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -71,6 +71,25 @@ pub trait Tables {
     /// # Errors
     /// The matrix cannot be read, is empty or ragged, or holds something that is not a finite number.
     fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError>;
+
+    /// The measured surface at `path`, with what its file says of unit and size, and NaN where a height is missing.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    fn topography(&self, path: &Path) -> Result<RawMap, TableError> {
+        Ok(RawMap { heights: self.heights(path)?, unit: None, sides: None })
+    }
+}
+
+/// Heights as a file has them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RawMap {
+    /// Numbers, rows along y and columns along x; NaN where there is none.
+    pub heights: Array2<f64>,
+    /// What the number 1 stands for [m], if the file says so.
+    pub unit: Option<f64>,
+    /// Sides along x and y [m], if the file says so.
+    pub sides: Option<[f64; 2]>,
 }
 
 /// Tables held in memory, for callers of the library that have their columns at hand.

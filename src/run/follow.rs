@@ -201,7 +201,7 @@ impl Run {
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
         let gliding = self.contact.gliding();
-        let record = Record { entry: self.entry, time, normal, tangential, gliding, worn: None };
+        let record = Record { entry: self.entry, time, normal, tangential, gliding, worn: None, pixels: None };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }

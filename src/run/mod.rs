@@ -23,6 +23,8 @@ mod ensemble;
 mod error;
 mod fields;
 mod follow;
+#[cfg(feature = "half-space")]
+pub mod half_space;
 mod fretting;
 mod plane;
 mod plastic;
@@ -119,6 +121,7 @@ pub fn tables(plan: &Plan) -> &'static [&'static str] {
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble", "glides"],
         Plan::RoughImpact(_) => &["ensemble", "impacts"],
+        Plan::HalfSpace(_) => &["distribution"],
     }
 }
 
@@ -143,6 +146,7 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
         Plan::Plane(plan) => plane::run(plan, wanted).map(Solved::without_load),
         Plan::Rough(plan) => rough::run(plan, done).map(Solved::without_load),
         Plan::RoughImpact(plan) => impact::rough::run(plan, done).map(Solved::without_load),
+        Plan::HalfSpace(plan) => half_space::run(plan, wanted, done).map(Solved::without_load),
     }?;
     let pressure = fields::pressure_table(&outcome.fields, &outcome.records);
     let mapped = carried.as_ref().filter(|_| wanted.stresses);
@@ -153,13 +157,25 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
     outcome.warnings.extend(warnings::of(plan, &outcome.records));
     outcome.warnings.extend(carried.iter().flat_map(|carried| stresses::warnings(plan, carried)));
     outcome.warnings.extend(mapped.and_then(|carried| stresses::remark(plan, carried)));
-    if let Some(ratio) = warnings::pressure_on_ellipse(plan) {
+    if let (Some(ratio), false) = (warnings::pressure_on_ellipse(plan), matches!(plan, Plan::HalfSpace(_))) {
         outcome.results.iter_mut().for_each(|named| named.scale("peak_pressure", ratio));
     }
+    let on_pixels = matches!(plan, Plan::HalfSpace(_));
     let shape = warnings::error_of_shape(plan, &outcome.records)
-        .filter(|shape| shape.relative > outcome.error_estimate.relative);
+        .filter(|shape| !on_pixels && shape.relative > outcome.error_estimate.relative);
     outcome.error_estimate = shape.unwrap_or(outcome.error_estimate);
     Ok(outcome)
+}
+
+/// Without the solver a scene that asks for it is refused before.
+#[cfg(not(feature = "half-space"))]
+mod half_space {
+    use super::{Outcome, SimulationError, Wanted};
+    use crate::scene::plan::HalfSpacePlan;
+
+    pub(super) fn run(_: &HalfSpacePlan, _: Wanted, _: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
+        Err(SimulationError::Refused("solver: this program was built without the half-space".to_owned()))
+    }
 }
 
 /// Leads a round contact through its history.
@@ -186,6 +202,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     results.extend(wave::results(plan, &run.records));
     results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
     let outcome = Outcome {
+        map: None,
         error_estimate: gliding::at_least(error::estimate(plan, &run), &glides),
         plan: parts(plan, &run),
         tables: fretting.into_iter().chain(gliding::table(&glides)).collect(),

@@ -48,6 +48,7 @@ fn outcome(
     let run = follow(plan, contact, wanted)?;
     let (records, broken): (Vec<_>, Vec<_>) = run.records.into_iter().partition(is_known);
     let outcome = Outcome {
+        map: None,
         results: results::named(None, &records, &Pressures { fields: &run.fields, on_axis: None }),
         records,
         fields: run.fields,

@@ -24,7 +24,9 @@ use crate::contact::state::Gliding;
 use crate::contact::state::Normal;
 use crate::contact::state::Tangential;
 use crate::scene::parts::Parts;
+use crate::shape::Boundary;
 use crate::wear::Worn;
+use ndarray::Array2;
 use serde::Serialize;
 
 /// State of the contact at one time.
@@ -42,6 +44,8 @@ pub struct Record {
     pub gliding: Option<Gliding>,
     /// What has been worn off, if the scene has wear.
     pub worn: Option<Worn>,
+    /// The real contact, where it is computed on pixels.
+    pub pixels: Option<PixelContact>,
 }
 
 impl Record {
@@ -55,6 +59,53 @@ impl Record {
     pub fn tangential_force(&self) -> Option<f64> {
         self.tangential.map(|state| state.force).or(self.gliding.map(|state| state.resistance))
     }
+}
+
+/// The real contact of a state that is computed on pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PixelContact {
+    /// Area of contact [m²]: the pixels under pressure less what counting whole ones adds along the edges.
+    pub area: f64,
+    /// The same over the area of the window.
+    pub area_fraction: f64,
+    /// Mean distance of the surfaces [m]; `None` of a tip, where it is a matter of the window.
+    pub mean_gap: Option<f64>,
+    /// Largest pressure [Pa].
+    pub peak_pressure: f64,
+    /// Number of patches, joined over the sides of pixels.
+    pub patches: usize,
+    /// Whether a patch leads from a border to the opposite one, or on for ever.
+    pub percolates: bool,
+    /// Whether the gap does.
+    pub gap_percolates: bool,
+}
+
+impl PixelContact {
+    /// Bodies that do not press on each other.
+    pub const APART: Self = Self {
+        area: 0.0,
+        area_fraction: 0.0,
+        mean_gap: None,
+        peak_pressure: 0.0,
+        patches: 0,
+        percolates: false,
+        gap_percolates: true,
+    };
+}
+
+/// Pressure and gap on pixels, under the largest force.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactMap {
+    /// Pressure [Pa], rows along y and columns along x.
+    pub pressure: Array2<f64>,
+    /// Distance of the surfaces [m], zero in contact; infinite where there is no material.
+    pub gap: Array2<f64>,
+    /// Width and height of a pixel [m].
+    pub pixel: [f64; 2],
+    /// What happens at the edge.
+    pub boundary: Boundary,
+    /// Normal force [N].
+    pub force: f64,
 }
 
 /// Time.
@@ -86,6 +137,9 @@ pub const LEADING_EDGE: Column<Record> =
 /// Where it ends.
 pub const TRAILING_EDGE: Column<Record> =
     Column::new("trailing_edge", Unit::METRE, "trailing edge", |record| record.gliding?.trailing_edge);
+/// Area of contact on pixels.
+pub const AREA: Column<Record> =
+    Column::new("area", Unit::SQUARE_METRE, "area of contact A", |record| Some(record.pixels?.area));
 
 /// Columns every scene has.
 const NORMAL: &[Column<Record>] = &[
@@ -118,6 +172,19 @@ pub const WEAR_DEPTH: Column<Record> =
     Column::new("wear_depth", Unit::METRE, "largest worn depth", |record| Some(record.worn?.depth));
 /// Columns of a scene with wear.
 const WORN: &[Column<Record>] = &[WORN_VOLUME, WEAR_DEPTH];
+/// Columns of a contact on pixels.
+const PIXELS: &[Column<Record>] = &[
+    AREA,
+    Column::new("area_fraction", Unit::ONE, "share of the area A/A₀", |record| Some(record.pixels?.area_fraction)),
+    Column::new("mean_gap", Unit::METRE, "mean gap", |record| record.pixels?.mean_gap),
+    Column::new("peak_pressure", Unit::PASCAL, "largest pressure", |record| Some(record.pixels?.peak_pressure)),
+    Column::new("contact_patches", Unit::ONE, "patches of contact", |record| count(record.pixels?.patches)),
+];
+
+#[expect(clippy::cast_precision_loss, reason = "pixels are far fewer than 2^53")]
+fn count(count: usize) -> Option<f64> {
+    Some(count as f64)
+}
 
 /// The columns of records: those of a part appear if the scene has it.
 #[must_use]
@@ -126,7 +193,10 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let peels = records.iter().any(|record| record.tangential.is_some_and(|state| state.area_ratio.is_some()));
     let glides = records.iter().any(|record| record.gliding.is_some());
     let wears = records.iter().any(|record| record.worn.is_some());
-    [(NORMAL, true), (TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears)]
+    let pixels = records.iter().any(|record| record.pixels.is_some());
+    let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
+    std::iter::once((NORMAL, true))
+        .chain(parts)
         .into_iter()
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()
@@ -178,6 +248,8 @@ pub struct Outcome {
     pub records: Vec<Record>,
     /// Pressure and surface, at the end of each entry and at the largest depth; empty if not asked for.
     pub fields: Vec<Field>,
+    /// Pressure and gap on pixels under the largest force; `None` if not asked for, or not on pixels.
+    pub map: Option<ContactMap>,
     /// Tables beside that of the records, such as those of pressure, of stresses, of impacts.
     pub tables: Vec<Table>,
     /// Named results in a fixed order.

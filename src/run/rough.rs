@@ -33,6 +33,7 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
     }
     results.extend(gliding::results(plan.travel.as_ref(), &records, &glides));
     Ok(Outcome {
+        map: None,
         results,
         records,
         fields: Vec::new(),

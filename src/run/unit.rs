@@ -28,6 +28,10 @@ impl Unit {
     pub const CUBIC_METRE: Self = Self { symbol: "m³", ending: "_m3", prefixed: false };
     /// A curvature.
     pub const PER_METRE: Self = Self { symbol: "1/m", ending: "_per_m", prefixed: false };
+    /// An area.
+    pub const SQUARE_METRE: Self = Self { symbol: "m²", ending: "_m2", prefixed: false };
+    /// A density over pressures.
+    pub const PER_PASCAL: Self = Self { symbol: "1/Pa", ending: "_per_pa", prefixed: false };
     /// A time.
     pub const SECOND: Self = Self { symbol: "s", ending: "_s", prefixed: true };
     /// A speed.
@@ -52,9 +56,11 @@ impl Unit {
     pub const JOULE_PER_SQUARE_METRE: Self = Self { symbol: "J/m²", ending: "_j_per_m2", prefixed: true };
 
     /// All units that names end with.
-    const NAMED: [Self; 15] = [
+    const NAMED: [Self; 17] = [
         Self::METRE,
         Self::CUBIC_METRE,
+        Self::SQUARE_METRE,
+        Self::PER_PASCAL,
         Self::PER_METRE,
         Self::SECOND,
         Self::METRE_PER_SECOND,

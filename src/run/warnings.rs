@@ -2,7 +2,7 @@
 
 use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
-use crate::scene::plan::{Plan, RoughImpactPlan, RoughPlan, Shared};
+use crate::scene::plan::{HalfSpacePlan, Plan, RoughImpactPlan, RoughPlan, Shared};
 use crate::shape::{Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -25,7 +25,18 @@ pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
         | Plan::RoughImpact(RoughImpactPlan { rough: RoughPlan { surface, .. }, .. }) => {
             steep_waves(surface.roughness().rms_slope).into_iter().collect()
         }
+        Plan::HalfSpace(of) => on_pixels(of, records),
     }
+}
+
+/// Slopes on pixels, and of a tip what it stands for.
+fn on_pixels(plan: &HalfSpacePlan, records: &[Record]) -> Vec<String> {
+    if let Some(surface) = plan.surface() {
+        return steep_waves(surface.roughness().rms_slope).into_iter().collect();
+    }
+    let radii = records.iter().filter_map(|record| record.normal.contact_radius);
+    let (Some(a), Some(profile)) = (radii.max_by(f64::total_cmp), plan.profile()) else { return Vec::new() };
+    [steep(plan, profile, a), not_a_ball(plan, a), not_two_balls(plan, a)].into_iter().flatten().collect()
 }
 
 fn round(plan: &Plan, profile: &dyn Profile, records: &[Record]) -> Vec<String> {

@@ -22,6 +22,7 @@
 //!     history: history.clone(),
 //!     accuracy: None,
 //!     springs: None,
+//!     solver: None,
 //!     steps: None,
 //!     plots: None,
 //!     sweep: None,
@@ -36,6 +37,7 @@
 pub mod fit;
 pub mod history;
 mod limits;
+mod pixelled;
 mod read;
 mod resolve;
 mod words;
@@ -45,6 +47,7 @@ pub mod parts;
 pub mod plan;
 pub mod reach;
 pub mod rules;
+pub mod solver;
 pub mod stage;
 pub mod surface;
 pub mod swept;
@@ -54,6 +57,7 @@ use crate::friction::Friction;
 use crate::input::quantity::Accuracy;
 use crate::material::Body;
 use crate::scene::history::Entry;
+use crate::scene::solver::SolverChoice;
 use crate::scene::swept::Swept;
 use crate::shape::Shape;
 use crate::wear::Wear;
@@ -88,6 +92,9 @@ pub struct Scene {
     /// Number of springs, to study the classical bed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub springs: Option<NonZeroUsize>,
+    /// Another solver than the one that suits.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub solver: Option<SolverChoice>,
     /// Records per history entry.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steps: Option<NonZeroUsize>,
@@ -131,8 +138,12 @@ pub enum Plot {
     Wear,
     /// Coefficient of sliding friction against the load, without adhesion.
     Coefficient,
-    /// Area of a sheared adhesive contact against the sliding speed.
+    /// Area of contact: of a sheared adhesive one against the sliding speed, of one on pixels against the force.
     Area,
+    /// Map of the pressure with the outline of the contact, on pixels.
+    Contact,
+    /// Distributions of pressure and gap, on pixels.
+    Distribution,
     /// Restitution against speed.
     Restitution,
     /// Resistance of a body that glides or rolls over a body that remembers: over the speed, or over the time.

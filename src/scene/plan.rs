@@ -19,6 +19,7 @@
 //! ```
 
 use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Travel, WearLaw};
+pub use super::pixelled::PixelledIndenter;
 use super::read::Read;
 use super::surface::Surface;
 use crate::contact::foundation::Foundation;
@@ -29,8 +30,9 @@ use crate::input::quantity::Accuracy;
 use crate::material::{Pair, Relaxation};
 use crate::scene::Scene;
 use crate::scene::history::Impact;
+use crate::scene::solver::SolverChoice;
 use crate::scene::stage::Stage;
-use crate::shape::{PlaneWavy, Profile};
+use crate::shape::{Boundary, PlaneWavy, Profile};
 use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -50,6 +52,8 @@ pub enum Plan {
     Rough(RoughPlan),
     /// The impact of a rough body.
     RoughImpact(RoughImpactPlan),
+    /// A contact on the pixels of a half-space, led through a history.
+    HalfSpace(HalfSpacePlan),
 }
 
 /// What all plans have.
@@ -153,6 +157,44 @@ pub struct RoughImpactPlan {
     pub impact: Impact,
 }
 
+/// A contact on the pixels of a half-space.
+#[derive(Debug, Clone)]
+pub struct HalfSpacePlan {
+    /// What all plans have.
+    pub shared: Shared,
+    /// What is pressed.
+    pub indenter: PixelledIndenter,
+    /// What happens at the edge of the window.
+    pub boundary: Boundary,
+    /// Rows and columns of pixels.
+    pub size: [usize; 2],
+    /// Side of the window [m]; that of the surface, or found from the contact, if absent.
+    pub window: Option<f64>,
+}
+
+impl HalfSpacePlan {
+    /// The same on another number of pixels along x.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "of the order of the grid")]
+    pub fn on(&self, grid: usize) -> Self {
+        let [rows, columns] = self.size.map(|side| side as f64);
+        let size = [((grid as f64 * rows / columns).round() as usize).max(1), grid];
+        Self { size, ..self.clone() }
+    }
+
+    /// The smooth profile, if there is one.
+    #[must_use]
+    pub fn profile(&self) -> Option<&dyn Profile> {
+        self.indenter.profile()
+    }
+
+    /// The roughness, if there is one.
+    #[must_use]
+    pub fn surface(&self) -> Option<&Surface> {
+        self.indenter.surface()
+    }
+}
+
 impl RoughPlan {
     /// One-dimensional profile [m] under the roughness at `x` [m].
     #[must_use]
@@ -186,13 +228,16 @@ pub struct SceneSettings {
     pub springs: Option<NonZeroUsize>,
     /// Records per history entry.
     pub steps: Option<NonZeroUsize>,
+    /// Another solver than the one that suits.
+    pub solver: Option<SolverChoice>,
 }
 
 impl Plan {
     /// The settings of the scene.
     #[must_use]
     pub fn settings(&self) -> SceneSettings {
-        SceneSettings { accuracy: self.scene.accuracy, springs: self.scene.springs, steps: self.scene.steps }
+        let Scene { accuracy, springs, steps, solver, .. } = self.scene;
+        SceneSettings { accuracy, springs, steps, solver }
     }
 
     /// What a round scene says, led through a history or in an impact; `None` of a scene that is not round.
@@ -204,7 +249,7 @@ impl Plan {
         match self {
             Self::Round(plan) => history(plan),
             Self::Impact(plan) => impact(plan),
-            Self::Plane(_) | Self::Rough(_) | Self::RoughImpact(_) => None,
+            Self::Plane(_) | Self::Rough(_) | Self::RoughImpact(_) | Self::HalfSpace(_) => None,
         }
     }
 
@@ -220,7 +265,7 @@ impl Plan {
         match self {
             Self::Rough(plan) => Some(plan),
             Self::RoughImpact(plan) => Some(&plan.rough),
-            Self::Round(_) | Self::Impact(_) | Self::Plane(_) => None,
+            Self::Round(_) | Self::Impact(_) | Self::Plane(_) | Self::HalfSpace(_) => None,
         }
     }
 
@@ -242,7 +287,7 @@ impl Plan {
         match self {
             Self::Round(plan) => plan.travel.as_ref(),
             Self::Rough(plan) => plan.travel.as_ref(),
-            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) => None,
+            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) | Self::HalfSpace(_) => None,
         }
     }
 
@@ -298,13 +343,19 @@ impl Plan {
             Self::Plane(_) => None,
             Self::Rough(plan) => plan.base.as_deref(),
             Self::RoughImpact(plan) => plan.rough.base.as_deref(),
+            Self::HalfSpace(plan) => plan.profile(),
         }
     }
 
     /// The roughness, if there is one.
     #[must_use]
     pub fn surface(&self) -> Option<&Surface> {
-        Some(&self.rough()?.surface)
+        match self {
+            Self::HalfSpace(plan) => plan.surface(),
+            Self::Round(_) | Self::Impact(_) | Self::Plane(_) | Self::Rough(_) | Self::RoughImpact(_) => {
+                Some(&self.rough()?.surface)
+            }
+        }
     }
 }
 
@@ -318,6 +369,7 @@ impl Deref for Plan {
             Self::Plane(plan) => &plan.shared,
             Self::Rough(plan) => &plan.shared,
             Self::RoughImpact(plan) => &plan.rough.shared,
+            Self::HalfSpace(plan) => &plan.shared,
         }
     }
 }
@@ -334,7 +386,7 @@ macro_rules! shares {
     )*};
 }
 
-shares!(RoundPlan, ImpactPlan, PlanePlan, RoughPlan);
+shares!(RoundPlan, ImpactPlan, PlanePlan, RoughPlan, HalfSpacePlan);
 
 impl Deref for RoughImpactPlan {
     type Target = Shared;

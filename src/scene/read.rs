@@ -9,7 +9,7 @@ use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{self, Joined, Relaxation};
 use crate::scene::history::{Entry, MotionTable};
-use crate::shape::{Family, Lying, PlaneWavy, Profile, RoughShape, Shape};
+use crate::shape::{Family, Lying, MapSource, PlacedTip, PlaneWavy, Profile, RoughShape, Shape, Tip};
 use std::sync::Arc;
 
 /// The parts of a scene with their tables read; a part is missing where it cannot be read, or had to be mended.
@@ -72,6 +72,8 @@ pub(super) enum Geometry {
     /// Roughness, on a smooth profile if not on a flat.
     Rough(Arc<Surface>, Option<Arc<dyn Profile>>),
     Wavy(PlaneWavy),
+    /// Several tips side by side.
+    Tips(Arc<[PlacedTip]>),
 }
 
 impl Geometry {
@@ -84,8 +86,10 @@ impl Geometry {
                 _ => profile(shape, tables)?,
             }),
             Family::Line(line) => rough(surface::of_line(line, tables)?, base(line, tables)?),
-            Family::Map(path, pixel) => rough(surface::of_map(path, pixel, tables)?, None),
+            Family::Map(MapSource::Plain(path, pixel)) => rough(surface::of_map(path, pixel, tables)?, None),
+            Family::Map(MapSource::Treated(of)) => rough(surface::of_topography(of, tables)?, None),
             Family::Wavy(wavy) => Self::Wavy(wavy.clone()),
+            Family::Tips(tips) => Self::Tips(placed(tips, tables)?),
         })
     }
 
@@ -104,7 +108,7 @@ impl Geometry {
         match self {
             Self::Round(profile) => Some(profile.as_ref()),
             Self::Rough(_, base) => base.as_deref(),
-            Self::Wavy(_) => None,
+            Self::Wavy(_) | Self::Tips(_) => None,
         }
     }
 }
@@ -119,6 +123,19 @@ fn is_of_the_present(scene: &Scene) -> bool {
 
 fn profile(shape: &Shape, tables: &dyn Tables) -> Result<Arc<dyn Profile>, Vec<Problem>> {
     shape.profile(tables).map_err(|error| vec![Problem::new("shape", error.to_string())])
+}
+
+/// Tips with their tables read.
+fn placed(tips: &[Tip], tables: &dyn Tables) -> Result<Arc<[PlacedTip]>, Vec<Problem>> {
+    if tips.is_empty() {
+        return Err(vec![Problem::new(
+            "shape",
+            "has no tip: expected at least one, (shape: Sphere(radius: …), x: …, y: …)",
+        )]);
+    }
+    let problem = |at: usize, what: String| vec![Problem::new(format!("shape[{at}].shape"), what)];
+    let placed = tips.iter().enumerate().map(|(at, tip)| tip.placed(tables).map_err(|what| problem(at, what)));
+    placed.collect()
 }
 
 /// The smooth shape under a rough line.

@@ -4,11 +4,15 @@ use super::law::{
     ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount, Start, Travel, WearLaw,
 };
 use super::mended::Mended;
-use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared};
+use super::pixelled::PixelledIndenter;
+use super::plan::{
+    HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared,
+};
 use super::read::{Geometry, Read};
 use super::rules::{self, Draft, Parts, Written};
+use super::solver::{HalfSpace, SolverChoice};
 use super::surface::Surface;
-use super::{Scene, limits, reach};
+use super::{Scene, limits, pixelled, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::contact::plastic::{YIELD_PRESSURE, YieldingBall};
 use crate::contact::rough::EdgeWorks;
@@ -26,6 +30,9 @@ use std::sync::Arc;
 
 /// Springs of the friction of viscoelastic bodies unless the scene says otherwise.
 const FRICTION_SPRINGS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(999);
+
+/// Records per entry of a contact on pixels unless the scene says otherwise: each is solved by itself.
+const RECORDS_ON_PIXELS: usize = 20;
 
 impl Scene {
     /// The scene with its tables read and decided, or everything that is wrong with it.
@@ -71,8 +78,8 @@ impl Plan {
     /// # Errors
     /// The parts do not fit together under them.
     pub fn with(&self, settings: SceneSettings) -> Result<Self, Vec<Problem>> {
-        let SceneSettings { accuracy, springs, steps } = settings;
-        let scene = Scene { accuracy, springs, steps, ..self.scene.clone() };
+        let SceneSettings { accuracy, springs, steps, solver } = settings;
+        let scene = Scene { accuracy, springs, steps, solver, ..self.scene.clone() };
         decided(scene, self.read.clone(), Vec::new())
     }
 }
@@ -87,7 +94,7 @@ fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<
         (Some(joined), Some(geometry)) if problems.is_empty() => {
             let pair = if scene.shape.is_plane() { joined.pair.long_across() } else { joined.pair };
             let shared = Shared { pair, scene, stages, read: read.clone() };
-            Ok(kind(shared, geometry, impact))
+            kind(shared, geometry, impact).ok_or_else(|| vec![rules::tips_without_pixels()])
         }
         (Some(_) | None, Some(_) | None) => Err(problems),
     }
@@ -107,14 +114,19 @@ fn misfits(read: &Read, written: Written<'_>) -> Vec<Problem> {
 }
 
 fn entries<'s>(scene: &'s Scene, read: &'s Read) -> Vec<EntryTraits<'s>> {
-    let steps = scene.steps.map(NonZeroUsize::get);
+    let steps = scene.steps.map(NonZeroUsize::get).or(scene.solver.map(|_| RECORDS_ON_PIXELS));
     let numbered = scene.history.iter().zip(&read.motions).enumerate();
     numbered.map(|(number, (entry, motion))| entry.traits(number, motion.as_ref(), steps)).collect()
 }
 
 /// The kind of plan: every kind of scene and every law is named here once.
-fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
-    match (geometry, impact) {
+fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Option<Plan> {
+    if let Some(SolverChoice::HalfSpace(asked)) = shared.scene.solver
+        && let Some(indenter) = PixelledIndenter::of(&shared.scene.shape, geometry)
+    {
+        return Some(Plan::HalfSpace(on_pixels(shared, indenter, asked)));
+    }
+    Some(match (geometry, impact) {
         (Geometry::Round(profile), Some(impact)) => Plan::Impact(impact_plan(shared, profile.clone(), impact)),
         (Geometry::Round(profile), None) => Plan::Round(round(shared, profile.clone())),
         (Geometry::Rough(surface, base), None) => {
@@ -129,7 +141,15 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Plan {
             Plan::RoughImpact(RoughImpactPlan { rough: rough(shared, (surface, base.as_ref())), impact })
         }
         (Geometry::Wavy(section), _) => Plan::Plane(PlanePlan { section: section.clone(), shared }),
-    }
+        (Geometry::Tips(_), _) => return None,
+    })
+}
+
+fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> HalfSpacePlan {
+    let window = asked.window.map(|window| window.si());
+    let boundary = asked.boundary.unwrap_or_else(|| pixelled::suiting(&indenter));
+    let size = pixelled::size(&indenter, asked.grid, window);
+    HalfSpacePlan { shared, indenter, boundary, size, window }
 }
 
 fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {

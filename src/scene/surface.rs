@@ -19,7 +19,7 @@ use crate::input::problem::Problem;
 use crate::input::quantity::Length;
 use crate::input::table::Tables;
 use crate::shape::rough::{Border, HeightMap, Rings, Roughness, RoughnessSpectrum, SourceError};
-use crate::shape::{Rim, RoughShape};
+use crate::shape::{Rim, RoughShape, Topography, Treated};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -147,8 +147,22 @@ pub fn of_map(path: &Path, pixel: Length, tables: &dyn Tables) -> Result<Surface
     let problem = |what: String| vec![Problem::new("shape", what)];
     let heights = tables.heights(path).map_err(|error| problem(error.to_string()))?;
     let map = HeightMap::new(heights, (pixel.si(), pixel.si()));
-    let map = map.map_err(|error| problem(format!("{}: {error}", path.display())))?;
+    Ok(of_heights(map.map_err(|error| problem(format!("{}: {error}", path.display())))?))
+}
+
+/// The roughness of a measured surface, treated as it says.
+///
+/// # Errors
+/// The map cannot be read, or has holes.
+pub fn of_topography(topography: &Topography, tables: &dyn Tables) -> Result<Surface, Vec<Problem>> {
+    let problem = |what: String| vec![Problem::new("shape", what)];
+    let Treated { heights, pixel } = topography.treated(tables).map_err(|error| problem(error.to_string()))?;
+    let map = HeightMap::new(heights, pixel);
+    Ok(of_heights(map.map_err(|error| problem(format!("{}: {error}", topography.file.display())))?))
+}
+
+fn of_heights(map: HeightMap) -> Surface {
     let rings = map.rings(Border::Cut);
     let points = (PER_RING * rings.variances().len()).max(LEAST_POINTS);
-    Ok(Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] })
+    Surface { rings, source: Source::Map(Arc::new(map)), points, seeds: vec![1] }
 }

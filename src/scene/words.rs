@@ -2,10 +2,11 @@
 
 use super::law::{FrictionLaw, WearLaw};
 use super::parts::{Component, Parts, Solver};
-use super::plan::{ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
+use super::plan::{HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use crate::contact::direct::QuasiStatic;
 use crate::contact::plane::PlaneContact;
 use crate::friction::TangentialMemory;
+use crate::shape::Boundary;
 
 impl Plan {
     /// The plan in words.
@@ -17,6 +18,7 @@ impl Plan {
             Self::Plane(plan) => plan.parts(),
             Self::Rough(plan) => plan.parts(),
             Self::RoughImpact(plan) => plan.parts(),
+            Self::HalfSpace(plan) => plan.parts(),
         }
     }
 }
@@ -112,6 +114,46 @@ impl RoughPlan {
         (if self.surface.seeds.len() > 1 { &mut used } else { &mut left_out }).push("ensemble");
         // Gaps, forces and energies of the members that run at a time are no more than those of all.
         Parts { springs, state_bytes: 24 * springs, ..Parts::new(solver, used, left_out) }
+    }
+}
+
+impl HalfSpacePlan {
+    /// The plan in words.
+    #[must_use]
+    pub fn parts(&self) -> Parts {
+        let [rows, columns] = self.size;
+        let (boundary, because) = match (self.boundary, self.surface().is_some()) {
+            (Boundary::Periodic, _) => ("periodic", "it repeats"),
+            (Boundary::Free, true) => ("free", "beyond its border nothing presses"),
+            (Boundary::Free, false) => ("free", "the shape stands alone"),
+        };
+        let window = match self.window {
+            Some(side) => format!("a window of {side:e} m"),
+            None if self.surface().is_some() => "the whole surface".to_owned(),
+            None => "a window three times as wide as the largest contact".to_owned(),
+        };
+        let solver = Solver::new(
+            "half-space",
+            format!(
+                "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms; elastic, without friction"
+            ),
+        );
+        let (mut used, mut left_out) = (vec!["pixels of a half-space"], vec!["springs"]);
+        (if self.profile().is_some() { &mut used } else { &mut left_out }).push("smooth shape");
+        (if self.surface().is_some() { &mut used } else { &mut left_out }).push("rough surface");
+        Parts { state_bytes: self.bytes(), ..Parts::new(solver, used, left_out) }
+    }
+
+    /// Bytes of the largest solution.
+    #[cfg(feature = "half-space")]
+    fn bytes(&self) -> usize {
+        usize::try_from(crate::halfspace::bytes_needed(self.size, self.boundary)).unwrap_or(usize::MAX)
+    }
+
+    /// Without the solver nothing is computed.
+    #[cfg(not(feature = "half-space"))]
+    fn bytes(&self) -> usize {
+        0
     }
 }
 

@@ -15,6 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod boundary;
 mod ellipsoid;
 mod kernel;
 mod lying;
@@ -29,9 +30,12 @@ mod rough_line;
 mod rounded;
 mod sphere;
 mod spheres;
+mod tips;
+mod topography;
 mod truncated;
 mod wavy;
 
+pub use boundary::Boundary;
 pub use ellipsoid::Ellipsoid;
 pub use lying::Lying;
 pub use measured::Measured;
@@ -44,6 +48,8 @@ pub use rough_line::{RoughShape, Seeds};
 pub use rounded::{RoundedCone, RoundedPunch};
 pub use sphere::Sphere;
 pub use spheres::Spheres;
+pub use tips::{PlacedTip, Tip};
+pub use topography::{Missing, Tilt, Topography, Treated};
 pub use truncated::{TruncatedCone, TruncatedParaboloid};
 pub use wavy::WavyParaboloid;
 
@@ -86,6 +92,10 @@ pub enum Shape {
     RoughLine(RoughShape),
     /// Heights of a measured or generated surface, a plain matrix or `.npy` [m], and the size of a pixel.
     HeightMap(PathBuf, Length),
+    /// A measured surface with its unit and size, holes and tilt, and the one of the other body.
+    Topography(Topography),
+    /// Several tips side by side, on the half-space only.
+    Tips(Vec<Tip>),
     /// Cylinder lying on its side.
     Cylinder(Cylinder),
     /// Sinusoidal section, long across: one period.
@@ -101,10 +111,21 @@ pub enum Family<'s> {
     Round,
     /// A rough line.
     Line(&'s RoughShape),
-    /// Heights of a surface and the size of a pixel.
-    Map(&'s Path, Length),
+    /// Heights of a surface.
+    Map(MapSource<'s>),
+    /// Several tips side by side.
+    Tips(&'s [Tip]),
     /// A wavy section, long across, whose contact may fall into pieces.
     Wavy(&'s PlaneWavy),
+}
+
+/// Where the heights of a surface come from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MapSource<'s> {
+    /// A matrix in metres and the size of a pixel.
+    Plain(&'s Path, Length),
+    /// A measured surface that is treated before.
+    Treated(&'s Topography),
 }
 
 /// Why a shape cannot be used.
@@ -149,6 +170,8 @@ impl Shape {
             Self::PlaneWave(_) => "PlaneWave",
             Self::PlaneWavy(_) => "PlaneWavy",
             Self::HeightMap(..) => "HeightMap",
+            Self::Topography(_) => "Topography",
+            Self::Tips(_) => "Tips",
         }
     }
 
@@ -186,7 +209,9 @@ impl Shape {
             | Self::PlaneWave(_)
             | Self::Table(_) => Family::Round,
             Self::RoughLine(line) => Family::Line(line),
-            Self::HeightMap(path, pixel) => Family::Map(path, *pixel),
+            Self::HeightMap(path, pixel) => Family::Map(MapSource::Plain(path, *pixel)),
+            Self::Topography(topography) => Family::Map(MapSource::Treated(topography)),
+            Self::Tips(tips) => Family::Tips(tips),
             Self::PlaneWavy(wavy) => Family::Wavy(wavy),
         }
     }
@@ -228,7 +253,7 @@ impl Shape {
                 Some(base) => base.profile(tables)?,
                 None => return Err(ShapeError::NoProfile(self.name())),
             },
-            Self::PlaneWavy(_) | Self::HeightMap(..) => {
+            Self::PlaneWavy(_) | Self::HeightMap(..) | Self::Topography(_) | Self::Tips(_) => {
                 return Err(ShapeError::NoProfile(self.name()));
             }
         })

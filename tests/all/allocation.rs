@@ -69,6 +69,7 @@ fn elastic() -> Scene {
         wear: None,
         sweep: None,
         fit: None,
+        solver: None,
     }
 }
 

@@ -55,6 +55,7 @@ fn scene(shape: Shape, friction: Friction, history: Vec<Entry>) -> Scene {
         wear: None,
         sweep: None,
         fit: None,
+        solver: None,
     }
 }
 

@@ -18,6 +18,8 @@ mod fuzz;
 mod gliding;
 #[cfg(feature = "text")]
 mod ground;
+#[cfg(all(feature = "text", feature = "half-space"))]
+mod half_space;
 mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;

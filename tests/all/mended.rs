@@ -78,8 +78,15 @@ const ENTRIES: &[&str] = &[
     "Table(\"no_such.csv\")",
 ];
 
-const SETTINGS: &[&str] =
-    &["", "", "springs: 10, ", "steps: 9999999, ", "springs: 99999999, steps: 10, accuracy: 1e-4,"];
+const SETTINGS: &[&str] = &[
+    "",
+    "",
+    "springs: 10, ",
+    "steps: 9999999, ",
+    "springs: 99999999, steps: 10, accuracy: 1e-4,",
+    "solver: HalfSpace(grid: 4, boundary: Periodic),",
+    "solver: HalfSpace(),",
+];
 
 const PLOTS: &[&str] = &[
     "Force",
@@ -94,6 +101,8 @@ const PLOTS: &[&str] = &[
     "Area",
     "Restitution",
     "Resistance",
+    "Contact",
+    "Distribution",
 ];
 
 /// Scenes of which few parts fit together.

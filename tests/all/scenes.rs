@@ -63,9 +63,17 @@ fn every_scene_runs_and_gives_the_answers_in_its_comments() {
 
 #[test]
 fn elastic_and_adhesive_scenes_quote_their_answers() {
-    for name in
-        ["hertz", "rail_wheel", "indentation_cone", "flat_punch", "pdms_lens", "wavy_lens", "measured_tip", "afm_tip"]
-    {
+    for name in [
+        "hertz",
+        "rail_wheel",
+        "indentation_cone",
+        "flat_punch",
+        "pdms_lens",
+        "wavy_lens",
+        "measured_tip",
+        "afm_tip",
+        "crossed_cylinders",
+    ] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("configs/{name}.ron"));
         let text = std::fs::read_to_string(path).unwrap();
         assert!(answers(&text).len() >= 2, "{name}");

@@ -51,6 +51,7 @@ fn scene(bodies: (Body, Body), history: Vec<Entry>) -> Scene {
         wear: None,
         sweep: None,
         fit: None,
+        solver: None,
     }
 }
 

@@ -99,7 +99,7 @@ fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Res
 fn written(products: &[Product], scene: &SceneFile, common: &Common) -> Result<Vec<PathBuf>, String> {
     let stem = scene.stem();
     let files: Vec<(String, &[u8])> =
-        products.iter().map(|product| (format!("{stem}{}", product.ending), product.content.as_bytes())).collect();
+        products.iter().map(|product| (format!("{stem}{}", product.ending), &product.content[..])).collect();
     write_all(&common.out, &files).map_err(|error| error.to_string())
 }
 

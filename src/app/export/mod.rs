@@ -13,6 +13,7 @@ mod fit;
 mod gallery;
 mod json;
 mod moduli;
+mod npy;
 mod overlay;
 mod summary;
 mod sweep;
@@ -33,6 +34,7 @@ pub use fit::{Fitted, fit_json, fit_points, fit_text, fits_json, fits_table};
 pub use gallery::{Shown, gallery};
 pub use json::{json, json_of_all};
 pub use moduli::{spectrum_json, spectrum_points, spectrum_text};
+pub use npy::npy;
 pub use overlay::{OVERLAID, Overlaid, overlay_json, overlay_table, overlay_text};
 pub use summary::{summary, with_prefix};
 #[cfg(feature = "plot")]

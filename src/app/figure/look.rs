@@ -111,8 +111,17 @@ pub(super) fn look(panel: &Panel, index: usize) -> Look {
         number,
         colour: rgb(colour.unwrap_or(Hue::Black)),
         line: line.unwrap_or(Line::Solid),
-        width: if number == 0 { 2.2 } else { 1.8 },
+        width: width(panel, number),
         mark,
+    }
+}
+
+/// Px; a line over cells is fine, lest it hide them.
+fn width(panel: &Panel, number: usize) -> f64 {
+    match (&panel.cells, number) {
+        (Some(_), _) => 0.9,
+        (None, 0) => 2.2,
+        (None, _) => 1.8,
     }
 }
 

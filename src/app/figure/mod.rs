@@ -83,6 +83,8 @@ pub struct Panel {
     pub notes: Vec<String>,
     /// Cells of colour under the curves, if any.
     pub cells: Option<Cells>,
+    /// Width of the frame over its height, where both axes are to have one scale.
+    pub ratio: Option<f64>,
 }
 
 /// A number for every pair of two others, shown by colours.
@@ -103,7 +105,7 @@ impl Panel {
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
         let (contours, cells, series, guides, notes) = (None, None, Vec::new(), Vec::new(), Vec::new());
-        Self { title: String::new(), x, y, contours, series, guides, notes, cells }
+        Self { title: String::new(), x, y, contours, series, guides, notes, cells, ratio: None }
     }
 
     /// The panel under a heading.
@@ -135,6 +137,13 @@ impl Panel {
             axis.limits = (edges.first().copied(), edges.last().copied());
         }
         self.cells = Some(cells);
+        self
+    }
+
+    /// The panel in a frame of this width over its height.
+    #[must_use]
+    pub fn ratio(mut self, ratio: f64) -> Self {
+        self.ratio = Some(ratio);
         self
     }
 

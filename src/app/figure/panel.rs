@@ -60,6 +60,7 @@ pub(super) enum Company {
 impl Sheet {
     /// The panel in a frame of `size` px.
     pub(super) fn new(panel: &Panel, size: Dot, company: Company) -> Self {
+        let size = panel.ratio.map_or(size, |ratio| within(size, ratio));
         let (x, y) = rulers(panel, size);
         let map = Map { x: &x, y: &y, size };
         let layers = panel.contours.as_ref().and_then(|contours| layers(contours, &map));
@@ -114,6 +115,15 @@ impl Sheet {
         };
         LEGEND_AT + legend
     }
+}
+
+/// Narrowest frame as a part of the room there is.
+const NARROWEST: f64 = 0.25;
+
+/// The largest frame of a given width over its height within `size` px, and not too narrow to be read.
+fn within((width, height): Dot, ratio: f64) -> Dot {
+    let frame = if ratio < width / height { (height * ratio, height) } else { (width, width / ratio) };
+    (frame.0.max(NARROWEST * width), frame.1.max(NARROWEST * height))
 }
 
 /// Px from the bottom of the frame to a legend below it.

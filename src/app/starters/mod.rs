@@ -41,6 +41,7 @@ starters!(
     "rough",
     "ensemble",
     "height-map",
+    "half-space",
     "westergaard",
     "seal",
 );

@@ -2,14 +2,19 @@
 
 use crate::check::agreement::SelfAffineSquares;
 use crate::check::case::{Attempt, Case, Pairs, Proof};
+use crate::check::sketch::{Sketch, ball, result, si};
 use crate::check::theory::{WavyParabola, Westergaard};
 use crate::contact::elliptic::EllipticHertz;
 use crate::halfspace::{
     Boundary, HalfSpaceError, PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, PressedMap, Settings, Solution,
     Start, solve, solve_plane,
 };
+use crate::run::record::Record;
+use crate::shape::rough::{SelfAffine, SpectrumSource};
+use crate::shape::{Ellipsoid, RoughShape, Shape};
 use ndarray::{Array1, Array2};
 use std::f64::consts::{PI, TAU};
+use std::num::NonZeroUsize;
 
 pub(super) const CASES: &[Case] = &[
     Case::new("half-space/Hertz on 512²", Proof::Other, 2.5e-6, "every solver of pixels of constant pressure finds 2.3e-6 in the force on this window of three radii").weak("one place of the apex, on a node").by(|| hertz(512)),
@@ -22,9 +27,64 @@ pub(super) const CASES: &[Case] = &[
     Case::new("half-space/bed of a rough line beside it", Proof::Other, 1.0, "both follow one stiffness law: over H = 0.2 to 0.9 and 8 seeds of 192² the exponents differ by 0.04 at most, within the scatter, the prefactors by 15 %; the area is that of Persson's theory to a half; printed as the part of scatter, quarter and half used")
         .weak("six seeds of 64² at H = 0.8; the share of springs in contact is no area, but at least five times it")
         .by(bed_beside_half_space),
+    Case::new("half-space/scene of a ball", Proof::Order, 1.0, "|ε| ≤ (Δ/a)²/8 in force and twice that in energy, a window of three radii found from the contact, under a depth and under a force; printed as the part of the bound used").weak("one ball").by(scene_of_ball),
+    Case::new("half-space/scene of an ellipsoid", Proof::Order, 1.0, "|ε| ≤ (Δ/b)²/8 in the force at a depth and three times that in the peak pressure, printed as the part of the bound used").weak("radii 1 to 0.1 and one grid").by(scene_of_ellipsoid),
+    Case::new("half-space/work on a rough surface that repeats", Proof::Other, 1e-4, "dU = F dd with the trapezoid corrected by the stiffness at its ends, fourth order in a step of 1/32 of the force: force, depth, energy and stiffness against each other").weak("one surface; a contact whose pixels change between records is not smooth").by(work_on_rough),
     Case::new("half-plane/Westergaard wave", Proof::Order, 1.0, "half width to a strip, indentation d = Δt(1 − ln t), t = sin²(πa/λ), to (π/n)² of Δ; printed as the part of the bound used").weak("five loads, 1024 strips").by(westergaard),
     Case::new("half-plane/wavy parabola in one piece", Proof::Other, 4e-5, "the Chebyshev series of Kudish et al. 2.12 beside the half-plane solver of 2000 strips: pressure in the middle half, to (strip/wave)²").weak("one roughness and load").by(wavy_parabola),
 ];
+
+/// Errors of a scene of a ball, R = E* = 1, a = 0.1, as parts of their bounds.
+fn scene_of_ball() -> Attempt<Pairs> {
+    let (grid, right) = (96, 4e-3 / 3.0);
+    let square = 8.0 * (grid as f64 / 3.0).powi(2);
+    let scene = || Sketch::of(ball(1.0)).pixels(grid).steps(1);
+    let by_depth = scene().indent(0.01, 1.0).run()?;
+    let by_force = scene().press(right, 1.0).run()?;
+    let (force, depth) = (result(&by_depth, "largest_force_n")?, result(&by_force, "largest_indentation_m")?);
+    let energy = result(&by_depth, "work_j")?;
+    let part = |found: f64, right: f64, bound: f64| ((found / right - 1.0) * square / bound, 0.0);
+    Ok(vec![part(force, right, 1.0), part(depth, 0.01, 1.0), part(energy, 0.4 * right * 0.01, 2.0)])
+}
+
+fn scene_of_ellipsoid() -> Attempt<Pairs> {
+    let (grid, depth) = (96, 1e-3);
+    let shape = Shape::Ellipsoid(Ellipsoid { radius_x: si(1.0)?, radius_y: si(0.1)? });
+    let right = EllipticHertz::at_indentation([1.0, 0.1], 1.0, depth)?;
+    let outcome = Sketch::of(Ok(shape)).pixels(grid).steps(1).indent(depth, 1.0).run()?;
+    let square = 8.0 * (grid as f64 / 3.0).powi(2);
+    let part = |name: &str, right: f64, bound: f64| -> Attempt<(f64, f64)> {
+        Ok(((result(&outcome, name)? / right - 1.0) * square / bound, 0.0))
+    };
+    Ok(vec![part("largest_force_n", right.force, 1.0)?, part("peak_pressure_pa", right.peak_pressure, 3.0)?])
+}
+
+fn work_on_rough() -> Attempt<Pairs> {
+    let (wave, some) = (
+        SelfAffine {
+            hurst: si(0.8)?,
+            rms: Some(si(1e-3)?),
+            long: si(1.0)?,
+            short: si(0.25)?,
+            roll_off: None,
+            amplitude: None,
+        },
+        NonZeroUsize::new(64),
+    );
+    let points = some.ok_or("no points")?;
+    let spectrum = SpectrumSource::SelfAffine(wave);
+    let line = RoughShape { base: None, spectrum, length: si(1.0)?, points, seed: None, seeds: None };
+    let outcome = Sketch::of(Ok(Shape::RoughLine(line))).pixels(64).steps(32).press(2e-3, 1.0).run()?;
+    let mut work = 0.0;
+    let late = outcome.records.get(8..).ok_or("too few records")?;
+    for pair in late.windows(2) {
+        let [one, two] = [pair[0].normal, pair[1].normal];
+        let step = two.indentation.zip(one.indentation).map_or(f64::NAN, |(two, one)| two - one);
+        work += 0.5 * step * (one.force + two.force) + step * step / 12.0 * (one.stiffness - two.stiffness);
+    }
+    let stored = |record: Option<&Record>| record.map_or(f64::NAN, |record| record.normal.stored.stored());
+    Ok(vec![(stored(late.last()) - stored(late.first()), work)])
+}
 
 /// The half-space with E* = 1 under heights.
 fn solved(

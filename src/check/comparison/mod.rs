@@ -17,6 +17,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(feature = "half-space")]
+mod alone;
 mod closed;
 #[cfg(feature = "half-space")]
 mod pixels;
@@ -28,10 +30,12 @@ use super::one_piece::largest_force;
 use super::row::{Errors, Found, Row};
 use super::study::{Method, Thoroughness, measured};
 use super::theory;
+use crate::input::problem::Problem;
 use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::law::ElasticAdhesion;
-use crate::scene::plan::{Plan, SceneSettings};
+use crate::scene::plan::{HalfSpacePlan, Plan, SceneSettings};
+use crate::shape::Boundary;
 
 /// Pixels on the side of the half-space grid.
 #[cfg(feature = "half-space")]
@@ -87,23 +91,57 @@ pub enum ComparisonError {
 /// # Errors
 /// The scene cannot be run, or the bodies never press on each other.
 pub fn compare(plan: &Plan, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
-    let plan = plan.with(SceneSettings { springs: None, ..plan.settings() }).map_err(SimulationError::from)?;
-    let outcome = run::run(&plan, Wanted::NOTHING)?;
-    if plan.scene.shape.is_plane() && follows_from_force(&plan) {
-        let force = largest_force(&plan, &outcome);
+    let bed = plan.with(SceneSettings { springs: None, solver: None, ..plan.settings() });
+    match (plan, bed) {
+        (Plan::HalfSpace(pixels), Err(problems)) => on_pixels_alone(plan, pixels, &problems, done),
+        (Plan::HalfSpace(pixels), Ok(bed)) => compare_with(&bed, pixels.boundary, done),
+        (_, bed) => compare_with(&bed.map_err(SimulationError::from)?, Boundary::Free, done),
+    }
+}
+
+/// A contact that no bed follows.
+#[cfg(feature = "half-space")]
+fn on_pixels_alone(
+    plan: &Plan,
+    pixels: &HalfSpacePlan,
+    problems: &[Problem],
+    done: &dyn Fn(f64),
+) -> Result<Comparison, ComparisonError> {
+    let outcome = run::run(plan, Wanted::NOTHING)?;
+    let force = largest(&outcome.records).map_or(0.0, |record| record.normal.force);
+    let why = problems.first().map_or_else(String::new, |problem| problem.message.clone());
+    if force > 0.0 { Ok(alone::contest(pixels, force, &why).judged(done)) } else { Err(ComparisonError::NoContact) }
+}
+
+/// Without the solver there is no such scene.
+#[cfg(not(feature = "half-space"))]
+fn on_pixels_alone(
+    _: &Plan,
+    _: &HalfSpacePlan,
+    problems: &[Problem],
+    _: &dyn Fn(f64),
+) -> Result<Comparison, ComparisonError> {
+    Err(SimulationError::from(problems.to_vec()).into())
+}
+
+/// The same of a scene on springs; at the edge of a rough surface the half-space does what `boundary` says.
+fn compare_with(plan: &Plan, boundary: Boundary, done: &dyn Fn(f64)) -> Result<Comparison, ComparisonError> {
+    let outcome = run::run(plan, Wanted::NOTHING)?;
+    if plan.scene.shape.is_plane() && follows_from_force(plan) {
+        let force = largest_force(plan, &outcome);
         return if force > 0.0 {
-            Ok(plane::contest(&plan, force)?.judged(done))
+            Ok(plane::contest(plan, force)?.judged(done))
         } else {
             Err(ComparisonError::NoContact)
         };
     }
     let most =
         largest(&outcome.records).filter(|record| record.normal.force > 0.0).ok_or(ComparisonError::NoContact)?;
-    let Some(rough) = plan.rough() else { return Ok(round::contest(plan, most).judged(done)) };
+    let Some(rough) = plan.rough() else { return Ok(round::contest(plan.clone(), most).judged(done)) };
     let force = most.normal.force;
-    let mut comparison = rough::contest(rough.clone(), force).judged(done);
+    let mut comparison = rough::contest(rough.clone(), force, boundary).judged(done);
     let stiffness = comparison.state.stiffness_n_per_m.unwrap_or(0.0);
-    comparison.notes.extend(theory::of_roughness(&plan, force, stiffness));
+    comparison.notes.extend(theory::of_roughness(plan, force, stiffness));
     Ok(comparison)
 }
 

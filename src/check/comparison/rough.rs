@@ -6,6 +6,7 @@ use crate::check::row::{Computed, Found, Setting};
 use crate::check::study::Method;
 use crate::contact::rough::RoughBed;
 use crate::scene::plan::RoughPlan;
+use crate::shape::Boundary;
 use crate::shape::rough::RoughLine;
 use std::sync::Arc;
 
@@ -21,11 +22,14 @@ struct Rough {
     plan: RoughPlan,
     /// Normal force [N].
     force: f64,
+    /// What happens at the edge of the surface.
+    #[cfg_attr(not(feature = "half-space"), expect(dead_code, reason = "only pixels have an edge"))]
+    boundary: Boundary,
 }
 
 /// The methods under the force [N] of a rough scene.
-pub(super) fn contest(plan: RoughPlan, force: f64) -> Contest {
-    let rough = Arc::new(Rough { plan, force });
+pub(super) fn contest(plan: RoughPlan, force: f64, boundary: Boundary) -> Contest {
+    let rough = Arc::new(Rough { plan, force, boundary });
     let (mut notes, mut methods, mut candidates) = (rough.notes(), Vec::new(), Vec::new());
     let least = 2 * (rough.plan.surface.rings.variances().len() - 1);
     for points in POINTS.into_iter().filter(|&points| points >= least) {
@@ -134,12 +138,10 @@ mod surface {
 #[cfg(feature = "half-space")]
 mod surface {
     use super::super::GRIDS;
-    use super::super::pixels::smooth;
-    use super::{Arc, Attempt, BELOW, Computed, Found, Method, Rough, Setting};
-    use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Start, bytes_needed, solve};
+    use super::{Arc, Attempt, BELOW, Boundary, Computed, Found, Method, Rough, Setting};
+    use crate::halfspace::{HalfSpaceError, Prescribed, PressedMap, Settings, Start, bytes_needed, solve};
+    use crate::run::half_space::Heights;
     use crate::scene::surface::Source;
-    use crate::shape::rough::rough_surface;
-    use ndarray::Array2;
 
     /// Relative residual: far below the scatter of surfaces.
     const TOLERANCE: f64 = 1e-6;
@@ -189,12 +191,12 @@ mod surface {
     }
 
     fn pressed(rough: &Rough, grid: usize, seed: u64) -> Attempt<Computed> {
-        let (heights, pixel) = heights(rough, grid, seed)?;
-        let touch = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let Heights { values: heights, pixel } = &heights(rough, grid, seed)?;
+        let (touch, pixel) = (heights.iter().copied().fold(f64::INFINITY, f64::min), *pixel);
         let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
         let at = |force: f64, start: Start<'_>| {
             let (modulus, control) = (rough.plan.pair.normal, Prescribed::Force(force));
-            let problem = PressedMap { heights: heights.view(), pixel, modulus, boundary: Boundary::Free, control };
+            let problem = PressedMap { heights: heights.view(), pixel, modulus, boundary: rough.boundary, control };
             solve(&problem, start, &settings)
         };
         let here = at(rough.force, Start::Coarser)?;
@@ -208,27 +210,14 @@ mod surface {
         Ok(Computed { found, bytes, iterations, ..Computed::default() })
     }
 
-    /// Heights of the indenter [m], away from the half-space, and the pixel [m].
-    fn heights(rough: &Rough, grid: usize, seed: u64) -> Attempt<(Array2<f64>, [f64; 2])> {
-        let spectrum = match &rough.plan.surface.source {
-            Source::Spectrum(spectrum) => spectrum,
-            Source::Map(map) => {
-                let stride = map.heights().nrows().div_ceil(grid);
-                let every = map.heights().slice(ndarray::s![..;stride, ..;stride]);
-                let pixel = [map.pixel().0 * stride as f64, map.pixel().1 * stride as f64];
-                // Peaks of the map reach towards the other body.
-                return Ok((every.mapv(|height| -height), pixel));
+    /// Heights of the indenter, away from the half-space.
+    fn heights(rough: &Rough, grid: usize, seed: u64) -> Attempt<Heights> {
+        Ok(match &rough.plan.surface.source {
+            Source::Spectrum(spectrum) => {
+                let base = rough.plan.base.as_deref();
+                Heights::of_spectrum(spectrum, base, (rough.plan.surface.length(), grid), seed)?
             }
-        };
-        let length = rough.plan.surface.length();
-        let mut heights = rough_surface(spectrum, length, grid, seed)?;
-        let pixel = length / grid as f64;
-        let place = |index: usize| (index as f64 + 0.5) * pixel - 0.5 * length;
-        if let Some(base) = &rough.plan.base {
-            for ((row, column), height) in heights.indexed_iter_mut() {
-                *height += smooth(base.as_ref(), place(row).hypot(place(column)));
-            }
-        }
-        Ok((heights, [pixel; 2]))
+            Source::Map(map) => Heights::of_map(map, map.heights().nrows().div_ceil(grid)),
+        })
     }
 }

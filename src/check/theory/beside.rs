@@ -19,7 +19,7 @@ const HARDNESS: f64 = 2.8;
 pub fn in_words(plan: &Plan, state: &Normal) -> Vec<String> {
     match plan {
         Plan::Round(round) => ground::in_words(round, state),
-        Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => {
+        Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::HalfSpace(_) => {
             of_roughness(plan, state.force, state.stiffness)
         }
     }

@@ -63,6 +63,7 @@ pub fn run(plan: &ImpactPlan, wanted: Wanted) -> Result<Solved, SimulationError>
         .map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
     let named = results::named(plan, (&rows, &records), deepest_radius, shown.field.as_ref());
     let outcome = Outcome {
+        map: None,
         results: named.into_iter().chain(plastic::results(plan, &shown.row)).collect(),
         records,
         fields: shown.field.into_iter().collect(),
@@ -108,6 +109,7 @@ fn failed(source: ImpactError) -> SimulationError {
 
 fn records(plan: &ImpactPlan, moments: &[ImpactState]) -> Vec<Record> {
     let record = |moment: &ImpactState| Record {
+        pixels: None,
         entry: 0,
         time: moment.time,
         normal: Normal {

@@ -59,6 +59,7 @@ pub fn run(plan: &RoughImpactPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outcom
     results.extend(ensemble.as_ref().map(|_| Named::count("members", count)));
     let parts = plan.parts();
     Ok(Outcome {
+        map: None,
         results,
         records,
         fields: Vec::new(),
@@ -91,8 +92,15 @@ fn member(plan: &RoughImpactPlan, seed: u64) -> Result<Member, SimulationError> 
         member.rows.push(ImpactRow { speed, rebound: one.rebound, peak_pressure: None, oblique: None });
         member.bytes = member.bytes.max(one.bytes);
         if speed >= fastest {
-            let record =
-                |(time, normal)| Record { entry: 0, time, normal, tangential: None, gliding: None, worn: None };
+            let record = |(time, normal)| Record {
+                entry: 0,
+                time,
+                normal,
+                tangential: None,
+                gliding: None,
+                worn: None,
+                pixels: None,
+            };
             member.records = one.moments.into_iter().map(record).collect();
             member.pull_off_force = one.pull_off_force;
         }

@@ -88,6 +88,7 @@ fn worn(plan: &RoundPlan, law: WearLaw, begin: Beginning, wanted: Wanted) -> Res
     results.extend(results::of_friction(plan, &records));
     results.extend(of_wear(&records));
     let outcome = Outcome {
+        map: None,
         results,
         error_estimate,
         plan: parts,

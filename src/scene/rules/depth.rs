@@ -4,7 +4,7 @@ use super::draft::Draft;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;
-use crate::scene::reach::Bound;
+use crate::scene::reach::{Beyond, Bound};
 use crate::scene::stage::{Path, Stage};
 
 /// Depths and forces beyond what the profile allows.
@@ -13,10 +13,14 @@ pub(super) fn too_deep(draft: &Draft<'_>) -> Vec<Problem> {
     // With adhesion or relaxation the force does not follow from the depth alone.
     let plain = draft.adheres() == Some(false) && bodies.relaxation.is_none();
     let modulus = plain.then_some(bodies.pair.normal);
+    // Contact in several pieces is known on pixels, and nobody knows what a solver should be that is mended.
+    let by_pixels = draft.chooses_solver() != Some(false);
+    let bounds: Vec<Bound> =
+        draft.bounds().iter().filter(|bound| !by_pixels || bound.beyond == Beyond::End).copied().collect();
     let (mut found, mut depth) = (Vec::new(), Some(0.0));
     for entry in draft.entries() {
         let target = entry.and_then(|entry| target(entry, depth));
-        found.extend(target.and_then(|target| target.beyond(draft.bounds(), modulus)));
+        found.extend(target.and_then(|target| target.beyond(&bounds, modulus)));
         depth = entry.and_then(|entry| depth_after(entry, depth));
     }
     found

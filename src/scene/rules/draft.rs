@@ -9,6 +9,7 @@ use crate::material::{Body, Joined, Relaxation};
 use crate::scene::history::EntryTraits;
 use crate::scene::mended::{Look, Mended};
 use crate::scene::reach::Bound;
+use crate::scene::solver::{HalfSpace, SolverChoice};
 use crate::scene::{Plot, Scene};
 use crate::shape::{Profile, Shape};
 use crate::wear::Wear;
@@ -82,6 +83,11 @@ impl<'s> Draft<'s> {
     /// The shape; for what is in it see its profile.
     pub(super) fn shape(&self) -> Option<&'s Shape> {
         self.seen("shape", Look::Kind, |scene| &scene.shape)
+    }
+
+    /// The shape with all that is in it.
+    pub(super) fn whole_shape(&self) -> Option<&'s Shape> {
+        self.seen("shape", Look::Whole, |scene| &scene.shape)
     }
 
     /// The profile over a radius; `None` where the shape has none or its table cannot be read.
@@ -175,6 +181,17 @@ impl<'s> Draft<'s> {
     /// The number of springs, if there is one.
     pub(in crate::scene) fn springs(&self) -> Option<NonZeroUsize> {
         self.seen("springs", Look::Whole, |scene| scene.springs)?
+    }
+
+    /// Whether the scene asks for a solver.
+    pub(super) fn chooses_solver(&self) -> Option<bool> {
+        self.seen("solver", Look::Kind, |scene| scene.solver.is_some())
+    }
+
+    /// The half-space solver, if the scene asks for it.
+    pub(super) fn half_space(&self, look: Look) -> Option<&'s HalfSpace> {
+        let SolverChoice::HalfSpace(asked) = self.seen("solver", look, |scene| scene.solver.as_ref())??;
+        Some(asked)
     }
 
     /// Whether the scene says how many records an entry has.

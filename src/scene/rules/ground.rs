@@ -39,7 +39,7 @@ pub(super) fn under_shape(draft: &Draft<'_>) -> Option<Problem> {
         (_, Shape::Ellipsoid(_)) => "its contact is an ellipse",
         (Family::Round, shape) if shape.is_plane() => "of layers the bed under a round contact is known",
         (Family::Round, _) => return None,
-        (Family::Line(_) | Family::Map(..) | Family::Wavy(_), _) => {
+        (Family::Line(_) | Family::Map(..) | Family::Tips(_) | Family::Wavy(_), _) => {
             "of layers the bed under a single round contact is known"
         }
     };

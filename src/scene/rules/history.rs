@@ -41,7 +41,7 @@ pub(super) fn depth_of_wavy(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Optio
         Family::Wavy(_) if entry.by_depth() => {
             refused(entry, format!("cannot be computed on {}: expected Press(…) or HoldForce(…)", shape.name()))
         }
-        Family::Round | Family::Line(_) | Family::Map(..) | Family::Wavy(_) => None,
+        Family::Round | Family::Line(_) | Family::Map(..) | Family::Tips(_) | Family::Wavy(_) => None,
     }
 }
 

@@ -15,16 +15,18 @@ mod glide;
 mod ground;
 mod history;
 mod parts;
+mod pixels;
 mod plastic;
 mod plots;
 mod wear;
 
 pub use draft::Draft;
 pub(super) use draft::{Parts, Written};
+pub(super) use pixels::tips_without_pixels;
 
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;
-use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Springs, Wear};
+use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Solver, Springs, Wear};
 
 /// What is wrong with a draft, in the order of the table.
 #[must_use]
@@ -49,6 +51,8 @@ pub enum Part {
     History,
     /// A number of springs.
     Springs,
+    /// A solver of one's own choice.
+    Solver,
     /// The figures.
     Plots,
 }
@@ -95,8 +99,18 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 56] = [
+pub const RULES: [Rule; 66] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
+    Rule::once(Solver, Solver, pixels::built),
+    Rule::once(Solver, Solver, pixels::grid),
+    Rule::once(Solver, Bodies, pixels::bodies),
+    Rule::once(Solver, Adhesion, pixels::adhesion),
+    Rule::once(Solver, Friction, pixels::friction),
+    Rule::once(Solver, Springs, pixels::springs),
+    Rule::once(Solver, Shape, pixels::shape),
+    Rule::once(Solver, Shape, pixels::window),
+    Rule::once(Solver, Shape, pixels::tips),
+    Rule::entry(Solver, pixels::moves),
     Rule::once(Bodies, Bodies, ground::beside),
     Rule::once(Bodies, Shape, ground::under_shape),
     Rule::once(Bodies, Friction, ground::friction),

@@ -216,7 +216,7 @@ pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
 /// A shape that is rough or plane, in words.
 pub(super) fn not_round(shape: &Shape) -> Option<String> {
     match shape.family() {
-        Family::Round => None,
+        Family::Round | Family::Tips(_) => None,
         Family::Line(_) | Family::Map(..) => Some(format!("the rough shape {}", shape.name())),
         Family::Wavy(_) => Some(shape.name().to_owned()),
     }
@@ -244,7 +244,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 ),
             );
         }
-        (Family::Round | Family::Wavy(_), _) => "",
+        (Family::Round | Family::Tips(_) | Family::Wavy(_), _) => "",
     };
     cannot_be_on(draft, "adhesion", &format!("{}{of}", adhesion.name))
 }
@@ -262,7 +262,7 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 not_round(shape).unwrap_or_default()
             ),
         ),
-        (Family::Round | Family::Wavy(_), _) => cannot_be_on(draft, "friction", friction.name()),
+        (Family::Round | Family::Tips(_) | Family::Wavy(_), _) => cannot_be_on(draft, "friction", friction.name()),
     }
 }
 

@@ -7,6 +7,7 @@ use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::Plot;
 use crate::scene::mended::Look;
+use crate::shape::Shape;
 
 /// Figures of what the scene lacks.
 pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
@@ -20,6 +21,9 @@ pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
 /// What the scene lacks for a figure.
 fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     let shape = draft.shape()?;
+    if draft.chooses_solver()? {
+        return lacks_on_pixels(plot, shape);
+    }
     let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
     let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
     let of_ground = (plot == Plot::Stress && draft.bodies(Look::Kind).is_some_and(|(one, two)| one.is_uneven() || two.is_uneven()))
@@ -64,6 +68,7 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             !draft.adheres()? && slides_as_a_whole(draft)?,
             "expected CoulombOrowan or Pressure friction, and no adhesion",
         ),
+        Plot::Contact | Plot::Distribution => (false, "expected solver: HalfSpace(…)"),
         Plot::Area => (draft.adheres()? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
         Plot::Resistance => (draft.glides()?, "expected Glide or Roll in the history"),
         Plot::Restitution => (draft.speeds()? > 1, "expected an Impact with a list of at least two speeds"),
@@ -89,8 +94,34 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
         Plot::Shape => {
             Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")
         }
+        Plot::Contact | Plot::Distribution => {
+            Some("a series of the half-plane knows no maps: expected Force, Radius, Pressure or Energy")
+        }
         Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Wear | Plot::Coefficient => {
             Some("a series of the half-plane knows no friction: expected Force, Radius, Pressure or Energy")
+        }
+    }
+}
+
+/// What a contact on pixels lacks.
+fn lacks_on_pixels(plot: Plot, shape: &Shape) -> Option<&'static str> {
+    match plot {
+        Plot::Force | Plot::Energy | Plot::Area | Plot::Contact | Plot::Distribution => None,
+        Plot::Radius if !shape.is_rough() => None,
+        Plot::Radius
+        | Plot::Pressure
+        | Plot::Stress
+        | Plot::Shape
+        | Plot::Moduli
+        | Plot::Friction
+        | Plot::Stick
+        | Plot::Shear
+        | Plot::Fretting
+        | Plot::Wear
+        | Plot::Coefficient
+        | Plot::Resistance
+        | Plot::Restitution => {
+            Some("a contact on pixels is drawn as a map: expected Force, Energy, Area, Contact or Distribution")
         }
     }
 }

@@ -71,6 +71,7 @@ pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
         (Family::Round, shape) if shape.is_plane() => "wear is followed in rings around an axis",
         (Family::Round, _) => return None,
         (Family::Line(_) | Family::Map(..), _) => "a line that stands for a surface does not know the real pressure",
+        (Family::Tips(_), _) => "the wear of tips side by side is not that of rings around an axis",
         (Family::Wavy(_), _) => "a series of the half-plane knows no wear",
     };
     let shape = not_round(shape).unwrap_or_else(|| format!("a {}", shape.name()));

@@ -28,6 +28,7 @@ mod self_affine;
 mod source;
 mod spectrum;
 mod surface;
+mod treatment;
 
 pub use ensemble::{Scatter, ensemble};
 pub use error::RoughError;
@@ -40,3 +41,4 @@ pub use self_affine::SelfAffine;
 pub use source::{SourceError, SpectrumSource};
 pub use spectrum::RoughnessSpectrum;
 pub use surface::rough_surface;
+pub use treatment::{filled, levelled, without_outliers};

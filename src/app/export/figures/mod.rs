@@ -8,6 +8,7 @@ mod friction;
 mod gliding;
 mod impacts;
 mod overlay;
+mod pixels;
 mod rough;
 mod shape;
 mod stress;
@@ -63,6 +64,7 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
         Plan::Rough(rough) => rough::suiting(rough),
         Plan::RoughImpact(impact) if impact.impact.speed.len() > 1 => vec![Plot::Restitution],
         Plan::RoughImpact(_) => vec![Plot::Force, Plot::Shape],
+        Plan::HalfSpace(plan) => pixels::suiting(plan, outcome),
     }
 }
 
@@ -101,6 +103,9 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
         Plot::Wear => wear::panels(outcome),
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
+        Plot::Area if matches!(plan, Plan::HalfSpace(_)) => vec![pixels::area(outcome)],
+        Plot::Contact => pixels::contact(outcome).into_iter().collect(),
+        Plot::Distribution => pixels::distribution(outcome),
         Plot::Area => friction::area(plan, outcome).into_iter().collect(),
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
         Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
@@ -116,7 +121,7 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
         }
         Plan::Rough(rough) => Some(rough::line(rough)),
         Plan::RoughImpact(impact) => Some(rough::line(&impact.rough)),
-        Plan::Plane(_) => None,
+        Plan::Plane(_) | Plan::HalfSpace(_) => None,
     }
 }
 
@@ -124,7 +129,9 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
 fn oblique(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let angle = match plan {
         Plan::Impact(plan) => plan.impact.incidence(),
-        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => return Vec::new(),
+        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::HalfSpace(_) => {
+            return Vec::new();
+        }
     };
     let tables = outcome.table("incidence").zip(outcome.table("impacts"));
     tables.and_then(|(table, impacts)| impacts::incidence(angle, table, impacts)).unwrap_or_default()
@@ -144,7 +151,7 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = [INDENTATION, FORCE].map(|column| against_time(records, &column));
             over_time.into_iter().chain([rough::against_depth(outcome)]).collect()
         }
-        Plan::Plane(_) => vec![against_depth(force_of(plan))],
+        Plan::Plane(_) | Plan::HalfSpace(_) => vec![against_depth(force_of(plan))],
         Plan::Impact(_) => {
             let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);
             over_time.into_iter().chain([against_depth(force_of(plan))]).collect()

@@ -1,0 +1,170 @@
+//! A contact on pixels: its area over the force, the map of its pressure, how often pressures and gaps occur.
+
+use super::curve::{axis_of, of_records};
+use crate::app::export::with_prefix;
+use crate::app::figure::{Axis, Cells, Hue, Line, Panel, Points, Series};
+use crate::run::record::{AREA, ContactMap, FORCE, Outcome};
+use crate::run::table::Table;
+use crate::scene::Plot;
+use crate::scene::plan::HalfSpacePlan;
+use ndarray::{Array2, s};
+
+/// Most cells along a side of the map.
+const SHOWN: usize = 128;
+
+/// What suits a contact on pixels.
+pub fn suiting(plan: &HalfSpacePlan, outcome: &Outcome) -> Vec<Plot> {
+    let map = outcome.map.as_ref().map(|_| Plot::Contact);
+    let rough = plan.surface().map(|_| Plot::Distribution);
+    [Plot::Force, Plot::Area].into_iter().chain(map).chain(rough).collect()
+}
+
+/// Area of contact over the force.
+pub fn area(outcome: &Outcome) -> Panel {
+    let series = Series::new("", of_records(&outcome.records, &FORCE, &AREA));
+    Panel::new(axis_of(&FORCE).from(0.0), axis_of(&AREA).from(0.0)).with(series)
+}
+
+/// The pressure where the bodies touch, with the outline of the contact.
+pub fn contact(outcome: &Outcome) -> Option<Panel> {
+    let map = outcome.map.as_ref()?;
+    let shown = Shown::of(map);
+    let (rows, columns) = shown.pressure.dim();
+    let place = |index: usize, count: usize, side: f64| (index as f64 + 0.5 - 0.5 * count as f64) * side;
+    let cells = Cells {
+        x: (0..columns).map(|column| place(column, columns, shown.side[0])).collect(),
+        y: (0..rows).map(|row| place(row, rows, shown.side[1])).collect(),
+        values: (0..columns)
+            .flat_map(|column| (0..rows).map(move |row| (row, column)))
+            .map(|at| shown.value(at))
+            .collect(),
+        of: Axis::linear("pressure p", "Pa").from(0.0),
+    };
+    let panel = Panel::new(Axis::linear("x", "m"), Axis::linear("y", "m"))
+        .titled(format!("contact under {}", with_prefix(map.force, "N")))
+        .ratio(columns as f64 * shown.side[0] / (rows as f64 * shown.side[1]))
+        .cells(cells)
+        .with(Series::new("", shown.outline()).colour(Hue::Black).line(Line::Solid));
+    let coarser = (shown.block > 1).then(|| format!("A cell is {0} × {0} pixels.", shown.block));
+    Some(coarser.into_iter().fold(panel, Panel::note))
+}
+
+/// A map of few enough cells to be drawn.
+struct Shown {
+    /// Mean pressure [Pa]; zero where less than half of a cell touches.
+    pressure: Array2<f64>,
+    /// Width and height of a cell [m].
+    side: [f64; 2],
+    /// Pixels along a cell.
+    block: usize,
+}
+
+impl Shown {
+    fn of(map: &ContactMap) -> Self {
+        let (rows, columns) = map.pressure.dim();
+        let block = rows.max(columns).div_ceil(SHOWN);
+        let cell = |(row, column): (usize, usize)| {
+            let (top, left) = (row * block, column * block);
+            let inside = map.pressure.slice(s![top..(top + block).min(rows), left..(left + block).min(columns)]);
+            let touching = inside.iter().filter(|&&pressure| pressure > 0.0).count();
+            if 2 * touching >= inside.len() { inside.sum() / inside.len() as f64 } else { 0.0 }
+        };
+        let pressure = Array2::from_shape_fn((rows.div_ceil(block), columns.div_ceil(block)), cell);
+        Self { pressure, side: map.pixel.map(|side| side * block as f64), block }
+    }
+
+    fn value(&self, at: (usize, usize)) -> Option<f64> {
+        Some(self.pressure[at]).filter(|&pressure| pressure > 0.0)
+    }
+
+    /// Whether a cell touches; beyond the border nothing does.
+    fn touches(&self, row: Option<usize>, column: Option<usize>) -> bool {
+        row.zip(column).and_then(|at| self.pressure.get(at)).is_some_and(|&pressure| pressure > 0.0)
+    }
+
+    /// Sides between cells that touch and cells that do not, neighbours in a line as one.
+    fn outline(&self) -> Points {
+        let (rows, columns) = self.pressure.dim();
+        let mut points = Points::new();
+        let x = |column: usize| (column as f64 - 0.5 * columns as f64) * self.side[0];
+        let y = |row: usize| (row as f64 - 0.5 * rows as f64) * self.side[1];
+        for row in 0..=rows {
+            let edge =
+                |column: usize| self.touches(row.checked_sub(1), Some(column)) != self.touches(Some(row), Some(column));
+            for (from, to) in runs(columns, edge) {
+                points.extend([Some((x(from), y(row))), Some((x(to), y(row))), None]);
+            }
+        }
+        for column in 0..=columns {
+            let edge =
+                |row: usize| self.touches(Some(row), column.checked_sub(1)) != self.touches(Some(row), Some(column));
+            for (from, to) in runs(rows, edge) {
+                points.extend([Some((x(column), y(from))), Some((x(column), y(to))), None]);
+            }
+        }
+        points
+    }
+}
+
+/// Runs of neighbours that are chosen: the first and the one behind the last.
+fn runs(count: usize, chosen: impl Fn(usize) -> bool) -> Vec<(usize, usize)> {
+    let mut runs: Vec<(usize, usize)> = Vec::new();
+    for index in (0..count).filter(|&index| chosen(index)) {
+        match runs.last_mut() {
+            Some(run) if run.1 == index => run.1 += 1,
+            Some(_) | None => runs.push((index, index + 1)),
+        }
+    }
+    runs
+}
+
+/// Densities of the pressure and of the gap, a curve for each force.
+pub fn distribution(outcome: &Outcome) -> Vec<Panel> {
+    let Some(table) = outcome.table("distribution") else { return Vec::new() };
+    let kinds = [("pressure", "pressure_density"), ("gap", "gap_density")];
+    kinds.into_iter().filter_map(|(of, density)| densities(table, of, density)).collect()
+}
+
+fn densities(table: &Table, of: &str, density: &str) -> Option<Panel> {
+    let (x, y) = (table.column(of)?, table.column(density)?);
+    let forces = table.column("force")?.numbers();
+    let axes = [x, y].map(|column| Axis::linear(column.label, column.unit.symbol).from(0.0));
+    let [across, up] = axes;
+    let mut panel = Panel::new(across, up);
+    let rows: Vec<usize> = (0..table.rows()).collect();
+    for rows in rows.chunk_by(|&one, &next| forces[one] == forces[next]) {
+        let points = rows.iter().map(|&row| x.numbers()[row].zip(y.numbers()[row]));
+        let label = rows.first().and_then(|&row| forces[row]).map_or_else(String::new, |force| with_prefix(force, "N"));
+        panel = panel.with(Series::new(label, points));
+    }
+    Some(panel)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shape::Boundary;
+
+    fn map(side: usize, touching: impl Fn(usize, usize) -> bool) -> ContactMap {
+        let at = |(row, column): (usize, usize)| if touching(row, column) { 2.0 } else { 0.0 };
+        let pressure = Array2::from_shape_fn((side, side), at);
+        ContactMap { gap: pressure.clone(), pressure, pixel: [1.0; 2], boundary: Boundary::Free, force: 1.0 }
+    }
+
+    /// Two pixels beside each other have six sides in four lines, one of them at the border.
+    #[test]
+    fn the_outline_goes_round_the_contact() {
+        let shown = Shown::of(&map(4, |row, column| row == 0 && column < 2));
+        let points = shown.outline();
+        assert_eq!(points.iter().filter(|point| point.is_none()).count(), 4);
+        assert!(points.contains(&Some((-2.0, -2.0))) && points.contains(&Some((0.0, -1.0))));
+    }
+
+    #[test]
+    fn a_large_map_is_drawn_in_cells() {
+        let shown = Shown::of(&map(2 * SHOWN, |row, _| row < 3));
+        assert_eq!((shown.block, shown.pressure.dim()), (2, (SHOWN, SHOWN)));
+        // Half of the second row of cells touches.
+        assert_eq!((shown.value((0, 5)), shown.value((1, 5)), shown.value((2, 5))), (Some(2.0), Some(1.0), None));
+    }
+}

@@ -1,0 +1,108 @@
+//! Scenes on the pixels of a half-space.
+
+mod distribution;
+mod error;
+mod heights;
+mod series;
+mod state;
+mod told;
+mod window;
+
+pub use heights::{Heights, ellipsoid, material};
+pub use state::radius_of;
+
+use super::record::{ContactMap, Outcome, PixelContact};
+use super::{SimulationError, Wanted};
+use crate::contact::state::Normal;
+use crate::halfspace::{HalfSpaceError, Prescribed, Settings, Start};
+use crate::scene::parts::Parts;
+use crate::scene::plan::HalfSpacePlan;
+use series::{Depth, Series};
+use state::{Pressing, State};
+
+/// Part of the accuracy asked for that the solver may miss.
+const SHARE: f64 = 0.01;
+
+fn settings(plan: &HalfSpacePlan) -> Settings {
+    Settings { tolerance: (SHARE * plan.accuracy()).clamp(1e-12, 1e-4), ..Settings::default() }
+}
+
+/// Leads a contact on pixels through its history; `done` is told the share behind.
+///
+/// # Errors
+/// The grid does not carry the roughness, or is too large; a depth beyond full contact.
+pub(super) fn run(
+    plan: &HalfSpacePlan,
+    wanted: Wanted,
+    done: &(dyn Fn(f64) + Sync),
+) -> Result<Outcome, SimulationError> {
+    let heights = heights(plan)?;
+    let (touch, modulus) = (heights.touch_of(&plan.indenter), plan.pair.normal);
+    let pressing = Pressing { heights: &heights, touch, modulus, boundary: plan.boundary, settings: settings(plan) };
+    let mut series = Series::new(plan, pressing, Depth::Whole);
+    let records = series.follow(done)?;
+    let map = series.largest.as_ref().filter(|_| wanted.fields).map(|(_, solution)| ContactMap {
+        pressure: solution.pressure.clone(),
+        gap: pressing.gap(solution),
+        pixel: heights.pixel,
+        boundary: plan.boundary,
+        force: solution.force(),
+    });
+    Ok(Outcome {
+        results: told::results(plan, &records, &series),
+        fields: Vec::new(),
+        tables: distribution::table(&series.distributions).into_iter().collect(),
+        error_estimate: error::estimate(&pressing, &series),
+        warnings: told::warnings(plan, &heights, &series),
+        plan: parts(plan, &heights, &series),
+        records,
+        map,
+    })
+}
+
+/// One state of a contact on pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solved {
+    /// The normal contact.
+    pub normal: Normal,
+    /// The real contact.
+    pub pixels: PixelContact,
+    /// Upper bound of the bytes used.
+    pub bytes: u64,
+    /// Iterations of the solver.
+    pub iterations: usize,
+}
+
+/// The state under a force [N].
+///
+/// # Errors
+/// As for a run.
+pub fn under(plan: &HalfSpacePlan, force: f64) -> Result<Solved, SimulationError> {
+    let heights = heights(plan)?;
+    let (touch, modulus) = (heights.touch_of(&plan.indenter), plan.pair.normal);
+    let pressing = Pressing { heights: &heights, touch, modulus, boundary: plan.boundary, settings: settings(plan) };
+    let refused = |error: HalfSpaceError| SimulationError::Refused(error.to_string());
+    let solution = pressing.solve(Prescribed::Force(force), Start::Coarser).map_err(refused)?;
+    let State { normal, pixels, .. } = pressing.told(&solution, pressing.stiffness(&solution).map_err(refused)?);
+    Ok(Solved { normal, pixels, bytes: solution.bytes, iterations: solution.iterations })
+}
+
+/// The heights of a plan: those of its surface, or of its tip in a window wide enough.
+fn heights(plan: &HalfSpacePlan) -> Result<Heights, SimulationError> {
+    let refused = |error: crate::shape::rough::RoughError| SimulationError::Refused(format!("solver.grid: {error}"));
+    if let Some(surface) = heights::of_surface(plan).map_err(refused)? {
+        return Ok(surface);
+    }
+    let window = window::of_history(plan)?;
+    heights::of_tip(&plan.indenter, plan.size, window)
+        .ok_or_else(|| SimulationError::Refused("shape: has no heights".to_owned()))
+}
+
+/// The plan in words, with the window found.
+fn parts(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Parts {
+    let [x, y] = heights.sides();
+    let parts = plan.parts();
+    let bytes = series.largest.as_ref().map(|(_, solution)| solution.bytes);
+    let state_bytes = bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(parts.state_bytes);
+    Parts { reason: format!("{}; the window is {x:.4e} m × {y:.4e} m", parts.reason), state_bytes, ..parts }
+}

@@ -1,0 +1,130 @@
+//! Named results of a contact on pixels, and what a user must know of it.
+
+use super::heights::Heights;
+use super::series::Series;
+use super::state::State;
+use crate::run::named::Named;
+use crate::run::record::Record;
+use crate::run::rough::of_surface;
+use crate::run::unit::Unit;
+use crate::scene::plan::HalfSpacePlan;
+use crate::scene::surface::Source;
+use crate::shape::Boundary;
+
+/// Fewest pixels of a patch that show its area to some ten per cent.
+const FEW: f64 = 12.0;
+/// Fewest pixels on the shortest wave of a spectrum that show its summits.
+const PER_WAVE: f64 = 4.0;
+
+/// The named results: those of the largest force, and of the end.
+pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) -> Vec<Named> {
+    let mut results = loads(records);
+    results.extend(at_largest(plan, records));
+    results
+        .extend(series.largest.iter().map(|(_, solution)| Named::count("contact_pixels", solution.contact_pixels())));
+    if let Some(surface) = plan.surface() {
+        let (squares, peak_to_valley) = of_surface(surface);
+        results.extend(squares.into_iter().chain(peak_to_valley));
+    }
+    results.extend(records.last().iter().flat_map(|last| at_end(last)));
+    results
+}
+
+fn loads(records: &[Record]) -> Vec<Named> {
+    let most = |of: fn(&Record) -> Option<f64>| {
+        records.iter().filter_map(of).filter(|number| number.is_finite()).reduce(f64::max)
+    };
+    known(&[
+        ("largest_force", Unit::NEWTON, most(|record| Some(record.normal.force))),
+        ("largest_indentation", Unit::METRE, most(|record| record.normal.indentation)),
+        ("largest_contact_radius", Unit::METRE, most(|record| record.normal.contact_radius)),
+        ("largest_stiffness", Unit::NEWTON_PER_METRE, most(|record| Some(record.normal.stiffness))),
+        ("largest_stored_elastic", Unit::JOULE, most(|record| Some(record.normal.stored.elastic))),
+    ])
+}
+
+/// The contact under the largest force.
+fn at_largest(plan: &HalfSpacePlan, records: &[Record]) -> Vec<Named> {
+    let by_force = |one: &&Record, other: &&Record| one.normal.force.total_cmp(&other.normal.force);
+    let Some(contact) = records.iter().max_by(by_force).and_then(|record| record.pixels) else { return Vec::new() };
+    let rough = plan.surface().is_some();
+    let mut results = known(&[
+        ("peak_pressure", Unit::PASCAL, Some(contact.peak_pressure)),
+        ("area", Unit::SQUARE_METRE, Some(contact.area)),
+        ("area_fraction", Unit::ONE, Some(contact.area_fraction).filter(|_| rough)),
+        ("mean_gap", Unit::METRE, contact.mean_gap),
+    ]);
+    results.push(Named::count("contact_patches", contact.patches));
+    if rough {
+        results.push(Named::answer("contact_percolates", contact.percolates));
+        results.push(Named::answer("gap_percolates", contact.gap_percolates));
+    }
+    results
+}
+
+fn at_end(last: &Record) -> Vec<Named> {
+    known(&[
+        ("work", Unit::JOULE, Some(last.normal.stored.elastic)),
+        ("final_time", Unit::SECOND, Some(last.time)),
+        ("final_indentation", Unit::METRE, last.normal.indentation),
+        ("final_force", Unit::NEWTON, Some(last.normal.force)),
+    ])
+}
+
+fn known(found: &[(&'static str, Unit, Option<f64>)]) -> Vec<Named> {
+    let named = |&(quantity, unit, number): &(_, _, Option<f64>)| Some(Named::number(quantity, unit, number?));
+    found.iter().filter_map(named).collect()
+}
+
+/// What leaves the meaning of the answer.
+pub(super) fn warnings(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Vec<String> {
+    let states = || series.states.iter();
+    let most = states().max_by(|one, other| one.normal.force.total_cmp(&other.normal.force));
+    let found =
+        [full(states()), narrow(plan, states()), border(plan), most.and_then(|most| coarse(plan, heights, most))];
+    found.into_iter().flatten().collect()
+}
+
+/// Under more than this force nothing is left to close.
+fn full<'s>(states: impl Iterator<Item = &'s State>) -> Option<String> {
+    let forces = states.filter(|state| state.full).map(|state| state.normal.force);
+    let least = forces.reduce(f64::min)?;
+    Some(format!(
+        "full contact is reached under {least:.4e} N or less: the whole area touches, no gap is left, and a greater force only adds to the mean pressure"
+    ))
+}
+
+/// A tip whose contact meets the border of its window.
+fn narrow<'s>(plan: &HalfSpacePlan, mut states: impl Iterator<Item = &'s State>) -> Option<String> {
+    let meets = plan.surface().is_none() && states.any(|state| state.meets_border && state.count > 0);
+    let what = match plan.boundary {
+        Boundary::Free => "beyond it the shape is cut off and presses with an edge it does not have",
+        Boundary::Periodic => "it runs into that of the neighbouring tip",
+    };
+    meets.then(|| format!("the contact meets the border of the window: {what}; expected a larger solver.window"))
+}
+
+/// A surface that is cut out of a larger one.
+fn border(plan: &HalfSpacePlan) -> Option<String> {
+    let rough = plan.surface()?;
+    let (Boundary::Free, None, Source::Map(_)) = (plan.boundary, plan.profile(), &rough.source) else { return None };
+    Some("the map ends at its border, where its pressures rise as at the edge of a punch; boundary: Periodic lets it go on instead, with a step where its opposite sides do not meet".to_owned())
+}
+
+/// Patches, or waves, of few pixels.
+fn coarse(plan: &HalfSpacePlan, heights: &Heights, most: &State) -> Option<String> {
+    if most.count == 0 {
+        return None;
+    }
+    let each = most.count as f64 / most.pixels.patches.max(1) as f64;
+    if each < FEW {
+        return Some(format!(
+            "a patch of contact has {each:.1} pixels on average: its area and peak pressure are not resolved, expected a finer solver.grid"
+        ));
+    }
+    let Source::Spectrum(spectrum) = &plan.surface()?.source else { return None };
+    let waves = std::f64::consts::TAU / spectrum.cut_offs().1 / heights.pixel[0];
+    (waves < PER_WAVE * (1.0 - 1e-9)).then(|| {
+        format!("the shortest wave has {waves:.1} pixels: summits are blunted, expected four and more (solver.grid)")
+    })
+}

@@ -1,0 +1,152 @@
+//! The half-space solver against the other parts: it presses shapes on pixels, elastic and without friction.
+
+use super::draft::Draft;
+use crate::input::problem::Problem;
+use crate::material::Body;
+use crate::scene::history::EntryTraits;
+use crate::scene::mended::Look;
+use crate::scene::solver::HalfSpace;
+use crate::shape::{Boundary, Family, Shape};
+
+/// Fewest and most pixels along x.
+const GRID: (usize, usize) = (8, 8192);
+
+fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
+    Some(Problem::new(path, what))
+}
+
+pub(super) fn built(draft: &Draft<'_>) -> Option<Problem> {
+    draft.half_space(Look::Kind)?;
+    let what = "HalfSpace cannot be computed, for this program was built without it: expected the feature `half-space`, or no solver";
+    (!cfg!(feature = "half-space")).then(|| Problem::new("solver", what))
+}
+
+pub(super) fn grid(draft: &Draft<'_>) -> Option<Problem> {
+    let grid = draft.half_space(Look::Whole)?.grid?.get();
+    let (fewest, most) = GRID;
+    if grid < fewest {
+        return refused("solver.grid", format!("{grid} pixels do not show a contact: expected at least {fewest}"));
+    }
+    let what = format!("{grid} × {grid} pixels do not fit into memory: expected at most {most}");
+    (grid > most).then(|| Problem::new("solver.grid", what))
+}
+
+/// Of the bodies a half-space knows one modulus E*.
+pub(super) fn bodies(draft: &Draft<'_>) -> Option<Problem> {
+    draft.half_space(Look::Kind)?;
+    let (one, two) = draft.bodies(Look::Kind)?;
+    let strange = |body: &&Body| body.relaxes() || body.is_uneven() || body.yields_at().is_some();
+    let body = [one, two].into_iter().find(strange)?;
+    let why = if body.relaxes() {
+        "a pressure on pixels has no memory"
+    } else if body.is_uneven() {
+        "its pixels press on a half-space that is alike at all depths"
+    } else {
+        "its pixels do not yield"
+    };
+    let what = format!(
+        "{} under the solver HalfSpace cannot be computed, for {why}: expected Elastic(…) or Rigid, or no solver",
+        body.name()
+    );
+    refused("bodies", what)
+}
+
+pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
+    draft.half_space(Look::Kind)?;
+    let name = draft.adhesion(Look::Kind)?.traits().name;
+    let what = format!(
+        "{name} with the solver HalfSpace cannot be computed, for its pixels press and do not pull: expected no adhesion, or no solver"
+    );
+    refused("adhesion", what)
+}
+
+pub(super) fn friction(draft: &Draft<'_>) -> Option<Problem> {
+    draft.half_space(Look::Kind)?;
+    let name = draft.friction(Look::Kind)?.name();
+    let what = format!(
+        "{name} with the solver HalfSpace cannot be computed, for its pixels carry no shear: expected no friction, or no solver"
+    );
+    refused("friction", what)
+}
+
+pub(super) fn springs(draft: &Draft<'_>) -> Option<Problem> {
+    draft.half_space(Look::Kind)?;
+    draft.springs()?;
+    refused(
+        "springs",
+        "with the solver HalfSpace cannot be computed, for it has pixels and no springs: expected no springs, or no solver",
+    )
+}
+
+pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    draft.half_space(Look::Kind)?;
+    let why = if entry.impact.is_some() {
+        "its states have no motion"
+    } else if entry.glide.is_some() {
+        "its pixels have no memory that a moving body could leave behind"
+    } else if entry.slides() {
+        "its pixels carry no shear"
+    } else {
+        return None;
+    };
+    let what = format!(
+        "{} with the solver HalfSpace cannot be computed, for {why}: expected Indent, Press, Hold, HoldForce, Oscillate, Retract or a Table of depths or forces",
+        entry.name
+    );
+    Some(Problem::new(entry.place(), what))
+}
+
+/// What lies on pixels, and where it ends.
+pub(super) fn shape(draft: &Draft<'_>) -> Option<Problem> {
+    let (asked, shape) = (draft.half_space(Look::Whole)?, draft.shape()?);
+    if shape.is_plane() {
+        let what = format!(
+            "{} with the solver HalfSpace cannot be computed, for it is long across and has a half-plane of its own: expected a round or rough shape, or no solver",
+            shape.name()
+        );
+        return refused("shape", what);
+    }
+    repeated(asked, shape).or_else(|| several(draft.whole_shape()?))
+}
+
+/// A tip repeats at a distance that somebody must say.
+fn repeated(asked: &HalfSpace, shape: &Shape) -> Option<Problem> {
+    let (Some(Boundary::Periodic), None, Family::Round | Family::Tips(_)) =
+        (asked.boundary, asked.window, shape.family())
+    else {
+        return None;
+    };
+    let what = format!(
+        "a {} that repeats does so at some distance: expected window: …, the distance from tip to tip, or boundary: Free",
+        shape.name()
+    );
+    refused("solver.boundary", what)
+}
+
+/// A random surface is computed one at a time.
+fn several(shape: &Shape) -> Option<Problem> {
+    let Family::Line(line) = shape.family() else { return None };
+    let seeds = line.seeds().len();
+    let what = format!(
+        "{seeds} seeds with the solver HalfSpace cannot be computed, for their maps are not one: expected one seed, and a sweep over shape.seed for more"
+    );
+    (seeds != 1).then(|| Problem::new(if line.seeds.is_some() { "shape.seeds" } else { "shape.seed" }, what))
+}
+
+/// What is wrong with tips on a bed.
+pub(in crate::scene) fn tips_without_pixels() -> Problem {
+    let what = "Tips cannot be computed on a bed of springs, for each tip lifts the others off: expected solver: HalfSpace(…) beside it";
+    Problem::new("shape", what)
+}
+
+pub(super) fn tips(draft: &Draft<'_>) -> Option<Problem> {
+    let Family::Tips(_) = draft.shape()?.family() else { return None };
+    (!draft.chooses_solver()?).then(tips_without_pixels)
+}
+
+/// A random surface has its own size.
+pub(super) fn window(draft: &Draft<'_>) -> Option<Problem> {
+    draft.half_space(Look::Whole)?.window?;
+    let Family::Line(_) = draft.shape()?.family() else { return None };
+    refused("solver.window", "of a random surface is its length: expected no window, or another shape.length")
+}

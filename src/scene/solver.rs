@@ -1,0 +1,48 @@
+//! Another solver than the one that suits: the full half-space.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::scene::Scene;
+//! use springbed::scene::solver::{HalfSpace, SolverChoice};
+//!
+//! let scene = Scene::from_ron(r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     history: [Indent(to: 1e-3, over: 1)], solver: HalfSpace(grid: 128))"#)?;
+//! let Some(SolverChoice::HalfSpace(HalfSpace { grid, window: None, boundary: None })) = scene.solver else { panic!() };
+//! assert_eq!(grid.map(|grid| grid.get()), Some(128));
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use crate::input::quantity::Length;
+use crate::shape::Boundary;
+use serde::{Deserialize, Serialize};
+use std::num::NonZeroUsize;
+
+/// The solver a scene asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
+#[serde(rename = "Solver")]
+pub enum SolverChoice {
+    /// The half-space under every pixel of the shape.
+    HalfSpace(HalfSpace),
+}
+
+/// The frictionless elastic contact on the pixels of a half-space.
+///
+/// Force and indentation of a smooth shape are right to about (pixel/contact radius)²/8; areas to the first order in
+/// the pixel, less what counting adds along the edges.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct HalfSpace {
+    /// Pixels along x, 8 to 8192; absent: those of a map, four on the shortest wave of a spectrum (128 to 1024), else
+    /// 256. Time and memory grow with its square.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grid: Option<NonZeroUsize>,
+    /// Side of the square that is computed [m], about the tip of a smooth shape; absent: the whole of a surface, and
+    /// three times the largest contact of a smooth shape. A larger one spends pixels on what does not touch.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub window: Option<Length>,
+    /// What happens at its edge; absent: `Periodic` for a spectrum on a flat, else `Free`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub boundary: Option<Boundary>,
+}
