@@ -71,8 +71,7 @@ pub fn fit<'py>(
     curve: Measurement<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let curve = curve.owned();
-    let fitted =
-        watched(py, move |_| fitted(&source, &options, curve))?.map_err(|wrong| wrong.raised(py))?;
+    let fitted = watched(py, move |_| fitted(&source, &options, curve))?.map_err(|wrong| wrong.raised(py))?;
     let parts = PyDict::new(py);
     parts.set_item("summary", export::fit_json(&fitted).map_err(|error| failed(py, error))?)?;
     parts.set_item("figure", export::fit_figure(&fitted).svg())?;
