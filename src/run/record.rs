@@ -197,7 +197,6 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
     std::iter::once((NORMAL, true))
         .chain(parts)
-        .into_iter()
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()
         .copied()
