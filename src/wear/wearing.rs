@@ -92,8 +92,8 @@ struct Stretch {
     /// Length to try next, and the largest rate of decay.
     next: f64,
     rate: f64,
-    /// Indentation [m] at its end, from which the next one is looked for: looks in between change nothing.
-    depth: f64,
+    /// The bed at its end, from whose depth the next one is looked for: looks in between change nothing.
+    pressed: Pressed,
 }
 
 /// The rates of the totals and of the worn depths.
@@ -214,11 +214,11 @@ impl Wearing {
         }
         let mut rates = self.rates(motion, self.pressed.depth);
         let start = Moment::new(&mut rates, self.state.clone());
-        let depth = rates.pressed.depth;
         let rate = rates.coefficient * rates.bed.stiffness(&rates.of_rings);
+        let pressed = rates.pressed;
         let next = if rate > 0.0 { (0.1 / rate).min(span) } else { span };
         self.stretch =
-            Some(Stretch { motion, span, from: 0.0, step: 0.0, end: start.clone(), start, next, rate, depth });
+            Some(Stretch { motion, span, from: 0.0, step: 0.0, end: start.clone(), start, next, rate, pressed });
     }
 
     fn rates(&self, motion: Motion, depth: f64) -> Rates<'_> {
@@ -244,7 +244,7 @@ impl Wearing {
             if path <= stretch.from + stretch.step {
                 let part = if stretch.step > 0.0 { (path - stretch.from) / stretch.step } else { 1.0 };
                 self.state = between(&stretch.start, &stretch.end, stretch.step, part);
-                self.pressed.depth = stretch.depth;
+                self.pressed.depth = stretch.pressed.depth;
                 self.stretch = Some(stretch);
                 break;
             }
@@ -263,14 +263,14 @@ impl Wearing {
         }
         for _ in 0..MOST_TRIES {
             let step = begin.next.min(longest(begin.rate)).min(left);
-            let mut rates = self.rates(begin.motion, begin.depth);
+            let mut rates = self.rates(begin.motion, begin.pressed.depth);
             let ahead = begin.end.ahead(&mut rates, step, begin.rate);
             if rates.bed.is_too_narrow(&rates.pressed) {
                 self.pressed.depth = rates.pressed.depth;
                 begin = self.on_more_cells(begin)?;
                 continue;
             }
-            let error = self.relative(&ahead.error, &ahead.end.state) / self.tolerance;
+            let error = self.relative(&ahead.error, &ahead.end.state, &rates.pressed) / self.tolerance;
             let factor = 0.8 * error.powf(-1.0 / 3.0);
             begin.next = step * if factor.is_nan() { SHRINKING } else { factor.clamp(SHRINKING, GROWTH) };
             if error <= 1.0 {
@@ -279,9 +279,9 @@ impl Wearing {
                 }
                 // The last step ends where the stretch does.
                 let from = if step >= left { begin.span - step } else { from };
-                let depth = rates.pressed.depth;
+                let pressed = rates.pressed;
                 self.steps += 1;
-                return Ok(Stretch { from, step, start: begin.end, end: ahead.end, depth, ..begin });
+                return Ok(Stretch { from, step, start: begin.end, end: ahead.end, pressed, ..begin });
             }
         }
         Err(BedError::Endless.into())
@@ -289,14 +289,15 @@ impl Wearing {
 
     /// The stretch at the end of its last step, on more cells.
     fn on_more_cells(&mut self, stretch: Stretch) -> Result<Stretch, ContactError> {
-        let Stretch { motion, end, .. } = stretch;
-        self.state = end.state;
+        let motion = stretch.motion;
+        self.state.clone_from(&stretch.end.state);
         self.widen()?;
         self.slips.fill(&self.bed.rings);
-        let mut rates = self.rates(motion, stretch.depth);
+        let mut rates = self.rates(motion, stretch.pressed.depth);
         let end = Moment::new(&mut rates, self.state.clone());
         let rate = rates.coefficient * rates.bed.stiffness(&rates.of_rings);
-        Ok(Stretch { end, rate, ..stretch })
+        let pressed = rates.pressed;
+        Ok(Stretch { end, rate, pressed, ..stretch })
     }
 
     /// Whether the rates stay as they are over the path `left`, as far as it matters: where next to nothing is worn any
@@ -304,9 +305,9 @@ impl Wearing {
     ///
     /// Its forms decay at k_wE*/2b or faster, so that they lose no more than |ṗ|/λ² of depth.
     fn goes_straight(&self, stretch: &Stretch, left: f64) -> bool {
-        let enough = STRAIGHT * self.tolerance * largest(&stretch.end.state[TOTALS..]);
+        let enough = STRAIGHT * self.tolerance * self.yardstick(&stretch.end.state, &stretch.pressed);
         let pace = largest(&stretch.end.rate[TOTALS..]);
-        let full = self.bed.rings.ended() && self.bed.rings.outer() <= self.bed.contact_radius(&self.pressed);
+        let full = self.bed.rings.ended() && self.bed.rings.outer() <= self.bed.contact_radius(&stretch.pressed);
         let slowest = 0.5 * self.coefficient * self.bed.modulus() / self.bed.rings.outer();
         let drift = |(one, other): (&f64, &f64)| (one - other).abs();
         let drift = stretch.start.rate.iter().zip(&stretch.end.rate).skip(TOTALS).map(drift).fold(0.0, f64::max);
@@ -314,10 +315,17 @@ impl Wearing {
         stretch.step > 0.0 && (pace * left <= enough || settled)
     }
 
-    /// The error of the worn depths against the largest of them.
-    fn relative(&self, error: &[f64], state: &[f64]) -> f64 {
-        let (error, scale) = (largest(&error[TOTALS..]), largest(&state[TOTALS..]));
-        if error > 0.0 || error.is_nan() { error / scale } else { 0.0 }
+    /// What errors of the worn depths are held against [m]: the largest of them, or the largest compression of a spring
+    /// where that is less, for the pressures follow from it however much is worn off.
+    fn yardstick(&self, state: &[f64], pressed: &Pressed) -> f64 {
+        let compression = largest(&pressed.loads) / self.bed.modulus();
+        largest(&state[TOTALS..]).min(compression)
+    }
+
+    /// The error of the worn depths against their yardstick.
+    fn relative(&self, error: &[f64], state: &[f64], pressed: &Pressed) -> f64 {
+        let error = largest(&error[TOTALS..]);
+        if error > 0.0 || error.is_nan() { error / self.yardstick(state, pressed) } else { 0.0 }
     }
 }
 
