@@ -71,7 +71,41 @@ pub struct ForceDrive {
     now: f64,
     step: f64,
     parted: bool,
+    pace: Pace,
 }
+
+/// How the depth has followed the force lately: where the next piece is looked for.
+#[derive(Debug, Clone, Copy, Default)]
+struct Pace {
+    /// Speeds [m/s] of the last two pieces and the times [s] of their middles, the newest first.
+    speeds: [Option<(f64, f64)>; 2],
+    /// By what the force has grown with the way on the last piece [N/m].
+    stiffness: Option<f64>,
+}
+
+impl Pace {
+    /// The speed [m/s] of a piece whose middle is at the time `t` [s], if all goes on as before.
+    fn at(&self, t: f64) -> f64 {
+        match self.speeds {
+            [Some((now, at)), Some((before, then))] if at > then => now + (now - before) * (t - at) / (at - then),
+            [Some((now, _)), _] => now,
+            _ => 0.0,
+        }
+    }
+
+    fn add(&mut self, speed: f64, middle: f64) {
+        self.speeds = [Some((speed, middle)), self.speeds[0]];
+    }
+}
+
+/// Part of the error allowed by which the force may be missed at the end of a piece.
+const NEAR: f64 = 1e-2;
+/// The same of the last piece, relative to the largest force.
+const NEAREST: f64 = 1e-12;
+/// Looks for a speed from the pace on, before it is searched for from rest.
+const MOST_LOOKS: u32 = 8;
+/// Part of what a look was off by that the next one may be off by, if the pace leads there.
+const CLOSER: f64 = 0.25;
 
 /// Shortest piece, relative to the whole.
 const SHORTEST: f64 = 1e-18;
@@ -81,7 +115,7 @@ const UNSEEN: f64 = 4.0 * f64::EPSILON;
 const FASTEST: f64 = 1e290;
 /// Places on a leap at which the contact is looked at.
 const LOOKS: u32 = 64;
-/// Least force asked for without adhesion, relative to the scale: the bodies just touch.
+/// Least force asked for without adhesion, relative to the scale.
 const TOUCH: f64 = 1e-9;
 
 impl ForceDrive {
@@ -90,7 +124,7 @@ impl ForceDrive {
     /// Bodies that a pull has parted stay where they are until it ends.
     #[must_use]
     pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>, parted: bool) -> Self {
-        Self { ramp, creep, end, now: 0.0, step: end, parted }
+        Self { ramp, creep, end, now: 0.0, step: end, parted, pace: Pace::default() }
     }
 
     /// The exact creep at the time `t` [s] of the ramp, where it is known.
@@ -145,6 +179,7 @@ impl ForceDrive {
                 self.step = duration * (0.8 / error.sqrt()).clamp(1e-3, 0.8);
                 continue;
             }
+            self.pace.add(speed, self.now + 0.5 * duration);
             self.now = until;
             self.step = duration * (0.8 / error.sqrt()).clamp(0.2, 5.0);
             return Ok(Some(Stretch { speed, until }));
@@ -192,9 +227,9 @@ impl ForceDrive {
         let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
             Some(depth) if depth > 0.0 => {
                 let chord = depth_of(contact) + speed * half;
-                1.5 * self.target(middle) * (1.0 - chord / depth)
+                1.5 * self.target(contact, middle) * (1.0 - chord / depth)
             }
-            _ => contact.look(&ahead(contact, speed, half))?.force - self.target(middle),
+            _ => contact.look(&ahead(contact, speed, half))?.force - self.target(contact, middle),
         };
         Ok(off.abs() / (self.ramp.accuracy * scale))
     }
@@ -205,22 +240,58 @@ impl ForceDrive {
         !contact.joined() && full.is_some_and(|full| rise <= self.ramp.accuracy * full)
     }
 
-    /// The force to be met at the time `t` [s].
-    fn target(&self, t: f64) -> f64 {
-        let force = self.ramp.force(t);
-        if force.abs() < TOUCH * self.ramp.scale { TOUCH * self.ramp.scale } else { force }
+    /// The force to be met at the time `t` [s]: without adhesion the bodies just touch where there is none.
+    fn target(&self, contact: &dyn ContactModel, t: f64) -> f64 {
+        let (force, least) = (self.ramp.force(t), TOUCH * self.ramp.scale);
+        let held = || contact.state().stored.surface < 0.0;
+        if force.abs() < least && !held() { least } else { force }
     }
 
     /// The speed that leads to the force at the time `until`; `None` if none does.
-    fn speed(&self, contact: &mut dyn ContactModel, until: f64) -> Result<Option<f64>, ContactError> {
+    fn speed(&mut self, contact: &mut dyn ContactModel, until: f64) -> Result<Option<f64>, ContactError> {
         let duration = until - self.now;
         match self.exact(until) {
             Some(creep) => {
                 let depth = creep.indentation().ok_or(BedError::Overloaded { force: creep.force() })?;
                 Ok(Some((depth - depth_of(contact)) / duration))
             }
-            None => speed_to(contact, self.target(until), duration),
+            None => match self.paced(contact, until) {
+                Some(speed) => Ok(Some(speed)),
+                None => {
+                    let force = self.target(contact, until);
+                    speed_to(contact, force, duration)
+                }
+            },
         }
+    }
+
+    /// The same by secants from the pace on; `None` where they lead nowhere soon.
+    fn paced(&mut self, contact: &mut dyn ContactModel, until: f64) -> Option<f64> {
+        let (force, duration) = (self.target(contact, until), until - self.now);
+        let within = self.ramp.scale * if until < self.end { NEAR * self.ramp.accuracy } else { NEAREST };
+        let stiffness = self.pace.stiffness.unwrap_or_else(|| contact.state().stiffness);
+        let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
+        let mut before: Option<(f64, f64)> = None;
+        for _ in 0..MOST_LOOKS {
+            let seen = contact.look(&ahead(contact, speed, duration)).ok()?;
+            let off = seen.force - force;
+            if let Some((then, was)) = before {
+                slope = (off - was) / (speed - then);
+            }
+            if seen.contact_radius <= 0.0 || slope.is_nan() || slope <= 0.0 {
+                return None;
+            }
+            if off.abs() <= within {
+                self.pace.stiffness = Some(slope / duration);
+                return Some(speed);
+            }
+            if before.is_some_and(|(_, was)| off.abs() > CLOSER * was.abs()) {
+                return None;
+            }
+            before = Some((speed, off));
+            speed -= off / slope;
+        }
+        None
     }
 }
 

@@ -66,6 +66,8 @@ pub struct Occurrence {
 
 /// Mean difference of the contact's force from the prescribed one, in errors allowed, from which on it has jumped.
 const JUMP: f64 = 4.0;
+/// Parts of a time within which a parting may lie from where it was found.
+const NEAR: [f64; 3] = [1e-13, 1e-10, 1e-7];
 /// Part of a time by which rounding may delay what was seen to happen.
 const LATEST: f64 = 1e-12;
 
@@ -513,16 +515,27 @@ impl Driver {
             return depth;
         }
         let start = depth_of(contact);
-        let mut held =
-            |time: f64| Ok::<_, ContactError>(contact.look(&ahead(contact, -speed, time))?.contact_radius > 0.0);
+        let held = |contact: &mut dyn ContactModel, time: f64| {
+            Ok::<_, ContactError>(contact.look(&ahead(contact, -speed, time))?.contact_radius > 0.0)
+        };
         let mut high = start.abs().max(1e-300) / speed;
-        while held(high)? {
+        while held(contact, high)? {
             high *= 2.0;
         }
         let mut low = 0.0;
+        // Where an attraction gives way, the contact knows when, to rounding.
+        if let Some(time) = contact.parting(&ahead(contact, -speed, high))? {
+            for near in NEAR {
+                let (before, after) = (time * (1.0 - near), time * (1.0 + near));
+                if held(contact, before)? && !held(contact, after)? {
+                    (low, high) = (before, after);
+                    break;
+                }
+            }
+        }
         while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
             let middle = 0.5 * (low + high);
-            *(if held(middle)? { &mut low } else { &mut high }) = middle;
+            *(if held(contact, middle)? { &mut low } else { &mut high }) = middle;
         }
         Ok(start - speed * low)
     }

@@ -22,10 +22,10 @@ pub(super) struct Run {
     entry: usize,
     pub(super) records: Vec<Record>,
     pub(super) fields: Vec<Field>,
-    /// The field at the largest indentation; `None` until the way back begins.
-    deepest: Option<Deepest>,
-    /// The time at which it is left [s].
-    until: f64,
+    /// The contact at its largest indentation; `None` until the way back begins.
+    deepest: Option<Kept>,
+    /// The contact that remembers at its greatest force, if fields are wanted.
+    strongest: Option<Kept>,
     wanted: Wanted,
     jumps: Vec<(Normal, Normal)>,
     pub(super) notes: Vec<String>,
@@ -37,10 +37,13 @@ pub(super) struct Run {
     pub(super) effort: Effort,
 }
 
-/// The field at a depth [m].
-struct Deepest {
-    depth: f64,
-    field: Field,
+/// A contact as it was when something was largest.
+struct Kept {
+    /// The largest: a depth [m] or a force [N].
+    most: f64,
+    contact: Box<dyn ContactModel>,
+    entry: usize,
+    time: f64,
 }
 
 /// Follows the history of a scene with a contact that just touches.
@@ -58,36 +61,12 @@ pub(super) fn follow(plan: &Shared, contact: Box<dyn ContactModel>, wanted: Want
         }
     }
     run.look_deepest();
-    let deepest = run.deepest.take().map(|deepest| deepest.field);
-    fields::with_deepest(&mut run.fields, deepest);
+    let deepest = run.deepest.take();
+    let field = deepest.and_then(|Kept { contact, entry, time, .. }| {
+        fields::field(contact.as_ref(), format!("largest depth (entry {})", entry + 1), time)
+    });
+    fields::with_deepest(&mut run.fields, field);
     Ok(run)
-}
-
-/// Pressure on the axis [Pa] at the record of the largest force of `run`, a contact like `contact` led there again;
-/// `None` where a field shows it or where it is singular.
-///
-/// Bodies that relax have lost it by the end of the entry. It costs at most as much as the run.
-///
-/// # Errors
-/// As for [`follow`].
-pub(super) fn pressure_at_largest_force(
-    plan: &Shared,
-    contact: Box<dyn ContactModel>,
-    run: &Run,
-) -> Result<Option<f64>, SimulationError> {
-    let largest = run.records.iter().max_by(|x, y| x.normal.force.total_cmp(&y.normal.force));
-    let shown = |time: f64| run.fields.iter().any(|field| (field.time - time).abs() <= 0.0);
-    let Some(time) = largest.map(|record| record.time).filter(|&time| time > 0.0 && !shown(time)) else {
-        return Ok(None);
-    };
-    let mut again = Run { until: time, ..Run::new(contact, plan.accuracy(), Wanted::NOTHING) };
-    for stage in &plan.stages {
-        again.follow_stage(stage).map_err(|source| SimulationError::Contact { entry: stage.entry, source })?;
-        if again.time >= time {
-            break;
-        }
-    }
-    Ok(again.contact.loading().and_then(|loading| loading.pressure(0.0)))
 }
 
 impl Run {
@@ -102,7 +81,7 @@ impl Run {
             records: Vec::new(),
             fields: Vec::new(),
             deepest: None,
-            until: f64::INFINITY,
+            strongest: None,
             wanted,
             jumps: Vec::new(),
             notes: Vec::new(),
@@ -126,9 +105,6 @@ impl Run {
         self.driver.begin(self.contact.as_mut(), course, self.slide)?;
         for part in stage.parts() {
             self.advance(&course, part, start)?;
-            if self.time >= self.until {
-                return Ok(());
-            }
         }
         self.slide = course.tangential.at(self.slide, 1.0, course.over);
         self.observe();
@@ -212,6 +188,10 @@ impl Run {
         let state = self.driver.state(self.contact.as_ref());
         let tangential = self.contact.tangential();
         self.push(state, tangential, self.time);
+        let falls = self.strongest.as_ref().is_some_and(|kept| state.force < kept.most);
+        if self.wanted.fields && !falls && self.contact.memory().is_some() {
+            self.strongest = Some(self.kept(state.force));
+        }
         if self.wanted.stresses && self.carried.as_ref().is_none_or(|carried| carried.is_below(&state, tangential)) {
             let loaded = self.contact.loading().and_then(|loading| loading.loaded());
             let carried = loaded.map(|loaded| Carried::new(loaded, &state, tangential));
@@ -232,14 +212,25 @@ impl Run {
         fields::field(self.contact.as_ref(), label, self.time)
     }
 
-    /// Keeps the field of the present state if no state before was as deep.
+    fn kept(&self, most: f64) -> Kept {
+        Kept { most, contact: self.contact.copy(), entry: self.entry, time: self.time }
+    }
+
+    /// Keeps the present state if none before was as deep.
     fn look_deepest(&mut self) {
         let present = self.driver.state(self.contact.as_ref());
-        let Some(depth) = present.indentation.filter(|_| self.wanted.fields) else { return };
-        if self.deepest.as_ref().is_none_or(|deepest| depth > deepest.depth) {
-            let field = self.field(format!("largest depth (entry {})", self.entry + 1));
-            self.deepest = field.map(|field| Deepest { depth, field }).or(self.deepest.take());
+        let Some(depth) = present.indentation.filter(|_| self.wanted.fields && self.contact.joined()) else { return };
+        if self.deepest.as_ref().is_none_or(|deepest| depth > deepest.most) {
+            self.deepest = Some(self.kept(depth));
         }
+    }
+
+    /// Pressure on the axis [Pa] of a contact that remembers at its largest force; `None` where a field shows it or where
+    /// it is singular. Bodies that relax have lost it by the end of the entry.
+    pub(super) fn pressure_at_largest_force(&self) -> Option<f64> {
+        let kept = self.strongest.as_ref()?;
+        let shown = self.fields.iter().any(|field| (field.time - kept.time).abs() <= 0.0);
+        if shown { None } else { kept.contact.loading()?.pressure(0.0) }
     }
 
     /// The sudden changes on the way, the states before and after, whether they are among the records or not.

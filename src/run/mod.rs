@@ -52,7 +52,7 @@ use crate::run::record::Outcome;
 use crate::scene::parts::Parts;
 use crate::scene::plan::{Plan, RoundPlan};
 use curves::sliding;
-use follow::{Run, follow, pressure_at_largest_force};
+use follow::{Run, follow};
 use results::Pressures;
 use stresses::Carried;
 
@@ -194,11 +194,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     let run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
     let fretting = fretting::map(plan, run.path());
     let glides = gliding::steady(plan, &run.records)?;
-    let on_axis = match plan.contact.bodies().relaxation().filter(|_| !run.fields.is_empty()) {
-        Some(_) => pressure_at_largest_force(plan, compose::contact(plan, Wanted::NOTHING)?, &run)?,
-        None => None,
-    };
-    let pressures = Pressures { fields: &run.fields, on_axis };
+    let pressures = Pressures { fields: &run.fields, on_axis: run.pressure_at_largest_force() };
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));

@@ -176,7 +176,7 @@ impl Front<'_> {
         match phase {
             EdgePhase::Still(duration) => *duration > 0.0,
             EdgePhase::Moves { to, .. } | EdgePhase::Jumps(to) => away(*to),
-            EdgePhase::Creeps(path) => path.len() > 1,
+            EdgePhase::Creeps(path) => path.last().is_some_and(|&(to, _)| away(to)),
         }
     }
 
@@ -307,14 +307,15 @@ impl Front<'_> {
                 Way::Opening => (border * (1.0 + BESIDE), border * (1.0 - BESIDE)),
                 Way::Closing => (border * (1.0 - BESIDE), border * (1.0 + BESIDE)),
             };
-            if self.border_at(x) == Some(border) { far } else { near }
+            // Where two borders lie side by side, a place may be beside both: it is the one ahead that counts.
+            if is_beside(x, border) { far } else { near }
         };
         there.then(|| next.map_or(to, stop))
     }
 
     /// The border beside which `x` is, if it is beside one.
     fn border_at(&self, x: f64) -> Option<f64> {
-        self.borders.iter().copied().find(|border| (x - border).abs() <= 1.5 * BESIDE * border)
+        self.borders.iter().copied().find(|&border| is_beside(x, border))
     }
 
     /// Steps of a search: from fine to coarse, and fine again beyond a border.
@@ -469,6 +470,11 @@ impl Front<'_> {
     }
 }
 
+/// Whether a place is beside a border.
+fn is_beside(x: f64, border: f64) -> bool {
+    (x - border).abs() <= 1.5 * BESIDE * border
+}
+
 /// First step inwards of the search for an edge that holds, and the longest, relative to where it begins.
 const FIRST_REACH: f64 = 1e-5;
 const LONGEST_REACH: f64 = 1.0 / 64.0;
@@ -498,4 +504,45 @@ pub(crate) fn last_hold(margin: &dyn Fn(f64) -> f64, from: f64) -> Option<f64> {
     let low = around.0 - (around.1 - around.0).max(FIRST_REACH * from);
     let holds = extremum::reaches_zero(margin, low, around.1)?;
     Some(root::brent(margin, holds, around.1).unwrap_or(holds))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::laws::unit_ball;
+    use super::*;
+    use crate::material::Relaxation;
+
+    /// Borders within the rounding of each other, three of them beside the edge itself: a search gets past them all, each
+    /// place of it beyond the last one.
+    #[test]
+    fn a_search_gets_past_borders_side_by_side() {
+        let spectrum = Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 });
+        let see = |_: Way, _: f64| SightedSpring { spring: Spring::untouched(&spectrum), height: 0.0, doubt: 0.0 };
+        let profile = unit_ball();
+        for ulps in 0..40 {
+            let apart = 1.0 + f64::EPSILON * f64::from(ulps);
+            let borders = [0.5 / apart, 0.5, 0.5 * apart, 1.0, apart, apart * apart];
+            let front = Front {
+                spectrum: &spectrum,
+                attraction: None,
+                see: &see,
+                profile: &profile,
+                edge: 0.5,
+                limit: 2.0,
+                borders: &borders,
+                scale: 1.0,
+                feature: f64::INFINITY,
+                motion: Motion { start: 0.0, speed: 1.0, duration: 1.0 },
+                least: 0.0,
+                instants: instants(&spectrum, 1.0),
+            };
+            for (way, sign, mut x) in [(Way::Closing, 1.0, 0.4), (Way::Opening, -1.0, 1.1)] {
+                let mut places = 0;
+                while let Some(next) = front.further(way, x, 0.05) {
+                    assert!(sign * (next - x) > 0.0 && places < 60, "{ulps} {way:?}: {x:e} {next:e}");
+                    (x, places) = (next, places + 1);
+                }
+            }
+        }
+    }
 }

@@ -1,8 +1,11 @@
 //! The bed that remembers as a loaded contact: stresses, pressure and surface of its present loads.
 
 use super::memory::Memory;
+use super::panel::Strip;
 use super::spring::Spring;
 use crate::contact::loaded::{Curve, Loaded};
+use crate::contact::viscoelastic::Spectrum;
+use crate::shape::Profile;
 use std::sync::Arc;
 
 /// Panels finer than this part of the contact are put together: a contact of thousands of strips has
@@ -26,29 +29,62 @@ fn thinned(ends: Vec<f64>) -> Vec<f64> {
     kept
 }
 
+/// The springs of a bed at one instant: what their Maxwell elements carry [N/m], or how far they are displaced [m] if
+/// they are free.
+struct Snapshot {
+    spectrum: Arc<Spectrum>,
+    profile: Arc<dyn Profile>,
+    depth: f64,
+    speed: f64,
+    held: Vec<Strip>,
+    free: Vec<Strip>,
+}
+
+/// The value at `x` of the strip that holds it, or of the last one.
+fn among(strips: &[Strip], x: f64) -> Option<f64> {
+    let k = strips.partition_point(|strip| strip.outer < x);
+    Some(strips.get(k).or(strips.last())?.at(x))
+}
+
+impl Snapshot {
+    fn edge(&self) -> f64 {
+        self.held.last().map_or(0.0, |strip| strip.outer)
+    }
+
+    /// Line load q(x) [N/m].
+    fn load(&self, x: f64) -> f64 {
+        let elements = among(&self.held, x).filter(|_| x <= self.edge());
+        elements.map_or(0.0, |s| self.spectrum.load(self.depth - self.profile.reduced(x), &[s], self.speed))
+    }
+
+    /// Displacement u(x) [m].
+    fn displacement(&self, x: f64) -> f64 {
+        if x < self.edge() { self.depth - self.profile.reduced(x) } else { among(&self.free, x).unwrap_or(0.0) }
+    }
+}
+
 impl Memory {
+    fn snapshot(&self) -> Snapshot {
+        let spectrum = self.spectrum();
+        let value = |spring: &Spring| match spring {
+            Spring::Pressed(loads) => loads.iter().sum(),
+            Spring::Free(free) => spectrum.recovered(free, 0.0),
+        };
+        let [held, free] = self.sides().map(|panels| panels.iter().map(|panel| panel.strip(value)).collect());
+        let (depth, speed) = (self.indentation(), self.speed());
+        Snapshot { spectrum, profile: self.profile(), depth, speed, held, free }
+    }
+
     /// The contact as it is now, under the present load of its springs.
     #[must_use]
     pub fn loaded(&self) -> Loaded {
-        let bed = Arc::new(self.clone());
         let (ends, all) = (self.ends(true), self.ends(false));
         let (ends, all) = if all.len() > MOST { (thinned(ends), thinned(all)) } else { (ends, all) };
-        let load = Curve::new(
-            {
-                let bed = bed.clone();
-                move |x| bed.line_load(x)
-            },
-            ends,
-        );
-        let profile = self.profile();
-        let displacement = Curve::new(
-            move |x| match bed.spring(x) {
-                Spring::Pressed(_) => bed.indentation() - bed.profile().reduced(x),
-                Spring::Free(free) => bed.spectrum().recovered(&free, 0.0),
-            },
-            all,
-        );
-        Loaded::remembered(profile, self.indentation(), load, displacement)
+        let bed = Arc::new(self.snapshot());
+        let same = bed.clone();
+        let load = Curve::new(move |x| same.load(x), ends);
+        let displacement = Curve::new(move |x| bed.displacement(x), all);
+        Loaded::remembered(self.profile(), self.indentation(), load, displacement)
     }
 
     /// Pressure [Pa] at the radius `r` [m], see [`Loaded::pressure`].

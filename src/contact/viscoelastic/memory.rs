@@ -30,6 +30,8 @@ pub struct Memory {
     speed: f64,
     time: f64,
     work: f64,
+    /// Whether work is counted: a look needs none.
+    counts: bool,
 }
 
 impl Memory {
@@ -37,7 +39,18 @@ impl Memory {
     #[must_use]
     pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>) -> Self {
         let panels = Vec::new();
-        Self { spectrum, profile, attraction: None, panels, held: 0, depth: 0.0, speed: 0.0, time: 0.0, work: 0.0 }
+        Self {
+            spectrum,
+            profile,
+            attraction: None,
+            panels,
+            held: 0,
+            depth: 0.0,
+            speed: 0.0,
+            time: 0.0,
+            work: 0.0,
+            counts: true,
+        }
     }
 
     /// The bed with an attraction that holds the edge; to be given before the first touch.
@@ -128,7 +141,8 @@ impl Memory {
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn force_after(&self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
-        let bed = self.after(speed, duration)?;
+        let mut bed = Self { counts: false, ..self.clone() };
+        bed.advance(speed, duration)?;
         Ok((bed.force(), bed.radius()))
     }
 
@@ -279,7 +293,10 @@ impl Memory {
         let last = self.panels.partition_point(|panel| panel.inner < change.outer).max(first);
         for (k, panel) in self.panels.iter_mut().enumerate() {
             if k < first || k >= last {
-                self.work += panel.pass(&self.spectrum, motion);
+                if self.counts {
+                    self.work += panel.work(&self.spectrum, motion);
+                }
+                panel.pass(&self.spectrum, motion);
             }
         }
         let count = change.panels.len();
@@ -409,18 +426,6 @@ impl Memory {
         -work * self.profile.contact_area(self.radius())
     }
 
-    /// Line load q(x) [N/m] at the distance `x` from the axis.
-    #[must_use]
-    pub fn line_load(&self, x: f64) -> f64 {
-        if x > self.radius() || self.held == 0 {
-            return 0.0;
-        }
-        match self.spring_on(Way::Opening, x) {
-            Spring::Pressed(s) => self.spectrum.load(self.depth - self.profile.reduced(x), &s, self.speed),
-            Spring::Free(_) => 0.0,
-        }
-    }
-
     /// The springs' material.
     #[must_use]
     pub fn spectrum(&self) -> Arc<Spectrum> {
@@ -445,10 +450,15 @@ impl Memory {
         self.panels.is_empty()
     }
 
-    /// The spring at the distance `x` from the axis.
-    #[must_use]
-    pub fn spring(&self, x: f64) -> Spring {
-        self.spring_on(if x < self.radius() { Way::Opening } else { Way::Closing }, x)
+    /// The panels of springs held, and those of springs let go or never touched.
+    pub(super) fn sides(&self) -> [&[Panel]; 2] {
+        let (held, free) = self.panels.split_at(self.held);
+        [held, free]
+    }
+
+    /// Speed of the last motion [m/s].
+    pub(super) fn speed(&self) -> f64 {
+        self.speed
     }
 
     /// Borders of the panels [m] from the axis outwards, those of springs held or of all ever touched.

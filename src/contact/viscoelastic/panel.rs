@@ -180,6 +180,17 @@ impl PanelDraft {
     }
 }
 
+/// What the nodes have of the polynomial at −1 ≤ y ≤ 1.
+fn shares(y: f64) -> [f64; NODES] {
+    let away = RULE.nodes.map(|node| y - node);
+    if let Some(at) = away.iter().position(|away| away.abs() <= 0.0) {
+        return std::array::from_fn(|k| if k == at { 1.0 } else { 0.0 });
+    }
+    let weights: [f64; NODES] = std::array::from_fn(|k| RULE.barycentric[k] / away[k]);
+    let all = weights.iter().sum::<f64>();
+    weights.map(|weight| weight / all)
+}
+
 /// The states between the nodes, at −1 ≤ y ≤ 1.
 fn interpolated(states: &[f64], y: f64) -> Vec<f64> {
     let dim = states.len() / NODES;
@@ -196,6 +207,22 @@ fn interpolated(states: &[f64], y: f64) -> Vec<f64> {
     }
     sum.iter_mut().for_each(|sum| *sum /= below);
     sum
+}
+
+/// One number of the springs of a panel, at one instant.
+#[derive(Debug, Clone)]
+pub(super) struct Strip {
+    inner: f64,
+    pub outer: f64,
+    values: [f64; NODES],
+}
+
+impl Strip {
+    /// Its value at the distance `x` from the axis.
+    pub(super) fn at(&self, x: f64) -> f64 {
+        let y = (2.0 * x - self.inner - self.outer) / (self.outer - self.inner);
+        shares(y.clamp(-1.0, 1.0)).iter().zip(&self.values).map(|(share, value)| share * value).sum()
+    }
 }
 
 /// How well polynomials tell the springs of panels.
@@ -253,6 +280,13 @@ impl Panel {
         Spring::Free(Free { rest, modes: values })
     }
 
+    /// A number of its springs as they are now, linear in their states.
+    pub(super) fn strip(&self, of: impl Fn(&Spring) -> f64) -> Strip {
+        let places: Vec<f64> = nodes(self.inner, self.outer).map(|(x, _)| x).collect();
+        let values = std::array::from_fn(|k| of(&self.spring(places[k])));
+        Strip { inner: self.inner, outer: self.outer, values }
+    }
+
     /// The part of the panel from `inner` to `outer`.
     fn part(&self, spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let here = |x: f64| Lived { spring: self.spring(x), impulse: 0.0 };
@@ -288,13 +322,22 @@ impl Panel {
         smooth.then(|| Self { missed: draft_missed, greatest, ..draft.finished(spectrum, 0.0).0 })
     }
 
-    /// A motion in which nothing happens to the springs; the work of their Maxwell elements [J].
-    pub(super) fn pass(&mut self, spectrum: &Spectrum, motion: &Motion) -> f64 {
-        let weight = if self.held { 2.0 * (self.outer - self.inner) } else { 0.0 };
+    /// What is integrated over the springs held: 2 dx [m].
+    fn weight(&self) -> f64 {
+        if self.held { 2.0 * (self.outer - self.inner) } else { 0.0 }
+    }
+
+    /// Work of the Maxwell elements [J] in a motion in which nothing happens to the springs.
+    pub(super) fn work(&self, spectrum: &Spectrum, motion: &Motion) -> f64 {
         let done = |(term, s): (&super::Element, &f64)| {
-            motion.speed * impulse(term, *s, motion.speed * weight, motion.duration)
+            motion.speed * impulse(term, *s, motion.speed * self.weight(), motion.duration)
         };
-        let work = spectrum.terms().iter().zip(&self.totals.loads).map(done).sum();
+        spectrum.terms().iter().zip(&self.totals.loads).map(done).sum()
+    }
+
+    /// A motion in which nothing happens to the springs.
+    pub(super) fn pass(&mut self, spectrum: &Spectrum, motion: &Motion) {
+        let weight = self.weight();
         self.totals.evolve(spectrum, (weight, motion.speed), motion.duration);
         self.age += motion.duration;
         if self.held {
@@ -305,7 +348,6 @@ impl Panel {
             let kept = spectrum.modes().iter().map(|mode| decay(self.age / mode.time).0);
             self.kept.iter_mut().zip(kept).for_each(|(k, kept)| *k = kept);
         }
-        work
     }
 
     /// ∫ Σ sᵢ 2 dx [N] over springs held.
