@@ -13,6 +13,10 @@ const NODES: usize = 20;
 const RESOLVED: f64 = 1e-14;
 /// Most halvings of a panel: a root at a kink of the profile is then lost in rounding.
 const HALVINGS: usize = 24;
+/// Part of what a panel misses that a half of it still misses if halving does not help.
+const NO_BETTER: f64 = 0.25;
+/// Part of the length over which a shape rises and falls within which it is even.
+const EVEN: f64 = 0.125;
 /// Octaves of the radius.
 const OCTAVES: usize = 200;
 
@@ -38,6 +42,12 @@ struct Panel {
     /// M/(s d_e²), M(a) = ∫(d_e(a) − d_e(x))²ds.
     energy: Chebyshev,
     /// N [m²] and M [m³] at its upper border.
+    ends: [f64; 2],
+}
+
+/// Panels from the axis on, and N [m²] and M [m³] at their end.
+struct Laid {
+    panels: Vec<Panel>,
     ends: [f64; 2],
 }
 
@@ -70,35 +80,45 @@ impl Grounded {
         let high = self.borders[octave].min(self.shape.rim().radius());
         let flat = self.shape.flat_radius();
         let before = octave.checked_sub(1).and_then(|before| self.panels(before).last());
-        let mut ends = before.map_or([0.0; 2], |panel| panel.ends);
+        let mut laid = Laid { panels: Vec::new(), ends: before.map_or([0.0; 2], |panel| panel.ends) };
         let inside = |at: &f64| *at > low.max(flat) && *at < high;
         let breaks = self.shape.breaks(high).into_iter().chain([flat]).filter(|at| *at > low && *at < high);
         let mut borders: Vec<f64> = std::iter::once(low.max(flat)).chain(breaks.filter(inside)).chain([high]).collect();
         borders.sort_by(f64::total_cmp);
         borders.dedup();
-        let mut panels = Vec::new();
         for pair in borders.windows(2) {
             if let [from, to] = pair
                 && to > from
             {
-                self.lay((*from, *to), HALVINGS, &mut ends, &mut panels);
+                self.lay((*from, *to), self.share((*from, *to)), HALVINGS, &mut laid);
             }
         }
-        panels
+        laid.panels
     }
 
-    /// Panels between two radii, halved until d_e/g is met.
-    fn lay(&self, (low, high): (f64, f64), halvings: usize, ends: &mut [f64; 2], panels: &mut Vec<Panel>) {
-        let share = Chebyshev::of(|a| self.ground.depth_share(self.shape.as_ref(), a), NODES, (low, high));
+    /// d_e/g between two radii.
+    fn share(&self, span: (f64, f64)) -> Chebyshev {
+        Chebyshev::of(|a| self.ground.depth_share(self.shape.as_ref(), a), NODES, span)
+    }
+
+    /// Panels between two radii, halved until d_e/g, `share` over all of it, is met.
+    fn lay(&self, (low, high): (f64, f64), share: Chebyshev, halvings: usize, laid: &mut Laid) {
         if halvings > 0 && share.unresolved() > RESOLVED {
             let middle = 0.5 * (low + high);
-            self.lay((low, middle), halvings - 1, ends, panels);
-            self.lay((middle, high), halvings - 1, ends, panels);
-            return;
+            let halves = [(low, middle), (middle, high)].map(|span| (span, self.share(span)));
+            let as_bad = |(_, half): &(_, Chebyshev)| half.unresolved() > NO_BETTER * share.unresolved();
+            // What both halves miss as much of is rounding, unless the shape rises and falls within them.
+            let is_even = self.shape.feature().is_none_or(|feature| high - low < EVEN * feature);
+            if !(is_even && halves.iter().all(as_bad)) {
+                for (span, half) in halves {
+                    self.lay(span, half, halvings - 1, laid);
+                }
+                return;
+            }
         }
-        let panel = self.integrated(share, (low, high), *ends);
-        *ends = panel.ends;
-        panels.push(panel);
+        let panel = self.integrated(share, (low, high), laid.ends);
+        laid.ends = panel.ends;
+        laid.panels.push(panel);
     }
 
     /// N and M over a panel, which begins with `ends`.

@@ -6,7 +6,7 @@ use super::*;
 use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson};
 use crate::material::{Graded, Joint, Sheet, Stack};
 use crate::numerics::{legendre, quadrature};
-use crate::shape::Paraboloid;
+use crate::shape::{Paraboloid, Sphere};
 use std::sync::Arc;
 
 fn sheet(shear: f64, poisson: f64, joint: Joint) -> Sheet {
@@ -327,4 +327,19 @@ fn tables_are_the_integral_equation() {
         }
     }
     assert!(worst[0] < 1e-11 && worst[1] < layers::TABLES, "{worst:?}");
+}
+
+/// Towards the equator of a ball a radius is known to rounding, which is more and more of what is left to the equator: the
+/// tables stop where halving them shows nothing else.
+#[test]
+fn a_ball_up_to_its_equator() {
+    let ball: Arc<dyn Profile> = Arc::new(Sphere { radius: Length::new(5.0).unwrap() });
+    let layers = Arc::new(Layers::new(vec![(1.0, on_rigid(0.5, Joint::Bonded))]));
+    let grounded = Grounded::new(ball.clone(), layers.clone());
+    for rest in [0.3, 1e-2, 1e-4, 1e-6, 1e-9] {
+        let a = 5.0 * (1.0 - rest);
+        let right = layers.depth_share(ball.as_ref(), a) * ball.reduced(a);
+        let off = (grounded.reduced(layers.measure(a)) / right - 1.0).abs();
+        assert!(off < layers::TABLES + 4.0 * f64::EPSILON / rest, "{rest}: {off:e}");
+    }
 }
