@@ -1,11 +1,15 @@
 //! Random scenes over the whole matrix, held against the laws that speak of them.
 //!
 //! `cargo run --release -p benches --example random_scenes -- [scenes [from [part]]]`, of the combinations of which one
-//! part bears that name, such as `lying cylinder`.
+//! part bears that name, such as `lying cylinder`. Scenes that take long are named as they end.
 
 use rayon::prelude::*;
 use springbed::check::matrix::{Cell, Kept, Law, Variation, Verdict, cells};
 use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+/// A scene with its variations that takes longer is named.
+const LONG: Duration = Duration::from_secs(10);
 
 /// The scene with the number `number`: a combination that is computed, and other numbers.
 fn scene(cells: &[Cell], number: u64) -> (&Cell, Vec<Kept>) {
@@ -29,7 +33,11 @@ fn main() {
     let found: Vec<(u64, &Cell, Vec<Kept>)> = (from..from + scenes)
         .into_par_iter()
         .map(|number| {
+            let start = Instant::now();
             let (cell, kept) = scene(&computed, number);
+            if start.elapsed() > LONG {
+                eprintln!("{number}: {:?} took {} s", cell.names(), start.elapsed().as_secs());
+            }
             (number, cell, kept)
         })
         .collect();

@@ -226,7 +226,7 @@ def test_a_curve_gives_the_parameters_of_its_scene():
 
 def test_files_records_and_several_curves_are_fitted(tmp_path):
     curve = hertz(2e3)
-    rows = "\n".join(f"{d * 1e9!r};{f * 1e9!r}".replace(".", ",") for d, f in zip(curve["depth"], curve["force"]))
+    rows = "\n".join(f"{float(d) * 1e9!r};{float(f) * 1e9!r}".replace(".", ",") for d, f in zip(curve["depth"], curve["force"]))
     (tmp_path / "gel.csv").write_text("z [nm];F [nN]\n" + rows + "\n")
     free = ["bodies.0.young=100 Pa..1 MPa"]
     options = {"baseline": "absent", "contact": "zero"}

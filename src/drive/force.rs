@@ -109,6 +109,10 @@ const CLOSER: f64 = 0.25;
 
 /// Shortest piece, relative to the whole.
 const SHORTEST: f64 = 1e-18;
+/// First piece tried after a jump, relative to the whole.
+const AFTER_JUMP: f64 = 1e-3;
+/// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
+const MEETING: f64 = 1e-9;
 /// A change of the depth, relative to it, that no force tells: its rounding.
 const UNSEEN: f64 = 4.0 * f64::EPSILON;
 /// No speed is looked for beyond this [m/s].
@@ -176,12 +180,18 @@ impl ForceDrive {
             let error = self.error(contact, speed, duration)?;
             let shortest = duration <= SHORTEST * self.end || until <= self.now.next_up();
             if error > 1.0 && !shortest && !self.is_first_touch(contact, speed * duration) {
-                self.step = duration * (0.8 / error.sqrt()).clamp(1e-3, 0.8);
+                let shorter = duration * (0.8 / error.sqrt()).clamp(1e-3, 0.8);
+                self.step = if draws(contact, speed, duration)? { SHORTEST * self.end } else { shorter };
                 continue;
             }
-            self.pace.add(speed, self.now + 0.5 * duration);
+            let jumped = shortest && error > 1.0;
+            if jumped {
+                self.pace = Pace::default();
+            } else {
+                self.pace.add(speed, self.now + 0.5 * duration);
+            }
             self.now = until;
-            self.step = duration * (0.8 / error.sqrt()).clamp(0.2, 5.0);
+            self.step = if jumped { AFTER_JUMP * self.end } else { duration * (0.8 / error.sqrt()).clamp(0.2, 5.0) };
             return Ok(Some(Stretch { speed, until }));
         }
         Ok(None)
@@ -303,6 +313,11 @@ pub(super) fn depth_of(contact: &dyn ContactModel) -> f64 {
 /// The piece at the speed `speed` [m/s] that lasts `duration` [s] from the present on.
 pub(super) fn ahead(contact: &dyn ContactModel, speed: f64, duration: f64) -> Straight {
     Straight { to: depth_of(contact) + speed * duration, speed, slide: 0.0, sliding_speed: 0.0, duration }
+}
+
+/// Whether bodies apart jump into contact as they meet: no time is so short that it would not be within it.
+fn draws(contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<bool, ContactError> {
+    Ok(!contact.joined() && contact.look(&ahead(contact, MEETING * speed, duration))?.force < 0.0)
 }
 
 /// The speed at which a motion of the given duration ends with the force `force` [N]; `None` if the

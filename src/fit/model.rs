@@ -197,10 +197,14 @@ impl Model<'_> {
         let before = records.len().checked_sub(self.curve.len()).ok_or("the run left out a row")?;
         let answered = records[before..].iter().map(|record| match self.control {
             Control::Indentation => Ok(record.normal.force),
-            Control::Force => record.normal.indentation.ok_or("the force parts the bodies".to_owned()),
+            Control::Force => record.normal.indentation.ok_or_else(parted),
         });
         answered.collect()
     }
+}
+
+fn parted() -> String {
+    "the force parts the bodies: expected drive: Depth for a curve on which they pull at each other".to_owned()
 }
 
 fn told(problems: &[crate::input::problem::Problem]) -> String {

@@ -1,0 +1,305 @@
+//! The continuous bed: no springs to count, no error of discretization.
+//!
+//! At any time the contact is a disc 0 ≤ x < a and the state of a spring depends on the height
+//! c = g(x) of the indenter above it only. A motion falls into phases in which the edge stands
+//! still, moves one way or jumps; the springs it passes join or leave at instants of their own, all others move
+//! alike. The bed falls into panels in which the springs are smooth; the force is
+//! F = 2E∞ ∫₀^a (d − g) dx + Σ ∫ 2 sᵢ dx, the second part made with the panel and evolved like a spring from then on.
+
+mod phases;
+#[cfg(test)]
+mod tests;
+
+use super::Spectrum;
+use super::attraction::Attraction;
+use super::front::{SightedSpring, Way};
+use super::ledger::Ledger;
+use super::panel::Panel;
+use super::spring::{Motion, Spring};
+use crate::contact::error::BedError;
+use crate::contact::model::Straight;
+use crate::shape::Profile;
+use phases::Walk;
+use std::sync::Arc;
+
+/// Bed without discretization in space or time.
+#[derive(Debug, Clone)]
+pub struct Memory {
+    spectrum: Arc<Spectrum>,
+    profile: Arc<dyn Profile>,
+    attraction: Option<Attraction>,
+    panels: Vec<Panel>,
+    /// Number of panels held; they come first.
+    held: usize,
+    depth: f64,
+    speed: f64,
+    time: f64,
+    work: f64,
+    /// Whether work is counted: a look needs none.
+    counts: bool,
+}
+
+impl Memory {
+    /// A bed never touched, the indenter just above it.
+    #[must_use]
+    pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>) -> Self {
+        let panels = Vec::new();
+        Self {
+            spectrum,
+            profile,
+            attraction: None,
+            panels,
+            held: 0,
+            depth: 0.0,
+            speed: 0.0,
+            time: 0.0,
+            work: 0.0,
+            counts: true,
+        }
+    }
+
+    /// The bed with an attraction that holds the edge; to be given before the first touch.
+    #[must_use]
+    pub fn with(mut self, attraction: Attraction) -> Self {
+        self.attraction = Some(attraction);
+        self
+    }
+
+    /// When in a motion the bodies part [s] by the attraction giving way; `None` if they do not.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn parting(&self, speed: f64, duration: f64) -> Result<Option<f64>, BedError> {
+        if self.attraction.is_none() {
+            return Ok(None);
+        }
+        let mut bed = self.clone();
+        let mut walk = Walk::new(Motion { start: self.depth, speed, duration });
+        while walk.rest.duration > 0.0 {
+            let joined = bed.held > 0;
+            bed.phase(&mut walk)?;
+            if joined && bed.held == 0 {
+                return Ok(Some(duration - walk.rest.duration));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Moves at constant `speed` [m/s] for `duration` [s].
+    ///
+    /// # Errors
+    /// The contact would outgrow the profile.
+    pub fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
+        let motion = Motion { start: self.depth, speed, duration };
+        let mut walk = Walk::new(motion);
+        while walk.rest.duration > 0.0 {
+            self.phase(&mut walk)?;
+        }
+        (self.depth, self.speed, self.time) = (motion.end(), speed, self.time + duration);
+        Ok(())
+    }
+
+    /// Moves to the depth `to` [m] in `duration` [s], and lands on it to the last bit.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn reach(&mut self, to: f64, duration: f64) -> Result<(), BedError> {
+        self.advance((to - self.depth) / duration, duration)?;
+        self.depth = to;
+        Ok(())
+    }
+
+    /// Moves along a straight piece, and lands on its end to the last bit.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn follow_line(&mut self, line: &Straight) -> Result<(), BedError> {
+        self.advance(line.speed, line.duration)?;
+        self.depth = line.to;
+        Ok(())
+    }
+
+    /// Takes the indenter far away at once, whatever holds the edge.
+    pub fn leave(&mut self) {
+        let attraction = self.attraction;
+        let reached = self.panels.last().map_or(0.0, |panel| panel.outer);
+        let height = if reached > 0.0 { self.profile.reduced(reached) } else { 0.0 };
+        let away = self.depth - 4.0 * (self.depth.abs() + height);
+        self.attraction = attraction.map(Attraction::without_work);
+        // Upwards no profile ends.
+        let _ = self.reach(away, self.spectrum.instant());
+        self.attraction = attraction;
+    }
+
+    /// The bed after a motion, this one left as it is.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn after(&self, speed: f64, duration: f64) -> Result<Self, BedError> {
+        let mut bed = self.clone();
+        bed.advance(speed, duration)?;
+        Ok(bed)
+    }
+
+    /// The force [N] and contact radius [m] after a motion, this bed left as it is.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub fn force_after(&self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
+        let mut bed = Self { counts: false, ..self.clone() };
+        bed.advance(speed, duration)?;
+        Ok((bed.force(), bed.radius()))
+    }
+
+    /// The panel at the distance `x` from the axis, at the edge the one whose springs may go `way`.
+    fn panel(&self, way: Way, x: f64) -> Option<&Panel> {
+        let k = self.panels.partition_point(|panel| panel.outer < x);
+        self.panels.get(match way {
+            Way::Opening => k.min(self.held.saturating_sub(1)),
+            Way::Closing => k.max(self.held),
+        })
+    }
+
+    fn spring_on(&self, way: Way, x: f64) -> Spring {
+        self.panel(way, x).map_or_else(|| Spring::untouched(&self.spectrum), |panel| panel.spring(x))
+    }
+
+    fn seen(&self, way: Way, x: f64) -> SightedSpring {
+        SightedSpring {
+            spring: self.spring_on(way, x),
+            height: self.profile.reduced(x),
+            doubt: self.panel(way, x).map_or(0.0, Panel::doubt),
+        }
+    }
+
+    /// Work against E∞ and η of the springs held throughout a motion, up to the radius `a`.
+    fn steady_work(&self, motion: &Motion, a: f64) -> f64 {
+        let spectrum = &self.spectrum;
+        let mean = motion.depth(0.5 * motion.duration);
+        let steady = self.displaced(mean, a) * spectrum.equilibrium();
+        motion.speed * motion.duration * (steady + 2.0 * a * spectrum.viscosity() * motion.speed)
+    }
+
+    /// 2 ∫₀^a (d − g) dx [m²].
+    fn displaced(&self, d: f64, a: f64) -> f64 {
+        let profile = &self.profile;
+        if a > 0.0 { 2.0 * (profile.load_integral(a) + a * (d - profile.reduced(a))) } else { 0.0 }
+    }
+
+    /// Normal force [N].
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        let (spectrum, a) = (&self.spectrum, self.radius());
+        let elements: f64 = self.panels[..self.held].iter().map(Panel::load).sum();
+        let dashpot = 2.0 * a * spectrum.viscosity() * self.speed;
+        spectrum.equilibrium() * self.displaced(self.depth, a) + elements + dashpot
+    }
+
+    /// Relative error of the force, estimated: [`force_error`](Self::force_error) over the force.
+    #[must_use]
+    pub fn error_estimate(&self) -> f64 {
+        if self.held > 0 { self.force_error() / self.force().abs() } else { 0.0 }
+    }
+
+    /// Error of the force [N], estimated: what the polynomials miss of the sums, and the rounding of as many
+    /// operations as made them.
+    #[must_use]
+    pub fn force_error(&self) -> f64 {
+        let held = &self.panels[..self.held];
+        let missed: f64 = held.iter().map(Panel::missed).sum();
+        let elements: f64 = held.iter().map(|panel| panel.load().abs()).sum();
+        let steady = self.spectrum.equilibrium() * self.displaced(self.depth, self.radius());
+        missed + 512.0 * f64::EPSILON * (steady.abs() + elements)
+    }
+
+    /// Contact radius [m].
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.held.checked_sub(1).map_or(0.0, |last| self.panels[last].outer)
+    }
+
+    /// Indentation [m].
+    #[must_use]
+    pub fn indentation(&self) -> f64 {
+        self.depth
+    }
+
+    /// Time [s].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Stiffness 2E(0)a [N/m] against a sudden step of the depth.
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        2.0 * self.spectrum.instantaneous() * self.radius()
+    }
+
+    /// Work done so far, energy in the springs, and their difference, the heat [J].
+    #[must_use]
+    pub fn ledger(&self) -> Ledger {
+        let (spectrum, profile, a) = (&self.spectrum, &self.profile, self.radius());
+        let elements: f64 = self.panels.iter().map(|panel| panel.stored(spectrum)).sum();
+        let over = self.depth - if a > 0.0 { profile.reduced(a) } else { self.depth };
+        let squares = if a > 0.0 { profile.energy_integral(a) } else { 0.0 };
+        let squares = squares + over * (self.displaced(self.depth, a) - over * a);
+        let stored = spectrum.equilibrium() * squares + elements;
+        Ledger { work: self.work, stored, dissipated: self.work - stored }
+    }
+
+    /// Energy −wA of the closed surfaces [J], A = πa².
+    #[must_use]
+    pub fn surface_energy(&self) -> f64 {
+        let work = self.attraction.as_ref().map_or(0.0, Attraction::work);
+        -work * self.profile.contact_area(self.radius())
+    }
+
+    /// The springs' material.
+    #[must_use]
+    pub fn spectrum(&self) -> Arc<Spectrum> {
+        self.spectrum.clone()
+    }
+
+    /// The shape of the indenter.
+    #[must_use]
+    pub fn profile(&self) -> Arc<dyn Profile> {
+        self.profile.clone()
+    }
+
+    /// What holds the edge, if anything.
+    #[must_use]
+    pub fn attraction(&self) -> Option<&Attraction> {
+        self.attraction.as_ref()
+    }
+
+    /// Whether no spring has ever been touched.
+    #[must_use]
+    pub fn is_untouched(&self) -> bool {
+        self.panels.is_empty()
+    }
+
+    /// The panels of springs held, and those of springs let go or never touched.
+    pub(super) fn sides(&self) -> [&[Panel]; 2] {
+        let (held, free) = self.panels.split_at(self.held);
+        [held, free]
+    }
+
+    /// Speed of the last motion [m/s].
+    pub(super) fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// Borders of the panels [m] from the axis outwards, those of springs held or of all ever touched.
+    pub(super) fn ends(&self, held: bool) -> Vec<f64> {
+        let panels = if held { &self.panels[..self.held] } else { &self.panels[..] };
+        let start = panels.first().map(|panel| panel.inner);
+        start.into_iter().chain(panels.iter().map(|panel| panel.outer)).collect()
+    }
+
+    /// Bytes of state.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.panels.iter().map(Panel::bytes).sum()
+    }
+}

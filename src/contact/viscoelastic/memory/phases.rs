@@ -1,0 +1,238 @@
+//! The phases of a motion, one after the other: what the edge does, and what becomes of the springs it passes.
+
+use super::Memory;
+use crate::contact::error::BedError;
+use crate::contact::viscoelastic::front::{EdgePhase, Front, SightedSpring, Way, instants};
+use crate::contact::viscoelastic::panel::{Grain, Lived, Panel, panels};
+use crate::contact::viscoelastic::spring::{Motion, Piece, Spring};
+use crate::shape::Rim;
+
+/// What polynomials may miss of the springs where nothing else errs, relative to their loads.
+const SMOOTH: f64 = 1e-14;
+
+/// Part of a motion below which an edge that moves gets nowhere: then there may be rounding alone, and the longer it
+/// stands still the sooner there is more.
+const PROGRESS: f64 = 1e-4;
+
+/// Phases that get nowhere before the edge stands still for a while.
+const MOST_STALLS: u32 = 256;
+
+/// What is left of a motion on the way through it.
+pub(super) struct Walk {
+    pub rest: Motion,
+    /// How long all of it lasts [s].
+    whole: f64,
+    /// Phases that got nowhere.
+    stalls: u32,
+    /// The shortest time the edge may stand still [s]: below it there is only rounding.
+    shortest: f64,
+    /// The same now: longer each time that nothing has happened.
+    least: f64,
+}
+
+impl Walk {
+    pub fn new(motion: Motion) -> Self {
+        let shortest = 1e-15 * motion.duration;
+        Self { rest: motion, whole: motion.duration, stalls: 0, shortest, least: shortest }
+    }
+}
+
+/// What happens first in a motion.
+struct PhaseStep {
+    duration: f64,
+    change: Option<Change>,
+}
+
+/// Springs between two radii [m] that join or leave, as they are afterwards, and the work [J] done on them meanwhile.
+struct Change {
+    inner: f64,
+    outer: f64,
+    panels: Vec<Panel>,
+    work: f64,
+}
+
+/// When an edge that moves inwards along a path of radii and times is at the radius `x` [s].
+fn instant_of(path: &[(f64, f64)], x: f64) -> f64 {
+    let k = path.partition_point(|&(a, _)| a > x).clamp(1, path.len().max(2) - 1);
+    let (Some(&(far, early)), Some(&(near, late))) = (path.get(k - 1), path.get(k)) else { return 0.0 };
+    let part = if far > near { ((far - x) / (far - near)).clamp(0.0, 1.0) } else { 1.0 };
+    early + part * (late - early)
+}
+
+impl Memory {
+    /// The first phase of what is left of a motion.
+    pub(super) fn phase(&mut self, walk: &mut Walk) -> Result<(), BedError> {
+        let motion = walk.rest;
+        let step = if walk.stalls < MOST_STALLS {
+            self.next(&motion, walk.least)?
+        } else {
+            walk.stalls -= 1;
+            PhaseStep { duration: walk.least.min(motion.duration), change: None }
+        };
+        if step.change.is_none() {
+            walk.least *= 4.0;
+        } else if step.duration > PROGRESS * walk.whole {
+            (walk.least, walk.stalls) = (walk.shortest, 0);
+        } else {
+            walk.stalls += 1;
+        }
+        self.take(&motion.lasting(step.duration), step.change);
+        self.depth = motion.depth(step.duration);
+        walk.rest = motion.after(step.duration);
+        Ok(())
+    }
+
+    /// What happens first in a motion.
+    fn next(&self, motion: &Motion, least: f64) -> Result<PhaseStep, BedError> {
+        let see = |way: Way, x: f64| self.seen(way, x);
+        let borders: Vec<f64> = self.panels.iter().map(|panel| panel.outer).collect();
+        let front = self.front(motion, least, &borders, &see);
+        let (phase, way) = front.phase();
+        let (duration, change) = match phase {
+            EdgePhase::Still(duration) => (duration, None),
+            EdgePhase::Moves { to, duration } => {
+                let to = if front.is_spent(way, duration) { 0.0 } else { to };
+                if way == Way::Closing && to >= front.limit && matches!(self.profile.rim(), Rim::End(_)) {
+                    return Err(BedError::BeyondProfile { indentation: motion.depth(duration) });
+                }
+                (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| front.instant(way, x, duration))))
+            }
+            EdgePhase::Creeps(path) => {
+                let &(to, duration) = path.last().unwrap_or(&(front.edge, 0.0));
+                (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| instant_of(&path, x))))
+            }
+            EdgePhase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
+        };
+        Ok(PhaseStep { duration, change })
+    }
+
+    fn front<'b>(
+        &'b self,
+        motion: &Motion,
+        least: f64,
+        borders: &'b [f64],
+        see: &'b dyn Fn(Way, f64) -> SightedSpring,
+    ) -> Front<'b> {
+        Front {
+            spectrum: &self.spectrum,
+            attraction: self.attraction.as_ref(),
+            profile: self.profile.as_ref(),
+            see,
+            edge: self.radius(),
+            limit: match self.profile.rim() {
+                Rim::None => f64::MAX,
+                Rim::Wall(end) | Rim::End(end) => end,
+            },
+            borders,
+            scale: self.profile.scale(),
+            feature: self.profile.feature().unwrap_or(f64::INFINITY),
+            motion: *motion,
+            least: least.min(motion.duration),
+            instants: instants(&self.spectrum, motion.duration),
+        }
+    }
+
+    /// The springs between the edge and the radius `to` at the end of a motion in which they join or leave, each at
+    /// its `instant`.
+    fn change(&self, way: Way, to: f64, motion: &Motion, instant: &dyn Fn(f64) -> f64) -> Change {
+        let edge = self.radius();
+        let (inner, outer) = (edge.min(to), edge.max(to));
+        let own = self.panels.iter().map(|panel| panel.outer).chain(self.profile.breaks(outer));
+        let mut borders: Vec<f64> = own.filter(|&x| inner < x && x < outer).chain([inner, outer]).collect();
+        borders.sort_by(f64::total_cmp);
+        borders.dedup();
+        let lived = |x: f64| self.lived(way, x, motion, instant(x));
+        let lengths = motion.start.abs().max(motion.end().abs()) + self.profile.reduced(outer);
+        let (scale, most) = match way {
+            Way::Closing => (self.spectrum.equilibrium() * lengths, self.spectrum.instantaneous() * lengths),
+            Way::Opening => (lengths, lengths),
+        };
+        let grain = Grain { scale, tolerance: self.tolerance(), floor: 2.0 * f64::EPSILON * most };
+        let (panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, &lived);
+        Change { inner, outer, panels, work }
+    }
+
+    /// What the polynomials of the panels may miss: no more than the way of an edge that obeys a rate law.
+    fn tolerance(&self) -> f64 {
+        let followed = self.attraction.as_ref().filter(|attraction| attraction.has_rate());
+        followed.map_or(SMOOTH, |attraction| SMOOTH.max(0.1 * attraction.accuracy()))
+    }
+
+    /// The spring at `x` after a motion in which it joins or leaves at the time `at`.
+    fn lived(&self, way: Way, x: f64, motion: &Motion, at: f64) -> Lived {
+        let (spectrum, height) = (&self.spectrum, self.profile.reduced(x));
+        let seen = Motion { start: motion.start - height, ..*motion };
+        let (u, rest) = (seen.depth(at), motion.duration - at);
+        let mut impulse = 0.0;
+        let mut pressed = |u: f64, s: &mut [f64], duration: f64| {
+            impulse = spectrum.impulse(&Piece::Pressed { u, s, speed: seen.speed, duration });
+            spectrum.press(s, seen.speed, duration);
+        };
+        let spring = match (way, self.spring_on(way, x)) {
+            (Way::Closing, Spring::Free(mut free)) => {
+                spectrum.recover(&mut free, at);
+                let mut s = vec![0.0; spectrum.terms().len()];
+                spectrum.loads_of_free(&free, &mut s);
+                if let Some(attraction) = &self.attraction {
+                    attraction.moved(spectrum, (spectrum.recovered(&free, 0.0), u), &mut s);
+                }
+                pressed(u, &mut s, rest);
+                Spring::Pressed(s)
+            }
+            (Way::Opening, Spring::Pressed(mut s)) => {
+                pressed(seen.start, &mut s, at);
+                let mut free = match &self.attraction {
+                    Some(attraction) => {
+                        let load = spectrum.load(u, &s, seen.speed);
+                        attraction.let_go(spectrum, u, load, &mut s)
+                    }
+                    None => spectrum.let_go(u, &s),
+                };
+                spectrum.recover(&mut free, rest);
+                Spring::Free(free)
+            }
+            (_, spring) => spring,
+        };
+        Lived { spring, impulse }
+    }
+
+    /// A motion, with what happens to the springs at the edge.
+    fn take(&mut self, motion: &Motion, change: Option<Change>) {
+        let edge = self.radius();
+        let change = change.unwrap_or(Change { inner: edge, outer: edge, panels: Vec::new(), work: 0.0 });
+        self.work += change.work + self.steady_work(motion, change.inner);
+        self.cut(change.inner);
+        self.cut(change.outer);
+        let first = self.panels.partition_point(|panel| panel.outer <= change.inner);
+        let last = self.panels.partition_point(|panel| panel.inner < change.outer).max(first);
+        for (k, panel) in self.panels.iter_mut().enumerate() {
+            if k < first || k >= last {
+                if self.counts {
+                    self.work += panel.work(&self.spectrum, motion);
+                }
+                panel.pass(&self.spectrum, motion);
+            }
+        }
+        let count = change.panels.len();
+        self.panels.splice(first..last, change.panels);
+        self.merge(first, first + count);
+        self.held = self.panels.iter().take_while(|panel| panel.held).count();
+    }
+
+    /// Makes one panel of two where that loses nothing, at the borders from `first` to `last`.
+    fn merge(&mut self, first: usize, last: usize) {
+        for k in (first.max(1)..=last).rev() {
+            let (Some(one), Some(two)) = (self.panels.get(k - 1), self.panels.get(k)) else { continue };
+            if let Some(joined) = one.joined_with(two, &self.spectrum, self.tolerance()) {
+                self.panels.splice(k - 1..=k, [joined]);
+            }
+        }
+    }
+
+    /// Cuts the panel that holds `x` in two.
+    fn cut(&mut self, x: f64) {
+        let Some(k) = self.panels.iter().position(|panel| panel.inner < x && x < panel.outer) else { return };
+        let halves = self.panels[k].cut(&self.spectrum, x);
+        self.panels.splice(k..=k, halves);
+    }
+}
