@@ -68,7 +68,7 @@ impl Sketch {
     pub fn of(shape: Attempt<Shape>) -> Self {
         let scene = |shape| {
             let bodies = (elastic(0.75, 0.5)?, Body::Rigid);
-            let (adhesion, friction, wear) = (None, None, None);
+            let (adhesion, friction, wear, machine) = (None, None, None, None);
             let (accuracy, springs, steps, plots, sweep) = (None, None, None, None, None);
             let (title, history) = (String::new(), Vec::new());
             Ok(Scene {
@@ -78,6 +78,7 @@ impl Sketch {
                 adhesion,
                 friction,
                 wear,
+                machine,
                 history,
                 accuracy,
                 springs,
