@@ -34,6 +34,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod whole;
+
 use super::FrictionError;
 use super::load::{LinearProduct, LoadCurve, SpringDepth};
 use super::slipped::{Node, SlideStep, slip_work};
@@ -41,6 +43,7 @@ pub use crate::contact::model::Pose;
 use crate::shape::Profile;
 use std::cmp::Ordering;
 use std::sync::Arc;
+pub use whole::Corner;
 
 /// Moduli and friction of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,18 +90,6 @@ struct Turn {
     slope: f64,
     /// Σ σₖ ΔNₖ up to here [m²].
     sum: f64,
-}
-
-/// Two displacements closer than this part of the one that slips the contact as a whole are one.
-const CORNER: f64 = 1e-13;
-
-/// Where a motion along the surface meets a turning point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Corner {
-    /// Tangential displacement [m].
-    pub slide: f64,
-    /// Whether the contact slips as a whole behind it.
-    pub is_last: bool,
 }
 
 /// The last point of the memory a new position can see.
@@ -318,75 +309,6 @@ impl TangentialMemory {
         };
         let sum: f64 = self.turns.windows(2).map(square).sum();
         self.grip.coefficient * self.grip.normal_modulus * self.reach * sum
-    }
-
-    /// The nearest tangential displacement [m] beyond the present one, `ahead` 1 or −1, at which the memory loses a turning
-    /// point: there the stiffness has a kink, and behind the last one the contact slips as a whole.
-    ///
-    /// A vertex at the depth h that has slipped by s is reached by the slip at s ± m(d − h).
-    #[must_use]
-    pub fn next_corner(&self, ahead: f64) -> Corner {
-        let reached = |turn: &Turn| {
-            let below = turn.place.below(self.at.indentation);
-            (turn.slide - turn.behind) + ahead * self.reach * below - self.at.slide
-        };
-        let least = CORNER * self.reach * self.at.indentation;
-        let beyond = self.turns.iter().rev().map(reached).find(|way| ahead * way > least);
-        let last = self.turns.first().map_or(0.0, reached);
-        let way = beyond.unwrap_or(last);
-        Corner { slide: self.at.slide + way, is_last: ahead * way >= ahead * last }
-    }
-
-    /// The tangential displacement [m] at which the contact slips as a whole in the direction `ahead`, 1 or −1.
-    #[must_use]
-    pub fn last_corner(&self, ahead: f64) -> f64 {
-        let axis = self.turns.first().map_or(self.at.slide, |axis| axis.slide - axis.behind);
-        axis + ahead * self.reach * self.at.indentation
-    }
-
-    /// Friction [N] at which the contact slips as a whole, and the displacement of its axis then [m].
-    fn whole(&self) -> (f64, f64) {
-        let edge = self.place(self.at.indentation, 0.0);
-        let load = edge.map_or(0.0, |edge| self.curve.increment((SpringDepth::AXIS, edge)));
-        (self.force(load), self.reach * self.at.indentation)
-    }
-
-    /// Friction μF [N] at which the contact slips as a whole.
-    #[must_use]
-    pub fn limit(&self) -> f64 {
-        self.whole().0
-    }
-
-    /// Tangential displacement μdE*/G* [m] from no load to where the contact slips as a whole.
-    #[must_use]
-    pub fn slip_reach(&self) -> f64 {
-        self.whole().1
-    }
-
-    /// Lets all springs slip until each carries the part `part` (from −1 to 1) of the load at which it slips, at the
-    /// present displacement; the energy this sets free is lost.
-    ///
-    /// # Errors
-    /// The indentation leaves the profile.
-    pub fn give_way(&mut self, part: f64) -> Result<(), FrictionError> {
-        if self.turns.is_empty() || self.reach <= 0.0 {
-            return Ok(());
-        }
-        let before = self.stored();
-        let axis = self.axis(part * self.reach * self.at.indentation);
-        let place = self.place(self.at.indentation, 0.0)?;
-        let sum = part * self.curve.increment((axis.place, place));
-        self.turns = vec![axis, Turn { place, slide: self.at.slide, behind: 0.0, slope: part, sum }];
-        self.stick_radius = 0.0;
-        self.dissipated += (before - self.stored()).max(0.0);
-        Ok(())
-    }
-
-    /// The work [J] of the friction all springs carry along the way `way` [m] that the contact slides as a whole.
-    ///
-    /// Nothing depends on where it is: the memory stays at its displacement.
-    pub fn rub(&mut self, way: f64) {
-        self.dissipated += (self.state().tangential_force * way).abs();
     }
 
     /// Tangential displacement v(x) [m] of the spring at the distance `x` ≥ 0 [m] from the axis.

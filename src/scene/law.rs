@@ -28,7 +28,7 @@ pub use crate::friction::contact::Interface;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::{CoulombBed, TangentialMemory};
 use crate::material::Relaxation;
-use crate::scene::history::{MachineEntry, Motion};
+use crate::scene::history::{MachineEntry, MachineMotion, Motion};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -424,6 +424,12 @@ impl MachineLaw {
         } else {
             "; the mass of the machine swings on the contact in extrapolated steps, which end where it touches, parts or turns"
         }
+    }
+
+    /// Whether its mass falls.
+    #[must_use]
+    pub fn falls(&self) -> bool {
+        self.motions.iter().any(|motion| matches!(motion.motion, MachineMotion::Fall { .. }))
     }
 
     /// Whether it moves the mass along the surface.

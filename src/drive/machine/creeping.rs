@@ -9,7 +9,7 @@ use crate::numerics::root;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Creep {
     pub(super) suspension: Suspension,
-    /// Speed V of the far end [m/s], not zero.
+    /// Speed V of the far end [m/s].
     pub(super) drawn: f64,
     /// Displacement in the memory [m], extension of the spring [m] and time [s] at its beginning.
     pub(super) from: (f64, f64, f64),
@@ -22,14 +22,16 @@ impl Creep {
         self.drawn * stiffness / (stiffness + contact)
     }
 
-    /// Displacement [m], extension [m] and time [s] at which the contact slips as a whole.
-    pub(super) fn slip(&self, memory: &TangentialMemory) -> (f64, f64, f64) {
+    /// Time [s] at which the contact slips as a whole; never under a spring that is not drawn out.
+    pub(super) fn slip_time(&self, memory: &TangentialMemory) -> f64 {
+        if self.drawn.abs() <= 0.0 {
+            return f64::INFINITY;
+        }
         let ahead = 1f64.copysign(self.drawn);
         let (slide, extension, time) = self.from;
         let last = memory.last_corner(ahead);
         let drawn_out = (ahead * memory.limit() + self.suspension.damping * self.drawn) / self.suspension.stiffness;
-        let way = (drawn_out - extension) + (last - slide);
-        (last, drawn_out, time + (way / self.drawn).max(0.0))
+        time + (((drawn_out - extension) + (last - slide)) / self.drawn).max(0.0)
     }
 
     /// Displacement [m] at the time `time` [s].

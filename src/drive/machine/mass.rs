@@ -67,7 +67,7 @@ const TOLERANCE: f64 = 1e-13;
 /// Rounding of a force, relative to the push and the force of the contact that balance in it.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Most turns of a mass.
-pub const MOST_TURNS: usize = 2_000_000;
+pub const MOST_TURNS: usize = 200_000;
 /// Growth of the first step of a contact over that of the one before.
 const BOLDER: f64 = 4.0;
 
@@ -128,8 +128,12 @@ impl<'c> Mass<'c> {
     }
 
     /// Time since the beginning of a step, and the state, at which the number `at` of the state is zero.
-    fn land(&mut self, (from, step): (&[f64; 3], f64), at: usize) -> Result<Option<(f64, [f64; 3])>, MachineError> {
-        let landed = self.stepper.landing(&mut self.forces, from, (step, at, 0.0));
+    fn land(
+        &mut self,
+        (from, to, step): (&[f64; 3], &[f64; 3], f64),
+        at: usize,
+    ) -> Result<Option<(f64, [f64; 3])>, MachineError> {
+        let landed = self.stepper.landing(&mut self.forces, (from, to), (step, at, 0.0));
         landed.map(Some).ok_or_else(|| self.failure())
     }
 
@@ -185,8 +189,8 @@ impl MovedMass for Mass<'_> {
         }
         let leaves = if self.touching { to[0] < 0.0 } else { to[0] > 0.0 };
         let turns = speed * to[1] < 0.0;
-        let edge = if leaves { self.land((&from, step), 0)? } else { None };
-        let turn = if turns { self.land((&from, step), 1)? } else { None };
+        let edge = if leaves { self.land((&from, &to, step), 0)? } else { None };
+        let turn = if turns { self.land((&from, &to, step), 1)? } else { None };
         let first = match (edge, turn) {
             (Some(edge), Some(turn)) if turn.0 < edge.0 => (turn, Happening::Turns),
             (Some(edge), _) => (edge, if self.touching { Happening::Parts } else { Happening::Touches }),

@@ -146,3 +146,6 @@ pub enum MachineError {
         time: f64,
     },
 }
+
+#[cfg(test)]
+mod tests;

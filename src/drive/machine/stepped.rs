@@ -21,15 +21,19 @@ pub struct SteppedMachine<'c> {
     state: MassState,
     /// Time since the last touch or parting [s].
     since: f64,
+    /// Acceleration in the last step [m/s²].
+    pace: f64,
     steps: usize,
 }
 
 /// First step, relative to the longest.
-const FIRST: f64 = 1e-4;
+const FIRST: f64 = 1e-3;
 /// Growth of the steps at first, relative to the time that has passed.
-const GROWTH: f64 = 0.1;
+const GROWTH: f64 = 0.2;
 /// Change of the mean speed, relative to the speeds in a step, after which the next is of no account.
-const SETTLED: f64 = 1e-12;
+const SETTLED: f64 = 1e-11;
+/// Speed by rounding, relative to that which the push gives in the longest step.
+const STILL: f64 = 1e-10;
 /// Most iterations of a step, halvings of one that parts the bodies, corrections of one that ends where the mass turns.
 const MOST: usize = 40;
 const HALVINGS: usize = 48;
@@ -47,7 +51,7 @@ impl<'c> SteppedMachine<'c> {
         (depth, longest): (f64, f64),
     ) -> Self {
         let state = MassState { depth, ..MassState::default() };
-        Self { contact, suspension, held, longest, state, since: 0.0, steps: 0 }
+        Self { contact, suspension, held, longest, state, since: 0.0, pace: 0.0, steps: 0 }
     }
 }
 
@@ -104,7 +108,9 @@ impl SteppedMachine<'_> {
     fn go_on(&mut self, mean: f64, step: f64, ends: Option<f64>) -> Result<Option<MassMoment>, MachineError> {
         let from = self.state.speed;
         let to = 2.0 * mean - from;
-        if from * to >= 0.0 || !self.contact.joined() {
+        // A mass at rest has a speed by rounding alone.
+        let still = STILL * self.longest * self.held.push.abs() / self.suspension.mass;
+        if from * to >= 0.0 || from.abs() <= still || !self.contact.joined() {
             self.go(mean, step, ends)?;
             return Ok(None);
         }
@@ -133,6 +139,7 @@ impl SteppedMachine<'_> {
             damped: damped + lost,
         };
         self.since += step;
+        self.pace = 2.0 * (mean - speed) / step;
         Ok(())
     }
 
@@ -150,7 +157,7 @@ impl SteppedMachine<'_> {
         let (step, to) = stepper.step(&mut motion, &from, until - time).ok_or(stalled)?;
         let lands = to[0] >= 0.0;
         let (step, to) =
-            if lands { stepper.landing(&mut motion, &from, (step, 0, 0.0)).ok_or(stalled)? } else { (step, to) };
+            if lands { stepper.landing(&mut motion, (&from, &to), (step, 0, 0.0)).ok_or(stalled)? } else { (step, to) };
         let depth = if lands { 0.0 } else { to[0] };
         let present = depth_of(self.contact);
         let piece = ahead(self.contact, (depth - present) / step, step);
@@ -166,7 +173,7 @@ impl SteppedMachine<'_> {
         let from = self.state.speed;
         let scale =
             from.abs() + step * (self.held.push.abs() + self.contact.state().force.abs()) / self.suspension.mass;
-        let mut mean = from + 0.5 * self.impulse(from, step)? / self.suspension.mass;
+        let mut mean = from + 0.5 * self.pace * step;
         let mut last: Option<(f64, f64)> = None;
         for _ in 0..MOST {
             let miss = from + 0.5 * self.impulse(mean, step)? / self.suspension.mass - mean;

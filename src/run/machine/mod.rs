@@ -2,6 +2,7 @@
 
 mod along;
 mod bounces;
+mod halved;
 mod normal;
 mod slips;
 
@@ -14,7 +15,6 @@ use super::table::Table;
 use super::{SimulationError, Solved, Wanted, compose};
 use crate::drive::machine::{MachineError, MassMoment};
 use crate::run::unit::Unit;
-use crate::scene::history::MachineMotion;
 use crate::scene::law::MachineLaw;
 use crate::scene::plan::RoundPlan;
 
@@ -39,8 +39,7 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<
     let moved = if law.is_along() { along::run(plan, law, &before)? } else { normal::run(plan, law, &mut before)? };
     let error_estimate = estimate(plan, &before, &moved);
     // A mass that falls has never been where the history begins.
-    let falls = law.motions.iter().any(|motion| matches!(motion.motion, MachineMotion::Fall { .. }));
-    let led = if falls { Vec::new() } else { before.records };
+    let led = if law.falls() { Vec::new() } else { before.records };
     let records: Vec<Record> = led.into_iter().chain(moved.records).collect();
     let mut results =
         results::named(Some(&plan.contact), &records, &Pressures { fields: &before.fields, on_axis: None });

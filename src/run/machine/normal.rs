@@ -1,15 +1,9 @@
 //! A mass that swings or bounces on the contact.
 
 use super::bounces::{self, Bounce};
-use super::{Moved, failed};
-use crate::contact::model::{ContactModel, Straight};
+use super::{Moved, failed, halved};
 use crate::contact::state::Normal;
-use crate::contact::viscoelastic::Spectrum;
-use crate::drive::impact::{Projectile, StruckHalfSpace};
-use crate::drive::machine::{
-    GRAVITY, Happening, Held, Mass, MassMoment, MassState, MovedMass, SteppedMachine, Suspension,
-};
-use crate::material::Relaxation;
+use crate::drive::machine::{GRAVITY, Happening, Held, Mass, MassMoment, MassState, MovedMass, Suspension};
 use crate::run::SimulationError;
 use crate::run::follow::Run;
 use crate::run::named::Named;
@@ -19,28 +13,29 @@ use crate::scene::history::{MachineEntry, MachineMotion};
 use crate::scene::law::MachineLaw;
 use crate::scene::plan::RoundPlan;
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
 
 /// Most moments between the records asked for that are recorded too.
 const MOST_MOMENTS: usize = 20_000;
+/// Most swings or bounces that are followed.
+const MOST_TIMES: f64 = 5e4;
 /// Greatest speed of a mass that lies, relative to that of its fall.
-const LIES: f64 = 1e-4;
+const LIES: f64 = 1e-5;
 
 /// A motion being recorded.
 #[derive(Clone)]
-struct Motion<'r> {
-    entry: MachineEntry,
-    suspension: Suspension,
-    held: Held,
+pub(super) struct Motion<'r> {
+    pub(super) entry: MachineEntry,
+    pub(super) suspension: Suspension,
+    pub(super) held: Held,
     /// Time at which the entry begins [s].
     begin: f64,
     /// Where the mass is let go [m].
-    from: f64,
+    pub(super) from: f64,
     /// Speed of the fall at first touch [m/s]; zero of a mass that swings.
-    fall: f64,
+    pub(super) fall: f64,
     /// Energy there is at the beginning, contact and spring [J].
     initial: f64,
-    before: &'r Record,
+    pub(super) before: &'r Record,
     records: Vec<Record>,
     moments: Vec<MassMoment>,
     bounces: Vec<Bounce>,
@@ -56,84 +51,21 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &mut Run) -> Resul
     };
     let last = *last;
     let motion = Motion::new(*entry, law.suspension, &last)?;
-    let Some(relaxation) = plan.contact.bodies().relaxation() else {
+    let relaxation = plan.contact.bodies().relaxation();
+    // On bodies that relax a ball comes to lie.
+    if relaxation.is_none() || !law.falls() {
+        motion.is_short()?;
+    }
+    let Some(relaxation) = relaxation else {
         let (suspension, held, from) = (law.suspension, motion.held, motion.from);
         return motion.told(&mut Mass::new(before.contact.as_mut(), suspension, held, (from, 0.0)));
     };
-    stepped(plan, relaxation, (motion, before))
-}
-
-/// Longest steps of the first run, in the time of an elastic impact or of a radian of the swing, and how often they are halved.
-const STEPS: f64 = 25.0;
-const HALVINGS: usize = 3;
-/// Time of an elastic impact in depths over speeds.
-const ELASTIC: f64 = 2.94;
-
-/// Bodies that remember, with steps halved until the motion agrees.
-fn stepped(
-    plan: &RoundPlan,
-    relaxation: &Arc<Relaxation>,
-    (motion, before): (Motion<'_>, &Run),
-) -> Result<Moved, SimulationError> {
-    let mut longest = time(plan, relaxation, &motion)? / STEPS;
-    let start = before.contact.copy();
-    let run = |longest: f64| {
-        let mut contact = start.copy();
-        led(contact.as_mut(), &motion, longest)
-    };
-    let mut coarse = run(longest)?;
-    let mut done = 0;
-    loop {
-        longest *= 0.5;
-        let mut fine = run(longest)?;
-        done += 1;
-        let error = apart(&coarse, &fine);
-        if done >= HALVINGS || error <= plan.accuracy() {
-            fine.error = Some(error);
-            return Ok(fine);
-        }
-        coarse = fine;
-    }
-}
-
-/// One run with steps no longer than `longest` [s].
-fn led(contact: &mut dyn ContactModel, motion: &Motion<'_>, longest: f64) -> Result<Moved, SimulationError> {
-    let depth = contact.state().indentation.unwrap_or(0.0);
-    // A swing begins where the contact is led to first, at once.
-    if contact.joined() {
-        let jump = Straight::between(depth, motion.from, 0.0);
-        contact.follow(&jump).map_err(|source| failed(motion.entry.entry)(source.into()))?;
-    }
-    let (suspension, held) = (motion.suspension, motion.held);
-    motion.clone().told(&mut SteppedMachine::new(contact, suspension, held, (motion.from, longest)))
-}
-
-/// How far two runs are apart: what happens in them, relative to the time behind it, and the depths and forces of their records.
-fn apart(coarse: &Moved, fine: &Moved) -> f64 {
-    let (one, other) = (&coarse.moments, &fine.moments);
-    let times = one.iter().zip(other).map(|(one, other)| (one.state.time - other.state.time).abs());
-    let last = other.last().map_or(f64::MIN_POSITIVE, |moment| moment.state.time.max(f64::MIN_POSITIVE));
-    let speeds = one.iter().zip(other).map(|(one, other)| (one.state.speed - other.state.speed).abs());
-    let fastest = other.iter().map(|moment| moment.state.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    // One happening more or less is one of a mass that all but lies.
-    times.fold(0.0, f64::max) / last + speeds.fold(0.0, f64::max) / fastest
-}
-
-/// The time in which the contact moves fastest [s].
-fn time(plan: &RoundPlan, relaxation: &Arc<Relaxation>, motion: &Motion<'_>) -> Result<f64, SimulationError> {
-    let Suspension { mass, stiffness, .. } = motion.suspension;
-    if motion.fall > 0.0 {
-        let ground = StruckHalfSpace { spectrum: Arc::new(Spectrum::new(relaxation)), profile: plan.profile.clone() };
-        let impact = Projectile { mass, speed: motion.fall };
-        return Ok(ELASTIC * ground.depth_scale(&impact)? / motion.fall);
-    }
-    let contact = 2.0 * plan.pair.normal * motion.before.normal.contact_radius.unwrap_or(0.0);
-    Ok((mass / (contact + stiffness)).sqrt() * PI)
+    halved::stepped(plan, relaxation, (motion, before))
 }
 
 impl Motion<'_> {
     /// Follows the mass, and tells of it.
-    fn told(mut self, mass: &mut dyn MovedMass) -> Result<Moved, SimulationError> {
+    pub(super) fn told(mut self, mass: &mut dyn MovedMass) -> Result<Moved, SimulationError> {
         self.begins(mass)?;
         let lies = self.follow(mass)?;
         let mut results = self.results(lies);
@@ -173,6 +105,27 @@ impl<'r> Motion<'r> {
         let (records, moments, bounces) = (Vec::new(), Vec::new(), Vec::new());
         let begin = before.time;
         Ok(Self { entry, suspension, held, begin, from, fall, initial: 0.0, before, records, moments, bounces })
+    }
+
+    /// Whether it can be followed to its end.
+    fn is_short(&self) -> Result<(), SimulationError> {
+        let Suspension { mass, stiffness, damping } = self.suspension;
+        let (what, times) = match self.entry.motion {
+            MachineMotion::Ring { .. } => {
+                ("swings", self.entry.over * ((stiffness + self.before.normal.stiffness) / mass).sqrt() / TAU)
+            }
+            // What a damper or a body that relaxes takes makes bounces fewer and shorter.
+            MachineMotion::Fall { .. } if damping <= 0.0 => ("bounces", 0.5 * self.entry.over * GRAVITY / self.fall),
+            MachineMotion::Fall { .. } | MachineMotion::Drive { .. } => return Ok(()),
+        };
+        if times > MOST_TIMES {
+            return Err(SimulationError::Refused(format!(
+                "history[{}].over: the mass {what} some {times:.1e} times in it: expected a duration of at most {:.1e} s",
+                self.entry.entry,
+                self.entry.over * MOST_TIMES / times
+            )));
+        }
+        Ok(())
     }
 
     /// The state as the mass is let go.

@@ -162,7 +162,7 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);
             over_time.into_iter().chain([against_depth(force_of(plan))]).collect()
         }
-        Plan::Round(RoundPlan { machine: Some(law), .. }) => machine::force(law, records),
+        Plan::Round(RoundPlan { machine: Some(_), .. }) => machine::force(records),
         // The same depth carries less as the profile wears.
         Plan::Round(RoundPlan { wear: Some(_), .. }) => {
             [FORCE, INDENTATION].map(|column| against_time(records, &column)).into()
