@@ -61,6 +61,18 @@ fn cutting_a_drive_changes_nothing() {
     assert!(whole.number("energy_error").unwrap() < 1e-10);
 }
 
+/// However far the contact has slid, each slip is like the one before.
+#[test]
+fn many_slips_are_alike() {
+    let text =
+        polymer(&format!("{DRIVEN} history: [Press(to: 2, over: 1), Drive(speed: \"2.7 mm/s\", over: 10)], steps: 10"));
+    let outcome = outcome(&text);
+    let starts = times(&outcome, "slips", "start_time");
+    assert!(starts.len() > 1000 && outcome.number("energy_error").unwrap() < 1e-10, "{}", starts.len());
+    let periods: Vec<f64> = starts[500..].windows(2).map(|pair| pair[1] - pair[0]).collect();
+    assert!(periods.iter().all(|period| (period / periods[0] - 1.0).abs() < 1e-6), "{periods:?}");
+}
+
 /// Coulomb's law has no fall: the mass creeps, and slides steadily, drawn by μF.
 #[test]
 fn a_coulomb_contact_creeps_and_then_slides() {
@@ -83,7 +95,7 @@ fn a_coulomb_contact_creeps_and_then_slides() {
 fn a_drive_may_turn_and_stop() {
     let text = polymer(&format!(
         "{DRIVEN} history: [Press(to: 2, over: 1), Slide(to: 0, over: 1), Drive(speed: \"1 mm/s\", over: 0.1), \
-         Drive(speed: \"-2 mm/s\", over: 0.2), Drive(speed: 0, over: 0.2)], steps: 200"
+         Drive(speed: \"-2 mm/s\", over: 0.2), Drive(speed: 0, over: 1)], steps: 200"
     ));
     let text = text.replace("StaticKinetic(static: 0.5, kinetic: 0.3)", "Coulomb(coefficient: 0.3)");
     let outcome = outcome(&text);

@@ -28,7 +28,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod creeping;
 mod drawn;
 mod mass;
 mod sliding;

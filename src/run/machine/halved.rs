@@ -1,6 +1,6 @@
 //! A mass on bodies that remember, with steps halved until the motion agrees.
 
-use super::normal::Motion;
+use super::normal::{Motion, last};
 use super::{Moved, failed};
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::viscoelastic::Spectrum;
@@ -9,6 +9,7 @@ use crate::drive::machine::{SteppedMachine, Suspension};
 use crate::material::Relaxation;
 use crate::run::SimulationError;
 use crate::run::follow::Run;
+use crate::scene::law::MachineLaw;
 use crate::scene::plan::RoundPlan;
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -19,23 +20,32 @@ const HALVINGS: usize = 2;
 /// Time of an elastic impact in depths over speeds.
 const ELASTIC: f64 = 2.94;
 
-/// Bodies that remember, with steps halved until the motion agrees.
-pub(super) fn stepped(
+/// Moves the mass of a machine along the normal of bodies that remember, with steps halved until the motion agrees.
+///
+/// # Errors
+/// The bodies are apart, or the motion cannot be followed.
+pub(super) fn run(
     plan: &RoundPlan,
     relaxation: &Arc<Relaxation>,
-    (motion, before): (Motion<'_>, &Run),
+    (law, before): (&MachineLaw, &Run),
 ) -> Result<Moved, SimulationError> {
+    let last = last(before)?;
+    let motion = Motion::new(law, &last)?;
+    // A ball comes to lie, however long it may fall.
+    if !law.falls() {
+        motion.is_short()?;
+    }
     let mut longest = time(plan, relaxation, &motion)? / STEPS;
     let start = before.contact.copy();
-    let run = |longest: f64| {
+    let led_by = |longest: f64| {
         let mut contact = start.copy();
         led(contact.as_mut(), &motion, longest)
     };
-    let mut coarse = run(longest)?;
+    let mut coarse = led_by(longest)?;
     let mut done = 0;
     loop {
         longest *= 0.5;
-        let mut fine = run(longest)?;
+        let mut fine = led_by(longest)?;
         done += 1;
         let error = apart(&coarse, &fine);
         if done >= HALVINGS || error <= plan.accuracy() {
@@ -49,11 +59,9 @@ pub(super) fn stepped(
 /// One run with steps no longer than `longest` [s].
 fn led(contact: &mut dyn ContactModel, motion: &Motion<'_>, longest: f64) -> Result<Moved, SimulationError> {
     let depth = contact.state().indentation.unwrap_or(0.0);
-    // A swing begins where the contact is led to first, at once.
-    if contact.joined() {
-        let jump = Straight::between(depth, motion.from, 0.0);
-        contact.follow(&jump).map_err(|source| failed(motion.entry.entry)(source.into()))?;
-    }
+    // The motion begins where the contact is led to first, at once.
+    let jump = Straight::between(depth, motion.from, 0.0);
+    contact.follow(&jump).map_err(|source| failed(motion.entry.entry)(source.into()))?;
     let (suspension, held) = (motion.suspension, motion.held);
     motion.clone().told(&mut SteppedMachine::new(contact, suspension, held, (motion.from, longest)))
 }

@@ -36,7 +36,11 @@ struct Moved {
 /// The contact would leave its profile, or the machine is too fast to be followed.
 pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<Solved, SimulationError> {
     let mut before = follow(plan, compose::contact(plan, wanted)?, wanted)?;
-    let moved = if law.is_along() { along::run(plan, law, &before)? } else { normal::run(plan, law, &mut before)? };
+    let moved = match plan.contact.bodies().relaxation() {
+        _ if law.is_along() => along::run(plan, law, &before)?,
+        Some(relaxation) => halved::run(plan, relaxation, (law, &before))?,
+        None => normal::run(law, &mut before)?,
+    };
     let error_estimate = estimate(plan, &before, &moved);
     // A mass that falls has never been where the history begins.
     let led = if law.falls() { Vec::new() } else { before.records };

@@ -1,7 +1,7 @@
 //! A mass that swings or bounces on the contact.
 
 use super::bounces::{self, Bounce};
-use super::{Moved, failed, halved};
+use super::{Moved, failed};
 use crate::contact::state::Normal;
 use crate::drive::machine::{GRAVITY, Happening, Held, Mass, MassMoment, MassState, MovedMass, Suspension};
 use crate::run::SimulationError;
@@ -11,7 +11,6 @@ use crate::run::record::{MachineState, Record};
 use crate::run::unit::Unit;
 use crate::scene::history::{MachineEntry, MachineMotion};
 use crate::scene::law::MachineLaw;
-use crate::scene::plan::RoundPlan;
 use std::f64::consts::{PI, TAU};
 
 /// Most moments between the records asked for that are recorded too.
@@ -45,22 +44,21 @@ pub(super) struct Motion<'r> {
 ///
 /// # Errors
 /// The bodies are apart, or the motion cannot be followed.
-pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &mut Run) -> Result<Moved, SimulationError> {
-    let (Some(entry), Some(last)) = (law.motions.first(), before.records.last()) else {
-        return Err(SimulationError::Refused("machine: there is no motion".to_owned()));
-    };
-    let last = *last;
-    let motion = Motion::new(*entry, law.suspension, &last)?;
-    let relaxation = plan.contact.bodies().relaxation();
-    // On bodies that relax a ball comes to lie.
-    if relaxation.is_none() || !law.falls() {
-        motion.is_short()?;
-    }
-    let Some(relaxation) = relaxation else {
-        let (suspension, held, from) = (law.suspension, motion.held, motion.from);
-        return motion.told(&mut Mass::new(before.contact.as_mut(), suspension, held, (from, 0.0)));
-    };
-    halved::stepped(plan, relaxation, (motion, before))
+pub(super) fn run(law: &MachineLaw, before: &mut Run) -> Result<Moved, SimulationError> {
+    let last = last(before)?;
+    let motion = Motion::new(law, &last)?;
+    motion.is_short()?;
+    let (suspension, held, from) = (law.suspension, motion.held, motion.from);
+    motion.told(&mut Mass::new(before.contact.as_mut(), suspension, held, (from, 0.0)))
+}
+
+/// The record before the motion.
+///
+/// # Errors
+/// There is none.
+pub(super) fn last(before: &Run) -> Result<Record, SimulationError> {
+    let last = before.records.last().copied();
+    last.ok_or_else(|| SimulationError::Refused("machine: there is no contact".to_owned()))
 }
 
 impl Motion<'_> {
@@ -81,7 +79,11 @@ impl Motion<'_> {
 }
 
 impl<'r> Motion<'r> {
-    fn new(entry: MachineEntry, suspension: Suspension, before: &'r Record) -> Result<Self, SimulationError> {
+    pub(super) fn new(law: &MachineLaw, before: &'r Record) -> Result<Self, SimulationError> {
+        let Some(&entry) = law.motions.first() else {
+            return Err(SimulationError::Refused("machine: there is no motion".to_owned()));
+        };
+        let suspension = law.suspension;
         let depth = before.normal.indentation.unwrap_or(0.0);
         let (held, from, fall) = match entry.motion {
             MachineMotion::Ring { amplitude } => {
@@ -108,7 +110,7 @@ impl<'r> Motion<'r> {
     }
 
     /// Whether it can be followed to its end.
-    fn is_short(&self) -> Result<(), SimulationError> {
+    pub(super) fn is_short(&self) -> Result<(), SimulationError> {
         let Suspension { mass, stiffness, damping } = self.suspension;
         let (what, times) = match self.entry.motion {
             MachineMotion::Ring { .. } => {

@@ -1,15 +1,16 @@
 //! A mass on a contact with friction, drawn along the surface by a spring.
 
+mod creeping;
 mod forces;
 mod stuck;
 
-use super::creeping::Creep;
 use super::sliding::Slide;
 use super::{MachineError, Suspension};
 use crate::contact::error::ContactError;
 use crate::contact::state::Tangential;
 use crate::friction::{Pose, TangentialMemory};
 use crate::numerics::extrapolation::Stepper;
+use creeping::Creep;
 
 /// Where the mass is, and what has been done to it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -68,6 +69,8 @@ pub struct Drawn {
     state: DrawnState,
     /// What the displacement is ahead of that in the memory [m].
     offset: f64,
+    /// The displacement in the memory [m]: however far the contact has slid, its digits are those of partial slip.
+    local: f64,
     phase: Phase,
     stepper: Stepper,
     turns: usize,
@@ -104,6 +107,7 @@ impl Drawn {
             drawn: 0.0,
             state,
             offset: 0.0,
+            local: slide,
             phase,
             stepper,
             turns: 0,
@@ -198,16 +202,11 @@ impl Drawn {
         Ok(None)
     }
 
-    /// Displacement in the memory [m].
-    fn local(&self) -> f64 {
-        self.state.slide - self.offset
-    }
-
     /// Takes the memory to where the mass is.
     fn remember(&mut self) -> Result<(), MachineError> {
         if !self.is_sliding() {
             let indentation = self.memory.position().indentation;
-            let to = Pose { indentation, slide: self.local() };
+            let to = Pose { indentation, slide: self.local };
             self.memory.advance(to).map_err(|error| MachineError::Contact(ContactError::from(error)))?;
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! A mass whose contact sticks, in its middle at least.
 
 use super::super::MachineError;
-use super::super::creeping::{Creep, beyond};
+use super::creeping::{Creep, beyond};
 use super::forces::{Approach, Sticking};
 use super::{Drawn, DrawnMoment, DrawnState, Phase, TOLERANCE};
 use crate::contact::error::ContactError;
@@ -26,7 +26,7 @@ const CLOSE: f64 = 1e-13;
 
 impl Drawn {
     fn sticking(&self) -> Sticking<'_> {
-        let from = (self.local(), self.state.extension);
+        let from = (self.local, self.state.extension);
         Sticking { suspension: self.suspension, memory: &self.memory, drawn: self.drawn, from }
     }
 
@@ -38,7 +38,7 @@ impl Drawn {
         }
         let ahead = self.direction();
         let corner = self.memory.next_corner(ahead);
-        let left = ahead * (corner.slide - self.local());
+        let left = ahead * (corner.slide - self.local);
         if corner.is_last && left <= CLOSE * self.memory.slip_reach() {
             return self.slip(ahead).map(Some);
         }
@@ -47,7 +47,7 @@ impl Drawn {
         if near && let Some(landed) = self.approach(corner, ahead).filter(|landed| landed.0 <= longest) {
             return self.pass(landed, (corner, ahead));
         }
-        let from = [self.local(), self.state.speed, self.state.work, self.state.damped];
+        let from = [self.local, self.state.speed, self.state.work, self.state.damped];
         let (mut stepper, mut motion) = (self.stepper, self.sticking());
         let Some((step, to)) = stepper.step(&mut motion, &from, longest) else { return Err(self.stalled()) };
         let passes = ahead * (to[0] - corner.slide) > 0.0;
@@ -73,13 +73,13 @@ impl Drawn {
             return self.state.speed.signum();
         }
         let sticking = self.sticking();
-        let pulled = sticking.acceleration(0.0, self.local(), 0.0);
+        let pulled = sticking.acceleration(0.0, self.local, 0.0);
         if pulled.abs() > 4.0 * sticking.noise() { pulled.signum() } else { 1f64.copysign(self.drawn) }
     }
 
     /// Whether the mass is in balance, and drawn so slowly that it stays so; it creeps then.
     fn rests(&mut self) -> Result<bool, MachineError> {
-        let from = (self.local(), self.state.extension, self.state.time);
+        let from = (self.local, self.state.extension, self.state.time);
         let creep = Creep { suspension: self.suspension, drawn: self.drawn, from };
         let ahead = creep.slip_time(&self.memory) - self.state.time;
         if ahead * self.pulse() < SLOW {
@@ -117,7 +117,7 @@ impl Drawn {
         let to = creep.at(&self.memory, time).map_err(|error| MachineError::Contact(ContactError::from(error)))?;
         let (over, was) = (time - self.state.time, self.state.speed);
         self.state.extension = creep.from.1 + self.drawn * (time - creep.from.2) - (to - creep.from.0);
-        self.state.slide = self.offset + to;
+        (self.local, self.state.slide) = (to, self.offset + to);
         self.state.time = time;
         self.remember()?;
         self.state.speed = creep.speed(self.memory.state().stiffness);
@@ -138,9 +138,10 @@ impl Drawn {
     }
 
     fn moved(&mut self, (step, to): (f64, [f64; 4]), longest: f64, until: f64) {
-        let extension = self.state.extension + self.drawn * step - (to[0] - self.local());
+        let extension = self.state.extension + self.drawn * step - (to[0] - self.local);
         let time = if step < longest { self.state.time + step } else { until };
         let [slide, speed, work, damped] = to;
+        self.local = slide;
         self.state = DrawnState { time, slide: slide + self.offset, speed, extension, work, damped };
     }
 
@@ -157,7 +158,7 @@ impl Drawn {
 
     /// Time and state at the corner, approached in the root of the way to it; `None` where the mass turns before.
     fn approach(&self, corner: Corner, ahead: f64) -> Option<(f64, [f64; 4])> {
-        let whole = (ahead * (corner.slide - self.local())).sqrt();
+        let whole = (ahead * (corner.slide - self.local)).sqrt();
         let mut stepper = Stepper::new(TOLERANCE).no_shorter_than(COARSEST);
         let mut root = whole;
         let mut state = [0.0, self.state.speed, self.state.work, self.state.damped];

@@ -1,7 +1,7 @@
 //! A mass that is drawn so slowly that it is in balance all the time, while the contact sticks.
 
-use super::Suspension;
-use super::drawn::DrawnState;
+use super::super::Suspension;
+use super::DrawnState;
 use crate::friction::{FrictionError, Pose, TangentialMemory};
 use crate::numerics::root;
 
