@@ -2,14 +2,15 @@
 
 use super::attempt::{Attempt, Pairs};
 use crate::contact::adhesion::{Adhesion, EdgeRule, Jkr};
-use crate::friction::{Coulomb, Friction};
+use crate::drive::machine::Machine;
+use crate::friction::{Coulomb, Friction, StaticKinetic};
 use crate::input::quantity::{Dimension, Domain, Quantity};
 use crate::input::table::InMemory;
 use crate::material::{Body, Elastic, Relaxation, Shear, Term, Terms, Viscoelastic};
 use crate::run::record::{Outcome, Record};
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Scene;
-use crate::scene::history::{Entry, Glide, Hold, Impact, Indent, Oscillate, Press, Retract, Slide};
+use crate::scene::history::{Drive, Entry, Fall, Glide, Hold, Impact, Indent, Oscillate, Press, Retract, Ring, Slide};
 use crate::scene::plan::Plan;
 use crate::scene::solver::{HalfSpace, SolverChoice};
 use crate::shape::{Paraboloid, Shape};
@@ -68,7 +69,7 @@ impl Sketch {
     pub fn of(shape: Attempt<Shape>) -> Self {
         let scene = |shape| {
             let bodies = (elastic(0.75, 0.5)?, Body::Rigid);
-            let (adhesion, friction, wear) = (None, None, None);
+            let (adhesion, friction, wear, machine) = (None, None, None, None);
             let (accuracy, springs, steps, plots, sweep) = (None, None, None, None, None);
             let (title, history) = (String::new(), Vec::new());
             Ok(Scene {
@@ -78,6 +79,7 @@ impl Sketch {
                 adhesion,
                 friction,
                 wear,
+                machine,
                 history,
                 accuracy,
                 springs,
@@ -229,6 +231,43 @@ impl Sketch {
     #[must_use]
     pub fn glide(self, speed: f64, over: Option<f64>) -> Self {
         self.entry(|| Ok(Entry::Glide(Glide { speed: vec![si(speed)?], over: over.map(si).transpose()? })))
+    }
+
+    /// A machine with a mass [kg], a stiffness [N/m] and a damping [N s/m].
+    #[must_use]
+    pub fn machine(self, mass: f64, stiffness: f64, damping: f64) -> Self {
+        self.with(|scene| {
+            let (stiffness, damping) = (Some(si(stiffness)?), Some(si(damping)?));
+            scene.machine = Some(Machine { mass: si(mass)?, stiffness, damping });
+            Ok(())
+        })
+    }
+
+    /// The far end of its spring goes on at a speed [m/s] for `over` [s].
+    #[must_use]
+    pub fn drive(self, speed: f64, over: f64) -> Self {
+        self.entry(|| Ok(Entry::Drive(Drive { speed: si(speed)?, over: si(over)? })))
+    }
+
+    /// Its mass is let go so much deeper [m], for `over` [s].
+    #[must_use]
+    pub fn ring(self, amplitude: f64, over: f64) -> Self {
+        self.entry(|| Ok(Entry::Ring(Ring { amplitude: si(amplitude)?, over: si(over)? })))
+    }
+
+    /// Its mass falls from a height [m], for `over` [s] at most.
+    #[must_use]
+    pub fn fall(self, height: f64, over: f64) -> Self {
+        self.entry(|| Ok(Entry::Fall(Fall { height: si(height)?, over: si(over)? })))
+    }
+
+    /// A friction that falls as the contact begins to slide.
+    #[must_use]
+    pub fn static_kinetic(self, held: f64, slides: f64) -> Self {
+        self.friction(
+            si(held)
+                .and_then(|held| Ok(Friction::StaticKinetic(StaticKinetic { r#static: held, kinetic: si(slides)? }))),
+        )
     }
 
     /// A free impact of 1 kg at a speed [m/s].

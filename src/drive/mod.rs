@@ -37,6 +37,7 @@ mod cycle;
 pub mod force;
 pub mod impact;
 mod instants;
+pub mod machine;
 
 pub use cycle::Loop;
 

@@ -36,7 +36,7 @@ pub use bed::CoulombBed;
 pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
 pub use strength::{Strength, StrengthCurve};
-pub use turning::{Grip, Pose, TangentialMemory, TangentialState};
+pub use turning::{Corner, Grip, Pose, TangentialMemory, TangentialState};
 pub use viscoelastic::ViscoelasticBed;
 
 use crate::input::quantity::{Modulus, Ratio};
@@ -47,6 +47,8 @@ use serde::{Deserialize, Serialize};
 pub enum Friction {
     /// Slip where the tangential load of a spring reaches μ times its normal load.
     Coulomb(Coulomb),
+    /// Coulomb's law with a coefficient that falls as the contact begins to slide as a whole.
+    StaticKinetic(StaticKinetic),
     /// τ = min(μp, τ_max) in gross sliding (Ceglie et al., eq. 6).
     CoulombOrowan(CoulombOrowan),
     /// τ = τ_c + βp in gross sliding (Persson et al. 2008, eq. 3).
@@ -59,6 +61,7 @@ impl Friction {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Coulomb(_) => "Coulomb",
+            Self::StaticKinetic(_) => "StaticKinetic",
             Self::CoulombOrowan(_) => "CoulombOrowan",
             Self::Pressure(_) => "Pressure",
         }
@@ -66,9 +69,10 @@ impl Friction {
 
     /// How a contact slips under it.
     #[must_use]
-    pub fn slip(&self) -> Slip<'_> {
+    pub fn slip(&self) -> Slip {
         match self {
-            Self::Coulomb(law) => Slip::Local(law),
+            Self::Coulomb(law) => Slip::Local(law.coefficient.si()),
+            Self::StaticKinetic(law) => Slip::Local(law.r#static.si()),
             Self::CoulombOrowan(_) | Self::Pressure(_) => Slip::Gross,
         }
     }
@@ -76,9 +80,9 @@ impl Friction {
 
 /// How a contact slips.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Slip<'f> {
-    /// Spring by spring, from the edge inwards.
-    Local(&'f Coulomb),
+pub enum Slip {
+    /// Spring by spring, from the edge inwards, with the coefficient μ.
+    Local(f64),
     /// Everywhere at once.
     Gross,
 }
@@ -89,6 +93,19 @@ pub enum Slip<'f> {
 pub struct Coulomb {
     /// Coefficient of friction μ.
     pub coefficient: Ratio,
+}
+
+/// Coulomb friction of a contact that is held by more than it is slowed down.
+///
+/// Springs slip one by one at μ_s times their load. Once all slip, the contact slides as a whole and each of them
+/// carries μ_k times its load, until the mass comes to rest and the contact sticks again.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct StaticKinetic {
+    /// Coefficient of static friction μ_s.
+    pub r#static: Ratio,
+    /// Coefficient of kinetic friction μ_k, at most μ_s.
+    pub kinetic: Ratio,
 }
 
 /// Coulomb friction with a cap on the shear stress.

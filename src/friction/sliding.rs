@@ -90,6 +90,7 @@ impl Friction {
     pub fn law(&self, speed: f64, curve: Option<&StrengthCurve>) -> Result<Box<dyn SlidingLaw>, OutsideTable> {
         Ok(match self {
             Self::Coulomb(law) => Box::new(law.clone()),
+            Self::StaticKinetic(law) => Box::new(Coulomb { coefficient: law.kinetic }),
             Self::CoulombOrowan(law) => Box::new(law.clone()),
             Self::Pressure(law) => {
                 let strength = match (&law.shear, curve) {

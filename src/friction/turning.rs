@@ -34,6 +34,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod whole;
+
 use super::FrictionError;
 use super::load::{LinearProduct, LoadCurve, SpringDepth};
 use super::slipped::{Node, SlideStep, slip_work};
@@ -41,6 +43,7 @@ pub use crate::contact::model::Pose;
 use crate::shape::Profile;
 use std::cmp::Ordering;
 use std::sync::Arc;
+pub use whole::Corner;
 
 /// Moduli and friction of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]

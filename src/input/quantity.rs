@@ -138,6 +138,13 @@ dimension!(
     ]
 );
 dimension!(
+    /// Force per speed of a damper, in newton seconds per metre.
+    NewtonSecondPerMetre, "a damping", [
+        ("N s/m", 1.0, 1.0), ("kN s/m", 1e3, 1.0), ("mN s/m", 1.0, 1e3), ("uN s/m", 1.0, 1e6), ("N s/mm", 1e3, 1.0),
+        ("kg/s", 1.0, 1.0),
+    ]
+);
+dimension!(
     /// Volume per work, in square metres per newton (cubic metres per newton metre).
     SquareMetrePerNewton, "a wear coefficient", [
         ("m^2/N", 1.0, 1.0), ("1/Pa", 1.0, 1.0), ("mm^2/N", 1.0, 1e6), ("um^2/N", 1.0, 1e12), ("mm^3/(N m)", 1.0, 1e9),
@@ -209,6 +216,12 @@ pub type Duration = Quantity<Second, AboveZero>;
 pub type WorkOfAdhesion = Quantity<JoulePerSquareMetre, NotNegative>;
 /// A positive stiffness of a spring [N/m].
 pub type SpringStiffness = Quantity<NewtonPerMetre, AboveZero>;
+/// A stiffness that may vanish [N/m].
+pub type Stiffness = Quantity<NewtonPerMetre, NotNegative>;
+/// Force per speed of a damper [N s/m], zero for none.
+pub type Damping = Quantity<NewtonSecondPerMetre, NotNegative>;
+/// A speed of either sign [m/s].
+pub type Velocity = Quantity<MetrePerSecond, Finite>;
 /// A positive speed [m/s].
 pub type Speed = Quantity<MetrePerSecond, AboveZero>;
 /// An angular speed of either sign [rad/s].
@@ -326,7 +339,7 @@ impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
 }
 
 /// The SI units of all dimensions; that of a plain number is empty.
-pub const SI_UNITS: [&str; 15] = [
+pub const SI_UNITS: [&str; 16] = [
     Metre::UNITS[0].0,
     Pascal::UNITS[0].0,
     Newton::UNITS[0].0,
@@ -338,6 +351,7 @@ pub const SI_UNITS: [&str; 15] = [
     Hertz::UNITS[0].0,
     Kilogram::UNITS[0].0,
     PascalSecond::UNITS[0].0,
+    NewtonSecondPerMetre::UNITS[0].0,
     SquareMetrePerNewton::UNITS[0].0,
     Radian::UNITS[0].0,
     Kelvin::UNITS[0].0,

@@ -13,6 +13,7 @@
 pub mod chebyshev;
 pub mod complex;
 pub mod exponential;
+pub mod extrapolation;
 pub mod extremum;
 pub mod legendre;
 pub mod quadrature;

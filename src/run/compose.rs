@@ -21,7 +21,7 @@ use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
 use crate::friction::{FrictionError, ViscoelasticBed};
 use crate::material::Relaxation;
 use crate::run::record::ErrorEstimate;
-use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw};
+use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw, MachineLaw};
 use crate::scene::plan::{RoughPlan, RoundPlan, Shared};
 use crate::scene::stage::{Path, Stage};
 use crate::shape::rough::{RoughError, RoughLine};
@@ -178,7 +178,8 @@ fn friction(
     Ok(match law {
         FrictionLaw::Memory { coefficient } => {
             let memory = CoulombMemory::new(plan.profile.clone(), plan.grip(*coefficient), friction_accuracy(plan));
-            let kept = wanted.fretting && fretting::is_fretting(plan);
+            let driven = plan.machine.as_ref().is_some_and(MachineLaw::is_along);
+            let kept = driven || wanted.fretting && fretting::is_fretting(plan);
             Box::new(if kept { memory.keeping_its_path() } else { memory })
         }
         FrictionLaw::Springs { coefficient, count } => {

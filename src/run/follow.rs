@@ -14,7 +14,7 @@ use crate::scene::stage::Stage;
 
 /// A history being followed.
 pub(super) struct Run {
-    contact: Box<dyn ContactModel>,
+    pub(super) contact: Box<dyn ContactModel>,
     driver: Driver,
     control: Control,
     slide: f64,
@@ -201,7 +201,8 @@ impl Run {
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
         let gliding = self.contact.gliding();
-        let record = Record { entry: self.entry, time, normal, tangential, gliding, worn: None, pixels: None };
+        let record =
+            Record { entry: self.entry, time, normal, tangential, gliding, worn: None, pixels: None, machine: None };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }

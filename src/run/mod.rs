@@ -35,6 +35,7 @@ mod results;
 mod rough;
 mod stresses;
 mod impact;
+mod machine;
 pub mod table;
 pub mod unit;
 mod warnings;
@@ -47,6 +48,7 @@ pub use compose::{direct, sheared};
 pub use plane::in_pieces;
 
 use crate::drive::impact::ImpactError;
+use crate::drive::machine::MachineError;
 use crate::input::problem::Problem;
 use crate::run::record::Outcome;
 use crate::scene::parts::Parts;
@@ -66,6 +68,14 @@ pub enum SimulationError {
         entry: usize,
         /// Why.
         source: ContactError,
+    },
+    /// A machine cannot be followed.
+    #[error("history[{entry}]: {source}")]
+    Machine {
+        /// Number of the entry.
+        entry: usize,
+        /// Why.
+        source: MachineError,
     },
     /// An impact leaves what can be followed.
     #[error("history[0]: {0}")]
@@ -116,7 +126,7 @@ impl Solved {
 #[must_use]
 pub fn tables(plan: &Plan) -> &'static [&'static str] {
     match plan {
-        Plan::Round(_) => &["pressure", "stress", "fretting", "glides", "profiles"],
+        Plan::Round(_) => &["pressure", "stress", "fretting", "glides", "profiles", "bounces", "slips"],
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble", "glides"],
@@ -185,6 +195,9 @@ mod half_space {
 fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
     if let Some(law) = plan.wear {
         return wear::run(plan, law, wanted);
+    }
+    if let Some(law) = &plan.machine {
+        return machine::run(plan, law, wanted);
     }
     run_unworn(plan, wanted)
 }

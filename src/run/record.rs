@@ -46,6 +46,30 @@ pub struct Record {
     pub worn: Option<Worn>,
     /// The real contact, where it is computed on pixels.
     pub pixels: Option<PixelContact>,
+    /// The machine, while it moves the contact.
+    pub machine: Option<MachineState>,
+}
+
+/// A machine at one time: forces, and what has become of the energy.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MachineState {
+    /// Speed of the mass [m/s].
+    pub speed: f64,
+    /// Where the far end of the tangential spring has gone [m], of a contact that is drawn along.
+    pub drawn: Option<f64>,
+    /// Force of the spring and the weight on the mass [N].
+    pub spring_force: f64,
+    /// Kinetic energy [J].
+    pub kinetic: f64,
+    /// Energy of the spring [J].
+    pub spring: f64,
+    /// Energy [J] stored in the tangential deformation of the contact.
+    pub sheared: Option<f64>,
+    /// Work done from outside so far, by the far end of the spring or the weight; before the machine, what led the
+    /// contact there [J].
+    pub work: f64,
+    /// Energy lost in the damper so far [J].
+    pub damped: f64,
 }
 
 impl Record {
@@ -172,6 +196,27 @@ pub const WEAR_DEPTH: Column<Record> =
     Column::new("wear_depth", Unit::METRE, "largest worn depth", |record| Some(record.worn?.depth));
 /// Columns of a scene with wear.
 const WORN: &[Column<Record>] = &[WORN_VOLUME, WEAR_DEPTH];
+/// Speed of the mass of a machine.
+pub const SPEED: Column<Record> =
+    Column::new("speed", Unit::METRE_PER_SECOND, "speed of the mass", |record| Some(record.machine?.speed));
+/// Where the far end of the spring of a machine is.
+pub const DRAWN: Column<Record> =
+    Column::new("drawn", Unit::METRE, "far end of the spring", |record| record.machine?.drawn);
+/// Force of the spring of a machine.
+pub const SPRING_FORCE: Column<Record> =
+    Column::new("spring_force", Unit::NEWTON, "spring force", |record| Some(record.machine?.spring_force));
+/// Columns of a machine.
+const MACHINE: &[Column<Record>] = &[
+    SPEED,
+    SPRING_FORCE,
+    Column::new("kinetic", Unit::JOULE, "kinetic energy", |record| Some(record.machine?.kinetic)),
+    Column::new("spring", Unit::JOULE, "energy of the spring", |record| Some(record.machine?.spring)),
+    Column::new("work", Unit::JOULE, "work from outside", |record| Some(record.machine?.work)),
+    Column::new("damped", Unit::JOULE, "energy lost in the damper", |record| Some(record.machine?.damped)),
+];
+/// Columns of a machine along the surface.
+const DRIVEN: &[Column<Record>] =
+    &[DRAWN, Column::new("tangential_stored", Unit::JOULE, "energy of the shear", |record| record.machine?.sheared)];
 /// Columns of a contact on pixels.
 const PIXELS: &[Column<Record>] = &[
     AREA,
@@ -194,9 +239,13 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let glides = records.iter().any(|record| record.gliding.is_some());
     let wears = records.iter().any(|record| record.worn.is_some());
     let pixels = records.iter().any(|record| record.pixels.is_some());
+    let driven = records.iter().any(|record| record.machine.is_some());
+    let drawn = records.iter().any(|record| record.machine.is_some_and(|machine| machine.drawn.is_some()));
+    let machine = [(MACHINE, driven), (DRIVEN, drawn)];
     let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
     std::iter::once((NORMAL, true))
         .chain(parts)
+        .chain(machine)
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()
         .copied()

@@ -34,6 +34,8 @@ impl Unit {
     pub const PER_PASCAL: Self = Self { symbol: "1/Pa", ending: "_per_pa", prefixed: false };
     /// A time.
     pub const SECOND: Self = Self { symbol: "s", ending: "_s", prefixed: true };
+    /// A frequency.
+    pub const HERTZ: Self = Self { symbol: "Hz", ending: "_hz", prefixed: true };
     /// A speed.
     pub const METRE_PER_SECOND: Self = Self { symbol: "m/s", ending: "_m_per_s", prefixed: true };
     /// An angle.
@@ -56,13 +58,14 @@ impl Unit {
     pub const JOULE_PER_SQUARE_METRE: Self = Self { symbol: "J/m²", ending: "_j_per_m2", prefixed: true };
 
     /// All units that names end with.
-    const NAMED: [Self; 17] = [
+    const NAMED: [Self; 18] = [
         Self::METRE,
         Self::CUBIC_METRE,
         Self::SQUARE_METRE,
         Self::PER_PASCAL,
         Self::PER_METRE,
         Self::SECOND,
+        Self::HERTZ,
         Self::METRE_PER_SECOND,
         Self::RADIAN,
         Self::RADIAN_PER_SECOND,

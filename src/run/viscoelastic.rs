@@ -12,7 +12,10 @@ use crate::contact::viscoelastic::continuous::ContinuousContact;
 use crate::contact::viscoelastic::growing::GrowingBed;
 use crate::contact::viscoelastic::layout::Layout;
 use crate::contact::viscoelastic::memory::Memory;
+use crate::drive::impact::{Projectile, StruckHalfSpace};
+use crate::drive::machine::{GRAVITY, Suspension};
 use crate::material::Relaxation;
+use crate::scene::history::{MachineEntry, MachineMotion};
 use crate::scene::law::{GRADE, HeldEdge};
 use crate::scene::plan::RoundPlan;
 use crate::scene::stage::Path;
@@ -64,9 +67,25 @@ pub(super) fn reach(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
             (_, Path::To(_) | Path::Stay | Path::Steady { .. } | Path::UntilParted { .. }) => {}
         }
     }
+    depth = depth.max(struck(plan, spectrum, depth));
     let creep = Creep::new(spectrum.clone(), plan.profile.clone()).after(force, 0.0).after(force, time);
     let deepest = depth.max(creep.indentation().unwrap_or(0.0));
     plan.profile.edge(deepest).filter(|&reach| reach > 0.0).unwrap_or_else(|| plan.profile.scale())
+}
+
+/// How deep the mass of a machine goes [m] that swings or falls onto a contact led to the depth `depth` [m].
+fn struck(plan: &RoundPlan, spectrum: &Arc<Spectrum>, depth: f64) -> f64 {
+    let Some(law) = &plan.machine else { return 0.0 };
+    let Suspension { mass, .. } = law.suspension;
+    let deep = |motion: &MachineEntry| match motion.motion {
+        MachineMotion::Drive { .. } => 0.0,
+        MachineMotion::Ring { amplitude } => depth + amplitude.abs(),
+        MachineMotion::Fall { height } => {
+            let ground = StruckHalfSpace { spectrum: spectrum.clone(), profile: plan.profile.clone() };
+            ground.depth_scale(&Projectile { mass, speed: (2.0 * GRAVITY * height).sqrt() }).unwrap_or(0.0)
+        }
+    };
+    law.motions.iter().map(deep).fold(0.0, f64::max)
 }
 
 /// Named results of a viscoelastic contact alone: the moduli of the last loop, and what is expected of

@@ -23,11 +23,12 @@ use crate::contact::plastic::YieldingBall;
 use crate::contact::state::Tangential;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::attraction::Attraction;
+use crate::drive::machine::Suspension;
 pub use crate::friction::contact::Interface;
 use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::{CoulombBed, TangentialMemory};
 use crate::material::Relaxation;
-use crate::scene::history::Motion;
+use crate::scene::history::{MachineEntry, MachineMotion, Motion};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -401,6 +402,40 @@ impl ImpactLaw {
             Self::Held { relaxation, edge } => Bodies::Viscoelastic(relaxation, Some(edge)),
             Self::Plastic(ball) => Bodies::Plastic(ball),
         }
+    }
+}
+
+/// The machine of a contact, and what it does behind the rest of the history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MachineLaw {
+    /// Mass, spring and damper.
+    pub suspension: Suspension,
+    /// What is left of the friction of a contact that is about to slide once it slides as a whole, μ_k/μ_s.
+    pub left: f64,
+    /// Its motions, in order.
+    pub motions: Vec<MachineEntry>,
+}
+
+impl MachineLaw {
+    /// What it adds to the reason for a solver.
+    pub(super) fn in_words(&self) -> &'static str {
+        if self.is_along() {
+            "; the mass of the machine is led by its spring and the memory of friction: extrapolated steps while the contact sticks, in closed form while it slides as a whole, each end of a slip to rounding"
+        } else {
+            "; the mass of the machine swings on the contact in extrapolated steps, which end where it touches, parts or turns"
+        }
+    }
+
+    /// Whether its mass falls.
+    #[must_use]
+    pub fn falls(&self) -> bool {
+        self.motions.iter().any(|motion| matches!(motion.motion, MachineMotion::Fall { .. }))
+    }
+
+    /// Whether it moves the mass along the surface.
+    #[must_use]
+    pub fn is_along(&self) -> bool {
+        self.motions.iter().any(|motion| motion.motion.is_along())
     }
 }
 

@@ -59,6 +59,7 @@ fn endless(draft: &Draft<'_>) -> Option<Problem> {
     let mut time = 0.0;
     let entry = draft.entries().map_while(|entry| entry).find(|entry| {
         time += entry.stages.iter().map(|stage| stage.over).sum::<f64>();
+        time += entry.machine.map_or(0.0, |machine| machine.over);
         f64::is_infinite(time)
     })?;
     Some(Problem::new(entry.place(), "ends at a time too large to compute with: expected shorter entries"))

@@ -19,6 +19,7 @@
 //!     adhesion: None,
 //!     friction: None,
 //!     wear: None,
+//!     machine: None,
 //!     history: history.clone(),
 //!     accuracy: None,
 //!     springs: None,
@@ -53,6 +54,7 @@ pub mod surface;
 pub mod swept;
 
 use crate::contact::adhesion::Adhesion;
+use crate::drive::machine::Machine;
 use crate::friction::Friction;
 use crate::input::quantity::Accuracy;
 use crate::material::Body;
@@ -84,6 +86,9 @@ pub struct Scene {
     /// Wear of the indenter, if any.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wear: Option<Wear>,
+    /// The machine of which the contact is a part, if any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub machine: Option<Machine>,
     /// What is done, in order.
     pub history: Vec<Entry>,
     /// Relative error to aim at, 1e-6 if absent.
@@ -146,6 +151,8 @@ pub enum Plot {
     Distribution,
     /// Restitution against speed.
     Restitution,
+    /// Displacement, speed and forces of a machine over time.
+    Machine,
     /// Resistance of a body that glides or rolls over a body that remembers: over the speed, or over the time.
     Resistance,
 }

@@ -50,10 +50,11 @@ pub(super) enum Component {
     Wear,
     Springs,
     Gliding,
+    Machine,
 }
 
 impl Component {
-    const ALL: [Self; 12] = [
+    const ALL: [Self; 13] = [
         Self::Profile,
         Self::VanishingRange,
         Self::FiniteRange,
@@ -66,6 +67,7 @@ impl Component {
         Self::Wear,
         Self::Springs,
         Self::Gliding,
+        Self::Machine,
     ];
 
     pub(super) fn name(self) -> &'static str {
@@ -82,6 +84,7 @@ impl Component {
             Self::Wear => "wear of the profile (Archard)",
             Self::Springs => "springs",
             Self::Gliding => "springs under a body that moves along",
+            Self::Machine => "mass of a machine",
         }
     }
 }

@@ -18,7 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Travel, WearLaw};
+use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, MachineLaw, Travel, WearLaw};
 pub use super::pixelled::PixelledIndenter;
 use super::read::Read;
 use super::surface::Surface;
@@ -103,6 +103,8 @@ pub struct RoundPlan {
     pub travel: Option<Travel>,
     /// How the indenter wears, if it does.
     pub wear: Option<WearLaw>,
+    /// The machine of which the contact is a part, if there is one.
+    pub machine: Option<MachineLaw>,
 }
 
 /// The impact of a round body.

@@ -1,7 +1,8 @@
 //! From a scene as written to the decision who computes it.
 
 use super::law::{
-    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, SpringCount, Start, Travel, WearLaw,
+    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, MachineLaw, SpringCount, Start, Travel,
+    WearLaw,
 };
 use super::mended::Mended;
 use super::pixelled::PixelledIndenter;
@@ -132,7 +133,7 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Option<P
         (Geometry::Rough(surface, base), None) => {
             let coefficient = match &shared.scene.friction {
                 Some(Friction::Coulomb(law)) => Some(law.coefficient.si()),
-                Some(Friction::CoulombOrowan(_) | Friction::Pressure(_)) | None => None,
+                Some(Friction::StaticKinetic(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_)) | None => None,
             };
             Plan::Rough(RoughPlan { coefficient, ..rough(shared, (surface, base.as_ref())) })
         }
@@ -159,7 +160,22 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let contact =
         if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
     let wear = scene.wear.as_ref().map(|Wear::Archard(law)| WearLaw::new(law.coefficient.si(), shared.accuracy()));
-    RoundPlan { profile, contact, friction, travel, wear, shared }
+    let machine = machine(&shared);
+    RoundPlan { profile, contact, friction, travel, wear, machine, shared }
+}
+
+/// The machine and its motions.
+fn machine(shared: &Shared) -> Option<MachineLaw> {
+    let scene = &shared.scene;
+    let suspension = scene.machine.as_ref()?.suspension();
+    let steps = scene.steps.map(NonZeroUsize::get);
+    let entries = scene.history.iter().enumerate();
+    let motions = entries.filter_map(|(number, entry)| entry.traits(number, None, steps).machine).collect();
+    let left = match &scene.friction {
+        Some(Friction::StaticKinetic(law)) if law.r#static.si() > 0.0 => law.kinetic.si() / law.r#static.si(),
+        Some(_) | None => 1.0,
+    };
+    Some(MachineLaw { suspension, left, motions })
 }
 
 /// Whether the history leads the body along the surface of a bed that remembers.
@@ -235,7 +251,8 @@ fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
 /// The continuous bed, unless springs are asked for or the depth goes in very many pieces without adhesion.
 fn viscoelastic(shared: &Shared, relaxation: Arc<Relaxation>, asked: Option<NonZeroUsize>) -> ContactLaw {
     let edge = held_edge(shared.scene.adhesion.as_ref());
-    let needed = (edge.is_none() && shared.is_curved()).then(|| SpringCount::of_accuracy(shared.accuracy()));
+    let needed = (edge.is_none() && (shared.is_curved() || shared.scene.machine.is_some()))
+        .then(|| SpringCount::of_accuracy(shared.accuracy()));
     match asked.map(SpringCount::Asked).or(needed) {
         Some(count) => ContactLaw::ViscoelasticSprings { relaxation, count },
         None => ContactLaw::Continuous { relaxation, edge },
@@ -272,7 +289,7 @@ fn unrelaxed(shared: &Shared) -> Relaxation {
 fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
     let springs = shared.scene.springs;
     let coefficient = match friction.slip() {
-        Slip::Local(law) => law.coefficient.si(),
+        Slip::Local(coefficient) => coefficient,
         Slip::Gross => return gross(shared, friction),
     };
     match (shared.read.relaxation.clone(), springs) {
@@ -309,11 +326,12 @@ fn impact_plan(shared: Shared, profile: Arc<dyn Profile>, impact: Impact) -> Imp
 
 /// The ball of an oblique impact.
 fn ball(shared: &Shared, impact: &Impact) -> Option<Ball> {
-    let (Shape::Paraboloid(shape), Slip::Local(law)) = (&shared.scene.shape, shared.scene.friction.as_ref()?.slip())
+    let (Shape::Paraboloid(shape), Slip::Local(coefficient)) =
+        (&shared.scene.shape, shared.scene.friction.as_ref()?.slip())
     else {
         return None;
     };
-    let grip = shared.grip(law.coefficient.si());
+    let grip = shared.grip(coefficient);
     let ball = Ball { grip, radius: shape.radius.si(), mass: impact.mass.si(), gyration: SOLID };
     impact.is_oblique().then_some(ball)
 }

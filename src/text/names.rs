@@ -1,9 +1,9 @@
 //! Wrong names: the nearest right one and the list of all.
 
 /// The fields of a scene.
-pub const FIELDS: [&str; 14] = [
-    "title", "shape", "bodies", "adhesion", "friction", "wear", "history", "accuracy", "springs", "solver", "steps",
-    "plots", "sweep", "fit",
+pub const FIELDS: [&str; 15] = [
+    "title", "shape", "bodies", "adhesion", "friction", "wear", "machine", "history", "accuracy", "springs", "solver",
+    "steps", "plots", "sweep", "fit",
 ];
 
 /// `did you mean …? Known: …`, for a name that is not among `known`.

@@ -67,6 +67,7 @@ fn elastic() -> Scene {
         steps: NonZeroUsize::new(10),
         plots: None,
         wear: None,
+        machine: None,
         sweep: None,
         fit: None,
         solver: None,

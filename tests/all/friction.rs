@@ -53,6 +53,7 @@ fn scene(shape: Shape, friction: Friction, history: Vec<Entry>) -> Scene {
         steps: NonZeroUsize::new(5),
         plots: None,
         wear: None,
+        machine: None,
         sweep: None,
         fit: None,
         solver: None,

@@ -25,6 +25,8 @@ mod hertz_and_jkr;
 mod laws;
 mod layers;
 #[cfg(feature = "text")]
+mod machine;
+#[cfg(feature = "text")]
 mod mended;
 #[cfg(feature = "cli")]
 mod overlay;

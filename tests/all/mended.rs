@@ -56,6 +56,8 @@ const FRICTIONS: &[&str] = &[
     "",
     "friction: Coulomb(coefficient: 0.3),",
     "friction: CoulombOrowan(coefficient: 0.3, shear_limit: 1e6),",
+    "friction: StaticKinetic(static: 0.3, kinetic: 0.4), machine: (mass: 1, stiffness: 10),",
+    "friction: Coulomb(coefficient: 0.3), machine: (mass: 1),",
     "friction: Pressure(shear: 1e5, slope: 0.1),",
     "friction: Pressure(shear: \"no_such.csv\", slope: 0),",
 ];
@@ -76,6 +78,9 @@ const ENTRIES: &[&str] = &[
     "Glide(speed: 1e-3, over: 2)",
     "Roll(speed: [1, 2], over: 1)",
     "Table(\"no_such.csv\")",
+    "Drive(speed: -1e-3, over: 2)",
+    "Ring(amplitude: 1e-9, over: 2)",
+    "Fall(height: 1, over: 1e308)",
 ];
 
 const SETTINGS: &[&str] = &[

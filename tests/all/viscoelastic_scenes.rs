@@ -49,6 +49,7 @@ fn scene(bodies: (Body, Body), history: Vec<Entry>) -> Scene {
         steps: NonZeroUsize::new(10),
         plots: None,
         wear: None,
+        machine: None,
         sweep: None,
         fit: None,
         solver: None,

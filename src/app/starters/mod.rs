@@ -37,6 +37,7 @@ starters!(
     "restitution",
     "oblique",
     "glide",
+    "machine",
     "history",
     "rough",
     "ensemble",

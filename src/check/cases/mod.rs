@@ -20,6 +20,7 @@ mod half_space;
 mod impact;
 mod ground;
 mod lying;
+mod machine;
 mod plastic;
 mod rough;
 mod shapes;
@@ -53,6 +54,7 @@ pub fn all() -> Vec<Case> {
         impact::CASES,
         plastic::CASES,
         gliding::CASES,
+        machine::CASES,
         rough::CASES,
         half_space,
         estimates::CASES,

@@ -79,6 +79,7 @@ impl<'p> Series<'p> {
             tangential: None,
             gliding: None,
             worn: None,
+            machine: None,
             pixels: Some(state.pixels),
         };
         if records.last() != Some(&record) {

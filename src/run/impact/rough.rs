@@ -99,6 +99,7 @@ fn member(plan: &RoughImpactPlan, seed: u64) -> Result<Member, SimulationError> 
                 tangential: None,
                 gliding: None,
                 worn: None,
+                machine: None,
                 pixels: None,
             };
             member.records = one.moments.into_iter().map(record).collect();

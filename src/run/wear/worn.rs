@@ -254,7 +254,16 @@ impl<'p> WornRun<'p> {
         let normal = self.wearing.normal();
         let normal = Normal { dissipated: self.dissipated + normal.dissipated, ..normal };
         let (tangential, worn) = (Some(tangential), Some(self.wearing.worn()));
-        self.last = Record { entry: self.last.entry, time, normal, tangential, gliding: None, worn, pixels: None };
+        self.last = Record {
+            entry: self.last.entry,
+            time,
+            normal,
+            tangential,
+            gliding: None,
+            worn,
+            pixels: None,
+            machine: None,
+        };
         self.records.push(self.last);
     }
 }

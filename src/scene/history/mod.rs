@@ -13,12 +13,14 @@
 
 mod glide;
 mod impact;
+mod machine;
 mod motion;
 mod ramp;
 mod wave;
 
 pub use glide::{Glide, Motion};
 pub use impact::Impact;
+pub use machine::{Drive, Fall, MachineEntry, MachineMotion, Ring};
 pub use motion::{Driven, MotionTable};
 pub use ramp::{Hold, Indent, Press, Retract, Slide};
 pub use wave::Oscillate;
@@ -51,6 +53,12 @@ pub enum Entry {
     Glide(Glide),
     /// Rolls along the surface at constant speed; depth or force stays as it is.
     Roll(Glide),
+    /// Draws on the far end of the tangential spring of a machine at constant speed.
+    Drive(Drive),
+    /// Lets the mass of a machine swing about the present depth.
+    Ring(Ring),
+    /// Lets the mass of a machine fall and bounce; the only entry of its history.
+    Fall(Fall),
     /// A free impact; the only entry of its history.
     Impact(Impact),
     /// A table of time and indentation or force, next to the scene.
@@ -74,6 +82,8 @@ pub struct EntryTraits<'e> {
     pub impact: Option<&'e Impact>,
     /// The motion along the surface of a body that glides or rolls, if it is one.
     pub glide: Option<(&'e Glide, Motion)>,
+    /// The motion of a machine, if it is one.
+    pub machine: Option<MachineEntry>,
     /// Fewest records it can have.
     pub least_records: usize,
 }
@@ -102,6 +112,7 @@ impl Entry {
             table: None,
             impact: None,
             glide: None,
+            machine: None,
             least_records: steps.unwrap_or(1),
         };
         let waves = |name, field, wave: &Oscillate, stage| EntryTraits {
@@ -112,6 +123,11 @@ impl Entry {
             stages: glide.stage(rest).into_iter().collect(),
             glide: Some((glide, motion)),
             ..moves(name, ".speed", rest)
+        };
+        let driven = |name, field, (motion, over)| {
+            let records = steps.unwrap_or(machine::RECORDS);
+            let machine = Some(MachineEntry { entry: number, motion, over, records });
+            EntryTraits { stages: Vec::new(), machine, ..moves(name, field, rest) }
         };
         match self {
             Self::Indent(indent) => moves("Indent", ".to", indent.stage(rest)),
@@ -124,6 +140,9 @@ impl Entry {
             Self::Retract(retract) => moves("Retract", "", retract.stage(rest)),
             Self::Glide(glide) => glides("Glide", glide, Motion::Glides),
             Self::Roll(glide) => glides("Roll", glide, Motion::Rolls),
+            Self::Drive(drive) => driven("Drive", ".speed", drive.motion()),
+            Self::Ring(ring) => driven("Ring", ".amplitude", ring.motion()),
+            Self::Fall(fall) => driven("Fall", ".height", fall.motion()),
             Self::Impact(impact) => {
                 EntryTraits { stages: Vec::new(), impact: Some(impact), ..moves("Impact", "", rest) }
             }

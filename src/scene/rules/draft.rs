@@ -4,6 +4,7 @@
 //! of what nobody has written.
 
 use crate::contact::adhesion::Adhesion;
+use crate::drive::machine::Machine;
 use crate::friction::{Friction, StrengthCurve};
 use crate::material::{Body, Joined, Relaxation};
 use crate::scene::history::EntryTraits;
@@ -160,6 +161,27 @@ impl<'s> Draft<'s> {
     /// Whether there is wear.
     pub(super) fn wears(&self) -> Option<bool> {
         self.seen("wear", Look::Kind, |scene| scene.wear.is_some())
+    }
+
+    /// Whether there is a machine.
+    pub(super) fn has_machine(&self) -> Option<bool> {
+        self.seen("machine", Look::Kind, |scene| scene.machine.is_some())
+    }
+
+    /// The machine with all that is in it, if there is one.
+    pub(super) fn machine(&self) -> Option<&'s Machine> {
+        self.seen("machine", Look::Whole, |scene| scene.machine.as_ref())?
+    }
+
+    /// Whether a machine moves the contact.
+    pub(super) fn is_driven(&self) -> Option<bool> {
+        self.knows_history_by_kind().then(|| self.written.entries.iter().any(|entry| entry.machine.is_some()))
+    }
+
+    /// Whether a machine moves the contact along the surface.
+    pub(super) fn drives(&self) -> Option<bool> {
+        let along = |entry: &EntryTraits<'_>| entry.machine.is_some_and(|machine| machine.motion.is_along());
+        self.knows_history_by_kind().then(|| self.written.entries.iter().any(along))
     }
 
     /// The friction by its kind, unless the history is an impact, which has its own rules.

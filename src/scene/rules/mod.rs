@@ -14,6 +14,7 @@ mod draft;
 mod glide;
 mod ground;
 mod history;
+mod machine;
 mod parts;
 mod pixels;
 mod plastic;
@@ -26,7 +27,7 @@ pub(super) use pixels::tips_without_pixels;
 
 use crate::input::problem::Problem;
 use crate::scene::history::EntryTraits;
-use Part::{Adhesion, Bodies, Friction, History, Plots, Shape, Solver, Springs, Wear};
+use Part::{Adhesion, Bodies, Friction, History, Machine, Plots, Shape, Solver, Springs, Wear};
 
 /// What is wrong with a draft, in the order of the table.
 #[must_use]
@@ -47,6 +48,8 @@ pub enum Part {
     Friction,
     /// The wear.
     Wear,
+    /// The machine.
+    Machine,
     /// The history.
     History,
     /// A number of springs.
@@ -99,7 +102,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 66] = [
+pub const RULES: [Rule; 81] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -137,6 +140,21 @@ pub const RULES: [Rule; 66] = [
     Rule::once(Wear, Shape, wear::on_shape),
     Rule::once(Wear, Springs, wear::on_springs),
     Rule::entry(Wear, wear::in_entry),
+    Rule::once(Machine, History, machine::without_motion),
+    Rule::entry(Machine, machine::without_machine),
+    Rule::entry(Machine, machine::suspension),
+    Rule::once(Machine, Shape, machine::on_shape),
+    Rule::entry(Bodies, machine::of_bodies),
+    Rule::entry(Adhesion, machine::under_adhesion),
+    Rule::entry(Friction, machine::friction),
+    Rule::once(Friction, History, machine::falling_friction),
+    Rule::once(Friction, Friction, machine::kinetic_above_static),
+    Rule::entry(Friction, machine::slide_before),
+    Rule::once(Machine, Wear, machine::with_wear),
+    Rule::once(Machine, Springs, machine::on_springs),
+    Rule::once(Machine, Solver, machine::on_pixels),
+    Rule::entry(History, machine::in_history),
+    Rule::entry(History, machine::beside),
     Rule::once(Shape, Adhesion, parts::adhesion_on_shape),
     Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),

@@ -143,7 +143,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let known = draft.friction(Look::Whole).is_some();
     let (one, other) = (friction.name(), adhesion.name);
     match (adhesion.range, friction) {
-        (Range::Vanishing(_), Friction::Coulomb(_)) => refused(
+        (Range::Vanishing(_), Friction::Coulomb(_) | Friction::StaticKinetic(_)) => refused(
             "friction",
             format!(
                 "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Pressure(shear: …, slope: 0), or no adhesion"
@@ -163,7 +163,10 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
             ),
         ),
         (Range::Vanishing(_), Friction::Pressure(_)) => None,
-        (Range::Finite, Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_)) => refused(
+        (
+            Range::Finite,
+            Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
+        ) => refused(
             "friction",
             format!(
                 "{one} with {other} adhesion cannot be computed: expected Jkr(…) with Pressure(shear: …, slope: 0), or no adhesion"
@@ -254,10 +257,13 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (friction, shape) = (draft.friction(Look::Kind)?, draft.shape()?);
     match (shape.family(), friction) {
         (Family::Line(_) | Family::Map(..), Friction::Coulomb(_)) => None,
-        (Family::Line(_) | Family::Map(..), Friction::CoulombOrowan(_) | Friction::Pressure(_)) => refused(
+        (
+            Family::Line(_) | Family::Map(..),
+            Friction::StaticKinetic(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
+        ) => refused(
             "friction",
             format!(
-                "{} cannot be computed on {}: a rough bed does not tell the real pressure; expected Coulomb(coefficient: …)",
+                "{} cannot be computed on {}: a rough bed tells neither the real pressure nor when all of it slides; expected Coulomb(coefficient: …)",
                 friction.name(),
                 not_round(shape).unwrap_or_default()
             ),

@@ -36,6 +36,9 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             "it is not computed of a profile that wears: expected Wear, Friction, Stick or Pressure, or no wear",
         );
     }
+    if matches!(plot, Plot::Stress | Plot::Fretting) && draft.is_driven()? {
+        return Some("it is not computed of a contact in a machine: expected Machine, Force, Friction or Energy");
+    }
     if plot == Plot::Stress && yields(draft)? {
         return Some(
             "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
@@ -70,6 +73,7 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         ),
         Plot::Contact | Plot::Distribution => (false, "expected solver: HalfSpace(…)"),
         Plot::Area => (draft.adheres()? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
+        Plot::Machine => (draft.is_driven()?, "expected a machine, and Drive, Ring or Fall in the history"),
         Plot::Resistance => (draft.glides()?, "expected Glide or Roll in the history"),
         Plot::Restitution => (draft.speeds()? > 1, "expected an Impact with a list of at least two speeds"),
     };
@@ -89,6 +93,7 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
         | Plot::Moduli
         | Plot::Area
         | Plot::Restitution
+        | Plot::Machine
         | Plot::Resistance => None,
         Plot::Stress => Some(STRESS_OF_PLANE),
         Plot::Shape => {
@@ -119,6 +124,7 @@ fn lacks_on_pixels(plot: Plot, shape: &Shape) -> Option<&'static str> {
         | Plot::Fretting
         | Plot::Wear
         | Plot::Coefficient
+        | Plot::Machine
         | Plot::Resistance
         | Plot::Restitution => {
             Some("a contact on pixels is drawn as a map: expected Force, Energy, Area, Contact or Distribution")

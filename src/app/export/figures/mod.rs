@@ -7,6 +7,7 @@ mod fit;
 mod friction;
 mod gliding;
 mod impacts;
+mod machine;
 mod overlay;
 mod pixels;
 mod rough;
@@ -45,6 +46,7 @@ pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
 fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match plan {
         Plan::Round(_) if outcome.table("profiles").is_some() => vec![Plot::Wear, Plot::Stick, Plot::Force],
+        Plan::Round(RoundPlan { machine: Some(law), .. }) => machine::suiting(law),
         Plan::Round(RoundPlan { friction: Some(law), .. }) if slides(outcome) => friction::suiting(law, outcome),
         Plan::Round(RoundPlan { travel: Some(travel), .. }) => gliding::suiting(travel),
         Plan::Round(round) => {
@@ -109,6 +111,10 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Area => friction::area(plan, outcome).into_iter().collect(),
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
         Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
+        Plot::Machine => plan
+            .round()
+            .and_then(|round| round.machine.as_ref())
+            .map_or_else(Vec::new, |law| machine::panels(law, outcome)),
         Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
     }
 }
@@ -156,6 +162,7 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);
             over_time.into_iter().chain([against_depth(force_of(plan))]).collect()
         }
+        Plan::Round(RoundPlan { machine: Some(_), .. }) => machine::force(records),
         // The same depth carries less as the profile wears.
         Plan::Round(RoundPlan { wear: Some(_), .. }) => {
             [FORCE, INDENTATION].map(|column| against_time(records, &column)).into()

@@ -1,0 +1,150 @@
+//! A contact in a machine: a mass, a spring and a damper on a contact that has a stiffness, a memory and a friction.
+//!
+//! Along the normal m d̈ + c ḋ + k(d − D) = W − F(d): a mass that swings about a preload, or falls and bounces. Along the
+//! surface m ẍ + c ẋ + k(x − X) = −F_x: the far end X of the spring is drawn on, and the mass creeps, sticks and slips. The
+//! contact acts back with its own stiffness; it has no mass of its own (all of it moves far below the speed of sound).
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::adhesion::line::EdgeLine;
+//! use springbed::contact::direct::QuasiStatic;
+//! use springbed::contact::foundation::Foundation;
+//! use springbed::contact::model::{ContactModel, Straight};
+//! use springbed::drive::machine::{Held, Mass, MovedMass, Suspension};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // R = E* = m = 1, pressed to d = 1 and let go 1e-6 beside it: ω² = 2E*a/m = 2.
+//! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
+//! let mut contact = QuasiStatic::new(EdgeLine::new(ground, 0.0));
+//! contact.follow(&Straight::between(0.0, 1.0, 1.0))?;
+//! let held = Held { depth: 1.0, push: contact.state().force };
+//! let suspension = Suspension { mass: 1.0, stiffness: 0.0, damping: 0.0 };
+//! let mut mass = Mass::new(&mut contact, suspension, held, (1.0 + 1e-6, 0.0));
+//! let turns = mass.advance(3.0)?;
+//! let half = std::f64::consts::PI / 2f64.sqrt();
+//! assert!((turns[0].state.time / half - 1.0).abs() < 1e-9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod drawn;
+mod mass;
+mod sliding;
+mod stepped;
+
+pub use drawn::{Drawn, DrawnMoment, DrawnState, Turnover};
+pub use mass::{Happening, Mass, MassMoment, MassState};
+pub use stepped::SteppedMachine;
+
+use crate::contact::error::ContactError;
+use crate::contact::model::ContactModel;
+use crate::input::quantity::{self, Damping, Stiffness};
+use serde::{Deserialize, Serialize};
+
+/// Gravity of Earth [m/s²] (CGPM 1901).
+pub const GRAVITY: f64 = 9.806_65;
+
+/// The machine of a scene.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Machine {
+    /// Mass m [kg].
+    pub mass: quantity::Mass,
+    /// Stiffness k of the spring that holds or draws it [N/m]; none if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Stiffness>,
+    /// Damping c between the mass and what stands still [N s/m]; none if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub damping: Option<Damping>,
+}
+
+impl Machine {
+    /// Its numbers in SI units.
+    #[must_use]
+    pub fn suspension(&self) -> Suspension {
+        let stiffness = self.stiffness.map_or(0.0, Stiffness::si);
+        Suspension { mass: self.mass.si(), stiffness, damping: self.damping.map_or(0.0, Damping::si) }
+    }
+}
+
+/// A mass with its spring and damper.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Suspension {
+    /// Mass m [kg], above zero.
+    pub mass: f64,
+    /// Stiffness k [N/m].
+    pub stiffness: f64,
+    /// Damping c [N s/m].
+    pub damping: f64,
+}
+
+/// A mass that moves along the normal, step by step.
+pub trait MovedMass {
+    /// Where it is.
+    fn state(&self) -> MassState;
+
+    /// The contact where the mass is.
+    ///
+    /// # Errors
+    /// The contact cannot follow.
+    fn contact(&mut self) -> Result<&dyn ContactModel, ContactError>;
+
+    /// One step towards the time `until` [s]; what happens at its end, before which nothing does.
+    ///
+    /// # Errors
+    /// The contact cannot follow, or the motion is too fast.
+    fn step(&mut self, until: f64) -> Result<Option<MassMoment>, MachineError>;
+}
+
+/// How the far end of a normal spring is held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Held {
+    /// Depth [m] at which the mass is pushed by `push`.
+    pub depth: f64,
+    /// Force [N] of spring and weight on the mass at that depth, towards the ground.
+    pub push: f64,
+}
+
+impl Suspension {
+    /// Force [N] of spring and weight on the mass at the depth `depth` [m].
+    #[must_use]
+    pub fn push(&self, held: Held, depth: f64) -> f64 {
+        held.push - self.stiffness * (depth - held.depth)
+    }
+
+    /// Kinetic energy [J] at the speed `speed` [m/s].
+    #[must_use]
+    pub fn kinetic(&self, speed: f64) -> f64 {
+        0.5 * self.mass * speed * speed
+    }
+}
+
+/// Why a machine could not be followed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum MachineError {
+    /// The contact cannot follow.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// No step is short enough.
+    #[error(
+        "at {time:e} s of the entry the motion has no step short enough: its forces are beyond what can be computed with"
+    )]
+    Stalled {
+        /// Time since the beginning of the entry [s].
+        time: f64,
+    },
+    /// The mass moves too fast for the duration.
+    #[error(
+        "the mass turns more than {most} times: at {time:e} s of the entry it is not at its end; expected a shorter `over`, a softer spring or a larger mass"
+    )]
+    TooManyTurns {
+        /// Most turns that are followed.
+        most: usize,
+        /// Time since the beginning of the entry [s].
+        time: f64,
+    },
+}
+
+#[cfg(test)]
+mod tests;

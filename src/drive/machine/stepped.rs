@@ -1,0 +1,219 @@
+//! A mass on a contact that remembers, along the normal, in straight steps of the depth.
+
+use super::mass::{Happening, MassMoment, MassState};
+use super::{Held, MachineError, MovedMass, Suspension};
+use crate::contact::error::ContactError;
+use crate::contact::model::{ContactModel, Straight};
+use crate::drive::force::{ahead, depth_of};
+use crate::numerics::extrapolation::Stepper;
+
+/// A mass that drives any contact in straight pieces of its depth, in flight on the parabola of its fall.
+///
+/// In a step of the duration h the depth goes straight, with the mean w of the speeds at both ends:
+/// m(v₁ − v₀) = ∫(W − k(d − D) − cw − F)dt, that of the contact along the piece by Simpson's rule. Times w it is the balance
+/// of energies, to the error of that rule however long the steps; of second order in h. Steps begin short where the bodies
+/// touch, part or the mass turns.
+pub struct SteppedMachine<'c> {
+    contact: &'c mut dyn ContactModel,
+    suspension: Suspension,
+    held: Held,
+    longest: f64,
+    state: MassState,
+    /// Time since the last touch or parting [s].
+    since: f64,
+    /// Acceleration in the last step [m/s²].
+    pace: f64,
+    steps: usize,
+}
+
+/// First step, relative to the longest.
+const FIRST: f64 = 1e-3;
+/// Growth of the steps at first, relative to the time that has passed.
+const GROWTH: f64 = 0.2;
+/// Change of the mean speed, relative to the speeds in a step, after which the next is of no account.
+const SETTLED: f64 = 1e-11;
+/// Speed by rounding, relative to that which the push gives in the longest step.
+const STILL: f64 = 1e-10;
+/// Most iterations of a step, halvings of one that parts the bodies, corrections of one that ends where the mass turns.
+const MOST: usize = 40;
+const HALVINGS: usize = 48;
+const CORRECTIONS: usize = 4;
+/// Most steps.
+const MOST_STEPS: usize = 5_000_000;
+
+impl<'c> SteppedMachine<'c> {
+    /// A mass on `contact`, let go from rest where the contact is, or above it at the depth `depth` [m]; no step is
+    /// longer than `longest` [s].
+    pub fn new(
+        contact: &'c mut dyn ContactModel,
+        suspension: Suspension,
+        held: Held,
+        (depth, longest): (f64, f64),
+    ) -> Self {
+        let state = MassState { depth, ..MassState::default() };
+        Self { contact, suspension, held, longest, state, since: 0.0, pace: 0.0, steps: 0 }
+    }
+}
+
+impl MovedMass for SteppedMachine<'_> {
+    fn state(&self) -> MassState {
+        self.state
+    }
+
+    fn contact(&mut self) -> Result<&dyn ContactModel, ContactError> {
+        Ok(&*self.contact)
+    }
+
+    fn step(&mut self, until: f64) -> Result<Option<MassMoment>, MachineError> {
+        self.steps += 1;
+        if self.steps > MOST_STEPS {
+            return Err(MachineError::TooManyTurns { most: MOST_STEPS, time: self.state.time });
+        }
+        let joined = self.contact.joined();
+        if self.state.depth < 0.0 && !joined {
+            return self.fly(until);
+        }
+        let short = (GROWTH * self.since + FIRST * self.longest).min(self.longest);
+        let left = until - self.state.time;
+        let (step, ends) = if short < left { (short, None) } else { (left, Some(until)) };
+        let mean = self.mean_speed(step)?;
+        let touches = self.joined_after(mean, step)?;
+        if joined == touches {
+            return self.go_on(mean, step, ends);
+        }
+        self.turn_over(mean, step, joined)
+    }
+}
+
+impl SteppedMachine<'_> {
+    /// The bodies touch or part in a step, which ends there.
+    fn turn_over(&mut self, mean: f64, step: f64, joined: bool) -> Result<Option<MassMoment>, MachineError> {
+        let (low, high) = self.change(mean, step, joined)?;
+        let mean = if low > 0.0 { self.mean_speed(low)? } else { mean };
+        self.go(mean, low, None)?;
+        // Over the last bit, in which nothing acts.
+        let bit = high - low;
+        self.contact.follow(&ahead(self.contact, mean, bit))?;
+        (self.state.time, self.state.depth) = (self.state.time + bit, depth_of(self.contact));
+        // The way differs a little from the one that was looked at.
+        if joined && self.contact.joined() {
+            self.contact.leave();
+        }
+        self.since = 0.0;
+        let what = if joined { Happening::Parts } else { Happening::Touches };
+        Ok((self.contact.joined() != joined).then_some(MassMoment { what, state: self.state }))
+    }
+
+    /// A step in which the bodies neither touch nor part; it ends where the mass turns.
+    fn go_on(&mut self, mean: f64, step: f64, ends: Option<f64>) -> Result<Option<MassMoment>, MachineError> {
+        let from = self.state.speed;
+        let to = 2.0 * mean - from;
+        // A mass at rest has a speed by rounding alone.
+        let still = STILL * self.longest * self.held.push.abs() / self.suspension.mass;
+        if from * to >= 0.0 || from.abs() <= still || !self.contact.joined() {
+            self.go(mean, step, ends)?;
+            return Ok(None);
+        }
+        let (mut time, mut mean) = (step, mean);
+        for _ in 0..CORRECTIONS {
+            time *= from / (from - (2.0 * mean - from));
+            mean = self.mean_speed(time)?;
+        }
+        self.go(mean, time, None)?;
+        self.state.speed = 0.0;
+        Ok(Some(MassMoment { what: Happening::Turns, state: self.state }))
+    }
+
+    /// Follows a piece at the mean speed `mean` [m/s].
+    fn go(&mut self, mean: f64, step: f64, ends: Option<f64>) -> Result<(), MachineError> {
+        if step <= 0.0 {
+            return Ok(());
+        }
+        let MassState { time, depth, speed, damped } = self.state;
+        self.contact.follow(&ahead(self.contact, mean, step))?;
+        let lost = self.suspension.damping * mean * mean * step;
+        self.state = MassState {
+            time: ends.unwrap_or(time + step),
+            depth: depth + mean * step,
+            speed: 2.0 * mean - speed,
+            damped: damped + lost,
+        };
+        self.since += step;
+        self.pace = 2.0 * (mean - speed) / step;
+        Ok(())
+    }
+
+    /// In flight, up to where the depth is zero again.
+    fn fly(&mut self, until: f64) -> Result<Option<MassMoment>, MachineError> {
+        let Suspension { mass, damping, .. } = self.suspension;
+        let (suspension, held) = (self.suspension, self.held);
+        let mut motion = |_: f64, &[depth, speed, _]: &[f64; 3]| {
+            let drag = damping * speed;
+            [speed, (suspension.push(held, depth) - drag) / mass, drag * speed]
+        };
+        let MassState { time, depth, speed, damped } = self.state;
+        let (mut stepper, from) = (Stepper::new(1e-13), [depth, speed, damped]);
+        let stalled = MachineError::Stalled { time };
+        let (step, to) = stepper.step(&mut motion, &from, until - time).ok_or(stalled)?;
+        let lands = to[0] >= 0.0;
+        let (step, to) =
+            if lands { stepper.landing(&mut motion, (&from, &to), (step, 0, 0.0)).ok_or(stalled)? } else { (step, to) };
+        let depth = if lands { 0.0 } else { to[0] };
+        let present = depth_of(self.contact);
+        let piece = ahead(self.contact, (depth - present) / step, step);
+        self.contact.follow(&Straight { to: depth, ..piece })?;
+        let time = if step < until - time { time + step } else { until };
+        self.state = MassState { time, depth, speed: to[1], damped: to[2] };
+        self.since = 0.0;
+        Ok(None)
+    }
+
+    /// Mean speed [m/s] of a step of the duration `step` [s].
+    fn mean_speed(&mut self, step: f64) -> Result<f64, MachineError> {
+        let from = self.state.speed;
+        let scale =
+            from.abs() + step * (self.held.push.abs() + self.contact.state().force.abs()) / self.suspension.mass;
+        let mut mean = from + 0.5 * self.pace * step;
+        let mut last: Option<(f64, f64)> = None;
+        for _ in 0..MOST {
+            let miss = from + 0.5 * self.impulse(mean, step)? / self.suspension.mass - mean;
+            let slope = last.map_or(-1.0, |(before, was)| (miss - was) / (mean - before));
+            last = Some((mean, miss));
+            let better = mean - miss / if slope.is_finite() && slope < -0.5 { slope } else { -1.0 };
+            let settled = (better - mean).abs() <= SETTLED * scale;
+            mean = better;
+            if settled {
+                break;
+            }
+        }
+        Ok(mean)
+    }
+
+    /// ∫(W − k(d − D) − cw − F)dt [N s] over a piece at the speed `mean` [m/s].
+    fn impulse(&mut self, mean: f64, step: f64) -> Result<f64, MachineError> {
+        let mut force = |part: f64| {
+            let piece = ahead(self.contact, mean, part * step);
+            Ok::<_, MachineError>(self.contact.look(&piece)?.force)
+        };
+        // A dashpot takes the new speed on at once: the beginning is just after it.
+        let held = step / 6.0 * (force(f64::EPSILON)? + 4.0 * force(0.5)? + force(1.0)?);
+        let outside =
+            self.suspension.push(self.held, self.state.depth + 0.5 * mean * step) - self.suspension.damping * mean;
+        Ok(step * outside - held)
+    }
+
+    fn joined_after(&mut self, mean: f64, step: f64) -> Result<bool, MachineError> {
+        let piece = ahead(self.contact, mean, step);
+        Ok(self.contact.look(&piece)?.contact_radius > 0.0)
+    }
+
+    /// The last time in a step at which the bodies are `joined` as they are now, and the first at which they are not.
+    fn change(&mut self, mean: f64, step: f64, joined: bool) -> Result<(f64, f64), MachineError> {
+        let (mut low, mut high) = (0.0, step);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            *(if self.joined_after(mean, middle)? == joined { &mut low } else { &mut high }) = middle;
+        }
+        Ok((low, high))
+    }
+}

@@ -1,0 +1,90 @@
+//! A mass on bodies that remember, with steps halved until the motion agrees.
+
+use super::normal::{Motion, last};
+use super::{Moved, failed};
+use crate::contact::model::{ContactModel, Straight};
+use crate::contact::viscoelastic::Spectrum;
+use crate::drive::impact::{Projectile, StruckHalfSpace};
+use crate::drive::machine::{SteppedMachine, Suspension};
+use crate::material::Relaxation;
+use crate::run::SimulationError;
+use crate::run::follow::Run;
+use crate::scene::law::MachineLaw;
+use crate::scene::plan::RoundPlan;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// Longest steps of the first run, in the time of an elastic impact or of a radian of the swing, and how often they are halved.
+const STEPS: f64 = 25.0;
+const HALVINGS: usize = 2;
+/// Time of an elastic impact in depths over speeds.
+const ELASTIC: f64 = 2.94;
+
+/// Moves the mass of a machine along the normal of bodies that remember, with steps halved until the motion agrees.
+///
+/// # Errors
+/// The bodies are apart, or the motion cannot be followed.
+pub(super) fn run(
+    plan: &RoundPlan,
+    relaxation: &Arc<Relaxation>,
+    (law, before): (&MachineLaw, &Run),
+) -> Result<Moved, SimulationError> {
+    let last = last(before)?;
+    let motion = Motion::new(law, &last)?;
+    // A ball comes to lie, however long it may fall.
+    if !law.falls() {
+        motion.is_short()?;
+    }
+    let mut longest = time(plan, relaxation, &motion)? / STEPS;
+    let start = before.contact.copy();
+    let led_by = |longest: f64| {
+        let mut contact = start.copy();
+        led(contact.as_mut(), &motion, longest)
+    };
+    let mut coarse = led_by(longest)?;
+    let mut done = 0;
+    loop {
+        longest *= 0.5;
+        let mut fine = led_by(longest)?;
+        done += 1;
+        let error = apart(&coarse, &fine);
+        if done >= HALVINGS || error <= plan.accuracy() {
+            fine.error = Some(error);
+            return Ok(fine);
+        }
+        coarse = fine;
+    }
+}
+
+/// One run with steps no longer than `longest` [s].
+fn led(contact: &mut dyn ContactModel, motion: &Motion<'_>, longest: f64) -> Result<Moved, SimulationError> {
+    let depth = contact.state().indentation.unwrap_or(0.0);
+    // The motion begins where the contact is led to first, at once.
+    let jump = Straight::between(depth, motion.from, 0.0);
+    contact.follow(&jump).map_err(|source| failed(motion.entry.entry)(source.into()))?;
+    let (suspension, held) = (motion.suspension, motion.held);
+    motion.clone().told(&mut SteppedMachine::new(contact, suspension, held, (motion.from, longest)))
+}
+
+/// How far two runs are apart: what happens in them, relative to the time behind it, and the depths and forces of their records.
+fn apart(coarse: &Moved, fine: &Moved) -> f64 {
+    let (one, other) = (&coarse.moments, &fine.moments);
+    let times = one.iter().zip(other).map(|(one, other)| (one.state.time - other.state.time).abs());
+    let last = other.last().map_or(f64::MIN_POSITIVE, |moment| moment.state.time.max(f64::MIN_POSITIVE));
+    let speeds = one.iter().zip(other).map(|(one, other)| (one.state.speed - other.state.speed).abs());
+    let fastest = other.iter().map(|moment| moment.state.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    // One happening more or less is one of a mass that all but lies.
+    times.fold(0.0, f64::max) / last + speeds.fold(0.0, f64::max) / fastest
+}
+
+/// The time in which the contact moves fastest [s].
+fn time(plan: &RoundPlan, relaxation: &Arc<Relaxation>, motion: &Motion<'_>) -> Result<f64, SimulationError> {
+    let Suspension { mass, stiffness, .. } = motion.suspension;
+    if motion.fall > 0.0 {
+        let ground = StruckHalfSpace { spectrum: Arc::new(Spectrum::new(relaxation)), profile: plan.profile.clone() };
+        let impact = Projectile { mass, speed: motion.fall };
+        return Ok(ELASTIC * ground.depth_scale(&impact)? / motion.fall);
+    }
+    let contact = 2.0 * plan.pair.normal * motion.before.normal.contact_radius.unwrap_or(0.0);
+    Ok((mass / (contact + stiffness)).sqrt() * PI)
+}

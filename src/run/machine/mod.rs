@@ -1,0 +1,101 @@
+//! Histories that end in the motion of a machine.
+
+mod along;
+mod bounces;
+mod halved;
+mod normal;
+mod slips;
+
+use super::error;
+use super::follow::{Run, follow};
+use super::named::Named;
+use super::record::{ErrorEstimate, Outcome, Record};
+use super::results::{self, Pressures};
+use super::table::Table;
+use super::{SimulationError, Solved, Wanted, compose};
+use crate::drive::machine::{MachineError, MassMoment};
+use crate::run::unit::Unit;
+use crate::scene::law::MachineLaw;
+use crate::scene::plan::RoundPlan;
+
+/// What a machine has done.
+struct Moved {
+    records: Vec<Record>,
+    tables: Vec<Table>,
+    results: Vec<Named>,
+    warnings: Vec<String>,
+    /// What happened to a mass along the normal.
+    moments: Vec<MassMoment>,
+    /// How far it is from a run in longer steps, if there was one.
+    error: Option<f64>,
+}
+
+/// Leads a contact through its history, and then lets the machine move it.
+///
+/// # Errors
+/// The contact would leave its profile, or the machine is too fast to be followed.
+pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<Solved, SimulationError> {
+    let mut before = follow(plan, compose::contact(plan, wanted)?, wanted)?;
+    let moved = match plan.contact.bodies().relaxation() {
+        _ if law.is_along() => along::run(plan, law, &before)?,
+        Some(relaxation) => halved::run(plan, relaxation, (law, &before))?,
+        None => normal::run(law, &mut before)?,
+    };
+    let error_estimate = estimate(plan, &before, &moved);
+    // A mass that falls has never been where the history begins.
+    let led = if law.falls() { Vec::new() } else { before.records };
+    let records: Vec<Record> = led.into_iter().chain(moved.records).collect();
+    let mut results =
+        results::named(Some(&plan.contact), &records, &Pressures { fields: &before.fields, on_axis: None });
+    results.extend(results::of_friction(plan, &records));
+    results.extend(moved.results);
+    results.push(Named::number("energy_error", Unit::ONE, energy_error(&records)));
+    let outcome = Outcome {
+        map: None,
+        error_estimate,
+        plan: plan.parts(),
+        tables: moved.tables,
+        results,
+        warnings: before.notes.into_iter().chain(moved.warnings).collect(),
+        records,
+        fields: before.fields,
+    };
+    Ok(Solved::without_load(outcome))
+}
+
+/// How far work from outside and what has become of it are apart, as a part of the largest of them.
+fn energy_error(records: &[Record]) -> f64 {
+    let largest = records.iter().filter_map(|record| Some(record.machine?.work.abs())).fold(0.0, f64::max);
+    let off = records.iter().filter_map(off_balance).fold(0.0, f64::max);
+    if off > 0.0 { off / largest.max(off) } else { 0.0 }
+}
+
+/// Work from outside less all that is kept or lost [J].
+fn off_balance(record: &Record) -> Option<f64> {
+    let (machine, normal) = (record.machine?, record.normal);
+    let kept = machine.kinetic + machine.spring + machine.sheared.unwrap_or(0.0) + normal.stored.stored();
+    let rubbed = record.tangential.and_then(|state| state.dissipated).unwrap_or(0.0);
+    Some((machine.work - kept - machine.damped - rubbed - normal.dissipated).abs())
+}
+
+/// Least error that is told of a motion in steps.
+const STEPS: f64 = 1e-11;
+
+fn estimate(plan: &RoundPlan, before: &Run, moved: &Moved) -> ErrorEstimate {
+    let contact = error::estimate(plan, before);
+    let relative = energy_error(&moved.records).max(STEPS);
+    if let Some(error) = moved.error {
+        let basis = "motion of the mass in straight steps of the depth: times and speeds of what happens against those in steps twice as long, and the balance of energies";
+        return ErrorEstimate { relative: error.max(relative).max(contact.relative), basis: basis.to_owned() };
+    }
+    if contact.relative > relative {
+        return contact;
+    }
+    let basis = "motion of the mass in extrapolated steps of 1e-13: work from outside against what is kept and lost";
+    ErrorEstimate { relative, basis: basis.to_owned() }
+}
+
+/// A failure of the machine in an entry.
+fn failed(entry: usize) -> impl Fn(MachineError) -> SimulationError {
+    move |source| SimulationError::Machine { entry, source }
+}

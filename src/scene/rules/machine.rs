@@ -1,0 +1,244 @@
+//! A machine and its motions against the other parts.
+
+use super::draft::Draft;
+use super::parts::not_round;
+use crate::friction::Friction;
+use crate::input::problem::Problem;
+use crate::material::Body;
+use crate::scene::history::{EntryTraits, MachineMotion};
+use crate::scene::mended::Look;
+use crate::scene::stage::Path;
+use crate::shape::Family;
+
+fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
+    Some(Problem::new(path, what))
+}
+
+fn refused_entry(entry: &EntryTraits<'_>, what: impl Into<String>) -> Option<Problem> {
+    refused(&entry.place(), what)
+}
+
+/// The name of a motion with the machine behind it, as a message begins with it.
+const MACHINE: &str = "a machine";
+
+pub(super) fn without_motion(draft: &Draft<'_>) -> Option<Problem> {
+    (draft.has_machine()? && !draft.is_driven()?).then_some(())?;
+    refused(
+        "machine",
+        "moves nothing, for the history leads the contact by itself: expected Drive(speed: …, over: …), Ring(amplitude: …, over: …) or Fall(height: …, over: …) in the history, or no machine",
+    )
+}
+
+pub(super) fn without_machine(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.machine?;
+    if draft.has_machine()? {
+        return None;
+    }
+    refused_entry(
+        entry,
+        format!("{} needs a mass to be moved: expected machine: (mass: …, stiffness: …, damping: …)", entry.name),
+    )
+}
+
+/// Springs and dampers that make no sense for a motion.
+pub(super) fn suspension(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let (machine, motion) = (draft.machine()?, entry.machine?.motion);
+    let stiff = machine.suspension().stiffness > 0.0;
+    match motion {
+        MachineMotion::Drive { .. } if !stiff => refused(
+            "machine.stiffness",
+            format!("{} draws the mass by its spring: expected a stiffness above zero", entry.name),
+        ),
+        MachineMotion::Fall { .. } if stiff => refused(
+            "machine.stiffness",
+            format!("a spring would hold the mass that {} lets go: expected stiffness: 0", entry.name),
+        ),
+        MachineMotion::Drive { .. } | MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => None,
+    }
+}
+
+pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
+    let shape = draft.shape().filter(|_| draft.has_machine() == Some(true))?;
+    let why = match shape.family() {
+        Family::Round if !shape.is_plane() => return None,
+        Family::Round => {
+            "how deep a section goes depends on the size of its bodies, and so does the stiffness a mass feels"
+        }
+        Family::Line(_) | Family::Map(..) => {
+            "springs of a rough line touch one by one, at each of which the force has a kink"
+        }
+        Family::Tips(_) => "tips side by side turn the body as they slip",
+        Family::Wavy(_) => "a series of the half-plane has no depth",
+    };
+    let shape = not_round(shape).unwrap_or_else(|| format!("a {}", shape.name()));
+    refused("machine", format!("on {shape} cannot be computed, for {why}: expected a round shape"))
+}
+
+pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let motion = entry.machine?.motion;
+    let (one, two) = draft.bodies(Look::Kind)?;
+    let why = match (one, two) {
+        (Body::Plastic(_), _) | (_, Body::Plastic(_)) => {
+            "the dent that a blow leaves has another shape for the next: expected Elastic bodies"
+        }
+        (Body::Viscoelastic(_), _) | (_, Body::Viscoelastic(_)) if motion.is_along() => {
+            "the friction of bodies that relax is known where depth and slide are straight in time: expected Elastic bodies"
+        }
+        _ => return None,
+    };
+    let name = if matches!(one, Body::Plastic(_) | Body::Viscoelastic(_)) { one } else { two }.name();
+    refused_entry(entry, format!("{} with a {name} body cannot be computed, for {why}", entry.name))
+}
+
+pub(super) fn under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let motion = entry.machine?.motion;
+    let adhesion = draft.adhesion(Look::Kind)?.traits();
+    let why = match motion {
+        MachineMotion::Drive { .. } => "the springs of an adhesive edge are pulled and have no limit μq",
+        MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => {
+            "an edge that jumps makes a kink in the motion, which is followed of a single Impact only"
+        }
+    };
+    refused_entry(
+        entry,
+        format!("{} with {} adhesion cannot be computed, for {why}: expected no adhesion", entry.name, adhesion.name),
+    )
+}
+
+pub(super) fn friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    entry.machine.filter(|machine| machine.motion.is_along())?;
+    if !draft.rubs()? {
+        return refused_entry(
+            entry,
+            format!(
+                "{} needs friction, for without one nothing holds the mass: expected a friction such as StaticKinetic(static: 0.4, kinetic: 0.3)",
+                entry.name
+            ),
+        );
+    }
+    let friction = draft.friction(Look::Kind)?;
+    match friction {
+        Friction::Coulomb(_) | Friction::StaticKinetic(_) => None,
+        Friction::CoulombOrowan(_) | Friction::Pressure(_) => refused_entry(
+            entry,
+            format!(
+                "{} with {} friction cannot be computed, for it is a law of gross sliding that knows no stick: expected Coulomb(…) or StaticKinetic(…)",
+                entry.name,
+                friction.name()
+            ),
+        ),
+    }
+}
+
+/// A friction that falls as the contact begins to slide.
+pub(super) fn falling_friction(draft: &Draft<'_>) -> Option<Problem> {
+    let Friction::StaticKinetic(_) = draft.friction(Look::Kind)? else { return None };
+    if draft.drives()? {
+        return None;
+    }
+    refused(
+        "friction",
+        "StaticKinetic falls as the contact begins to slide, and how fast it then slips only a mass knows: expected a machine and Drive(speed: …, over: …) in the history, or Coulomb(coefficient: …)",
+    )
+}
+
+/// A contact cannot slide more heavily than it is held.
+pub(super) fn kinetic_above_static(draft: &Draft<'_>) -> Option<Problem> {
+    let Friction::StaticKinetic(law) = draft.friction(Look::Whole)? else { return None };
+    let (held, slides) = (law.r#static.si(), law.kinetic.si());
+    (slides > held).then(|| {
+        Problem::new(
+            "friction.kinetic",
+            format!("a contact that slides is held by {slides:?}, more than the {held:?} it takes to set it sliding: expected at most {held:?}"),
+        )
+    })
+}
+
+/// The path of the slide that breaks away is known to the machine alone.
+pub(super) fn slide_before(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let Friction::StaticKinetic(_) = draft.friction(Look::Kind)? else { return None };
+    entry.slides().then_some(())?;
+    refused_entry(
+        entry,
+        format!(
+            "{} under StaticKinetic friction cannot be computed, for how fast it slips once it has given way only a mass knows: expected Drive(speed: …, over: …)",
+            entry.name
+        ),
+    )
+}
+
+pub(super) fn with_wear(draft: &Draft<'_>) -> Option<Problem> {
+    let (name, true) = (draft.wear()?, draft.has_machine()?) else { return None };
+    refused(
+        "machine",
+        format!(
+            "with {name} wear cannot be computed, for a profile that is worn off changes the stiffness between two slips: expected no wear, or no machine"
+        ),
+    )
+}
+
+pub(super) fn on_springs(draft: &Draft<'_>) -> Option<Problem> {
+    draft.has_machine()?.then_some(())?;
+    draft.springs()?;
+    refused(
+        "springs",
+        "with a machine cannot be computed, for each spring that touches makes a kink in the motion: leave springs out",
+    )
+}
+
+pub(super) fn on_pixels(draft: &Draft<'_>) -> Option<Problem> {
+    draft.has_machine()?.then_some(())?;
+    draft.half_space(Look::Kind)?;
+    refused(
+        "machine",
+        "with solver: HalfSpace cannot be computed, for a motion asks for its force thousands of times: expected no solver, or no machine",
+    )
+}
+
+/// What a motion can stand behind.
+pub(super) fn in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let motion = entry.machine?.motion;
+    let (name, last) = (entry.name, draft.length()?.checked_sub(1)?);
+    match motion {
+        MachineMotion::Fall { .. } if last > 0 => {
+            refused_entry(entry, format!("{name} stands beside {last} other entries: expected it alone in the history"))
+        }
+        MachineMotion::Ring { .. } if entry.number != last => refused_entry(
+            entry,
+            format!("{name} leaves a mass that still swings: expected it at the end of the history"),
+        ),
+        MachineMotion::Drive { .. } | MachineMotion::Ring { .. } if entry.number == 0 => refused_entry(
+            entry,
+            format!("the bodies only touch at the start: expected an Indent or Press before {name}"),
+        ),
+        MachineMotion::Drive { .. } | MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => None,
+    }
+}
+
+/// The first motion of a machine, unless it may be another one.
+fn first_motion<'d>(draft: &'d Draft<'_>) -> Option<&'d EntryTraits<'d>> {
+    draft.entries().find(|entry| entry.is_none_or(|entry| entry.machine.is_some()))?
+}
+
+/// What leads the contact by itself cannot stand behind a machine, nor can what parts it or moves it along.
+pub(super) fn beside(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let first = first_motion(draft)?;
+    if entry.machine.is_some() {
+        return None;
+    }
+    let what = match () {
+        () if entry.impact.is_some() || entry.glide.is_some() => "is a motion of its own",
+        () if entry.number > first.number => "leads the contact while the mass still moves",
+        () if entry.stages.iter().any(|stage| matches!(stage.normal, Path::UntilParted { .. })) => {
+            "parts the bodies, and the machine needs them in contact"
+        }
+        () => return None,
+    };
+    refused_entry(
+        entry,
+        format!(
+            "{} {what}, which {MACHINE} cannot stand with: expected Indent, Press, Hold, HoldForce or Slide before {}",
+            entry.name, first.name
+        ),
+    )
+}

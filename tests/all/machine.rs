@@ -1,0 +1,118 @@
+//! Contacts in a machine, from scenes.
+
+use springbed::prelude::*;
+use springbed::run::record::Outcome;
+use springbed::scene::plan::Plan;
+use springbed::text::Notation;
+
+fn planned(text: &str) -> Plan {
+    Notation::Ron.plan(text, &InMemory::default()).unwrap_or_else(|errors| panic!("{text}: {errors:?}"))
+}
+
+fn outcome(text: &str) -> Outcome {
+    run(&planned(text), Wanted::NOTHING).unwrap()
+}
+
+/// A ball of steel with the machine and the history of `rest`.
+fn steel(rest: &str) -> String {
+    format!("(shape: Paraboloid(radius: \"5 mm\"), bodies: (Elastic(young: \"210 GPa\", poisson: 0.3), Rigid), {rest})")
+}
+
+/// The same of a polymer.
+fn polymer(rest: &str) -> String {
+    steel(rest).replace("210 GPa", "3 GPa")
+}
+
+fn times(outcome: &Outcome, table: &str, column: &str) -> Vec<f64> {
+    let column = outcome.table(table).and_then(|table| table.column(column)).unwrap();
+    column.numbers().iter().copied().flatten().collect()
+}
+
+/// The number of records is a matter of the figure.
+#[test]
+fn records_do_not_change_bounces() {
+    let fall = |steps: usize| {
+        let text =
+            steel(&format!("machine: (mass: \"4 g\"), history: [Fall(height: \"10 cm\", over: 1)], steps: {steps}"));
+        times(&outcome(&text), "bounces", "touch_time")
+    };
+    let (few, many) = (fall(1), fall(777));
+    assert!(few.len() == 4 && many.len() == 4);
+    for (one, other) in few.iter().zip(&many) {
+        assert!((one / other - 1.0).abs() < 1e-10, "{one:e} {other:e}");
+    }
+}
+
+const DRIVEN: &str = "friction: StaticKinetic(static: 0.5, kinetic: 0.3), \
+    machine: (mass: \"50 g\", stiffness: \"50 kN/m\", damping: \"2 N s/m\"), ";
+
+/// A drive that is cut into entries is the same drive.
+#[test]
+fn cutting_a_drive_changes_nothing() {
+    let drive =
+        |entries: &str| outcome(&polymer(&format!("{DRIVEN} history: [Press(to: 2, over: 1), {entries}], steps: 50")));
+    let whole = drive("Drive(speed: \"2.7 mm/s\", over: 0.3)");
+    let cut = drive("Drive(speed: \"2.7 mm/s\", over: 0.1234), Drive(speed: \"2.7 mm/s\", over: 0.1766)");
+    let (one, other) = (times(&whole, "slips", "start_time"), times(&cut, "slips", "start_time"));
+    assert!(one.len() > 3 && one.len() == other.len(), "{} {}", one.len(), other.len());
+    for (one, other) in one.iter().zip(&other) {
+        assert!((one / other - 1.0).abs() < 1e-10, "{one:e} {other:e}");
+    }
+    assert!(whole.number("energy_error").unwrap() < 1e-10);
+}
+
+/// However far the contact has slid, each slip is like the one before.
+#[test]
+fn many_slips_are_alike() {
+    let text =
+        polymer(&format!("{DRIVEN} history: [Press(to: 2, over: 1), Drive(speed: \"2.7 mm/s\", over: 10)], steps: 10"));
+    let outcome = outcome(&text);
+    let starts = times(&outcome, "slips", "start_time");
+    assert!(starts.len() > 1000 && outcome.number("energy_error").unwrap() < 1e-10, "{}", starts.len());
+    let periods: Vec<f64> = starts[500..].windows(2).map(|pair| pair[1] - pair[0]).collect();
+    assert!(periods.iter().all(|period| (period / periods[0] - 1.0).abs() < 1e-6), "{periods:?}");
+}
+
+/// Coulomb's law has no fall: the mass creeps, and slides steadily, drawn by μF.
+#[test]
+fn a_coulomb_contact_creeps_and_then_slides() {
+    let text = steel(
+        "friction: Coulomb(coefficient: 0.3), machine: (mass: \"1 g\", stiffness: \"1 kN/m\", damping: \"1 N s/m\"), \
+         history: [Press(to: 2, over: 1), Drive(speed: \"1 mm/s\", over: 2)], steps: 100",
+    );
+    let outcome = outcome(&text);
+    let last = outcome.records.last().unwrap();
+    let machine = last.machine.unwrap();
+    assert_eq!(outcome.table("slips").unwrap().rows(), 1);
+    assert!((machine.speed / 1e-3 - 1.0).abs() < 1e-9 && (machine.spring_force - 0.601).abs() < 1e-9, "{machine:?}");
+    let creeps = outcome.records.iter().filter(|record| record.time > 1.3 && record.time < 1.5);
+    let creeping = creeps.filter(|record| record.tangential.unwrap().stick_radius > 0.0).count();
+    assert!(creeping > 5);
+}
+
+/// Where the mass is drawn to and fro it goes on from where it is; a drive that stands still lets it rest.
+#[test]
+fn a_drive_may_turn_and_stop() {
+    let text = polymer(&format!(
+        "{DRIVEN} history: [Press(to: 2, over: 1), Slide(to: 0, over: 1), Drive(speed: \"1 mm/s\", over: 0.1), \
+         Drive(speed: \"-2 mm/s\", over: 0.2), Drive(speed: 0, over: 1)], steps: 200"
+    ));
+    let text = text.replace("StaticKinetic(static: 0.5, kinetic: 0.3)", "Coulomb(coefficient: 0.3)");
+    let outcome = outcome(&text);
+    let last = outcome.records.last().unwrap();
+    assert!((last.machine.unwrap().drawn.unwrap() + 3e-4).abs() < 1e-15, "{last:?}");
+    assert!(last.machine.unwrap().speed.abs() < 1e-9 && outcome.number("energy_error").unwrap() < 1e-10, "{last:?}");
+}
+
+/// A ball on rubber loses at every bounce, lies in the end, and its energy is told.
+#[test]
+fn a_ball_on_rubber_comes_to_lie() {
+    let text = "(shape: Paraboloid(radius: \"5 mm\"), bodies: (Rigid, Viscoelastic(poisson: 0.5, \
+        shear: (equilibrium: \"1 MPa\", terms: [(modulus: \"2 MPa\", time: \"1 ms\")]))), machine: (mass: \"4 g\"), \
+        history: [Fall(height: \"5 cm\", over: 3)], accuracy: 1e-2, steps: 100)";
+    let outcome = outcome(text);
+    let rebounds = times(&outcome, "bounces", "restitution");
+    assert!(rebounds.len() > 2 && rebounds.iter().all(|&rebound| rebound > 0.0 && rebound < 1.0), "{rebounds:?}");
+    assert!(outcome.number("rest_time_s").unwrap() < 3.0);
+    assert!(outcome.number("energy_error").unwrap() < 1e-3 && outcome.error_estimate.relative < 5e-2, "{outcome:?}");
+}
