@@ -15,13 +15,13 @@
 //! use springbed::shape::Paraboloid;
 //! use std::sync::Arc;
 //!
-//! // R = E* = m = 1, pressed to d = 1 and let go 1e-6 beside it: ω² = 2E*a/m = 2.
+//! // R = E* = m = 1, pressed to d = 1 and let go 1e-5 beside it: ω² = 2E*a/m = 2.
 //! let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0)? }), 1.0);
 //! let mut contact = QuasiStatic::new(EdgeLine::new(ground, 0.0));
 //! contact.follow(&Straight::between(0.0, 1.0, 1.0))?;
 //! let held = Held { depth: 1.0, push: contact.state().force };
 //! let suspension = Suspension { mass: 1.0, stiffness: 0.0, damping: 0.0 };
-//! let mut mass = Mass::new(&mut contact, suspension, held, (1.0 + 1e-6, 0.0));
+//! let mut mass = Mass::new(&mut contact, suspension, held, (1.0 + 1e-5, 0.0));
 //! let turns = mass.advance(3.0)?;
 //! let half = std::f64::consts::PI / 2f64.sqrt();
 //! assert!((turns[0].state.time / half - 1.0).abs() < 1e-9);
