@@ -33,6 +33,11 @@ struct Motion<'r> {
     moments: usize,
 }
 
+/// Pieces of each record of the motion that another one is held against.
+const OTHER_PIECES: usize = 3;
+/// What the error then stands on.
+const PIECES: &str = "motion of the mass in extrapolated steps of 1e-13: force at the end and times of slips against those of the same way in other pieces, and the balance of energies";
+
 /// Draws the mass of a machine along the surface.
 ///
 /// # Errors
@@ -48,11 +53,15 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
         )));
     }
     let memory = memory(plan, before).map_err(|source| failed(first)(source.into()))?;
-    let mass = Drawn::new(law.suspension, memory, law.left);
-    let mut motion = Motion::new(law.suspension, mass, &last);
-    for entry in &law.motions {
-        motion.follow(entry)?;
-    }
+    let led = |pieces: usize| -> Result<Motion<'_>, SimulationError> {
+        let mass = Drawn::new(law.suspension, memory.clone(), law.left);
+        let mut motion = Motion::new(law.suspension, mass, &last);
+        law.motions.iter().try_for_each(|entry| motion.follow(entry, pieces * entry.records))?;
+        Ok(motion)
+    };
+    let motion = led(1)?;
+    // What a mass does after a slip depends on how it swung before: other pieces of the same way show how well that is known.
+    let error = if motion.slips.is_empty() { None } else { Some((motion.apart(&led(OTHER_PIECES)?), PIECES)) };
     let (slips, table) = (slips::results(&motion.slips), slips::table(&motion.slips));
     let tables = if motion.slips.is_empty() { Vec::new() } else { vec![table] };
     let left_out = motion.mass.left_out();
@@ -60,7 +69,7 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
         format!("the mass swings on the sticking contact far faster than the far end is drawn on, and without losses to speak of: {left_out:.2e} J of such swings were left out; expected a damping, or a larger mass, for them to be followed")
     });
     let warnings = warning.into_iter().collect();
-    Ok(Moved { warnings, records: motion.records, tables, results: slips, moments: Vec::new(), error: None })
+    Ok(Moved { warnings, records: motion.records, tables, results: slips, moments: Vec::new(), error })
 }
 
 /// What the friction remembers of the history before.
@@ -97,14 +106,14 @@ impl<'r> Motion<'r> {
         motion
     }
 
-    fn follow(&mut self, entry: &MachineEntry) -> Result<(), SimulationError> {
+    fn follow(&mut self, entry: &MachineEntry, records: usize) -> Result<(), SimulationError> {
         let MachineMotion::Drive { speed } = entry.motion else {
             return Err(SimulationError::Refused("machine: only Drive moves along the surface".to_owned()));
         };
         self.mass.draw(speed);
         self.push(entry.entry);
-        for k in 1..=entry.records {
-            let until = self.since + entry.over * k as f64 / entry.records as f64;
+        for k in 1..=records {
+            let until = self.since + entry.over * k as f64 / records as f64;
             while self.mass.state().time < until {
                 let Some(moment) = self.mass.step(until).map_err(failed(entry.entry))? else { continue };
                 slips::note(&mut self.slips, self.begin, &moment);
@@ -117,6 +126,15 @@ impl<'r> Motion<'r> {
         }
         self.since += entry.over;
         Ok(())
+    }
+
+    /// How far the end is from that of the same way in other pieces: force, and times of slips, as parts of the largest.
+    fn apart(&self, other: &Self) -> f64 {
+        let pull = |motion: &Self| motion.mass.tangential().force;
+        let most = self.records.iter().filter_map(|record| Some(record.tangential?.force.abs())).fold(0.0, f64::max);
+        let times = self.slips.iter().zip(&other.slips).map(|(one, other)| (one.start / other.start - 1.0).abs());
+        let force = if most > 0.0 { (pull(self) - pull(other)).abs() / most } else { 0.0 };
+        if self.slips.len() == other.slips.len() { times.fold(force, f64::max) } else { 1.0 }
     }
 
     fn machine(&self) -> MachineState {

@@ -14,6 +14,8 @@ use crate::scene::plan::RoundPlan;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+/// What the error stands on.
+const TWICE_AS_LONG: &str = "motion of the mass in straight steps of the depth: times and speeds of what happens against those in steps twice as long, and the balance of energies";
 /// Longest steps of the first run, in the time of an elastic impact or of a radian of the swing, and how often they are halved.
 const STEPS: f64 = 25.0;
 const HALVINGS: usize = 2;
@@ -49,7 +51,7 @@ pub(super) fn run(
         done += 1;
         let error = apart(&coarse, &fine);
         if done >= HALVINGS || error <= plan.accuracy() {
-            fine.error = Some(error);
+            fine.error = Some((error, TWICE_AS_LONG));
             return Ok(fine);
         }
         coarse = fine;

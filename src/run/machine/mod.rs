@@ -26,8 +26,8 @@ struct Moved {
     warnings: Vec<String>,
     /// What happened to a mass along the normal.
     moments: Vec<MassMoment>,
-    /// How far it is from a run in longer steps, if there was one.
-    error: Option<f64>,
+    /// How far it is from another run, if there was one, and what that was.
+    error: Option<(f64, &'static str)>,
 }
 
 /// Leads a contact through its history, and then lets the machine move it.
@@ -84,8 +84,7 @@ const STEPS: f64 = 1e-11;
 fn estimate(plan: &RoundPlan, before: &Run, moved: &Moved) -> ErrorEstimate {
     let contact = error::estimate(plan, before);
     let relative = energy_error(&moved.records).max(STEPS);
-    if let Some(error) = moved.error {
-        let basis = "motion of the mass in straight steps of the depth: times and speeds of what happens against those in steps twice as long, and the balance of energies";
+    if let Some((error, basis)) = moved.error {
         return ErrorEstimate { relative: error.max(relative).max(contact.relative), basis: basis.to_owned() };
     }
     if contact.relative > relative {

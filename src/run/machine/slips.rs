@@ -9,7 +9,7 @@ use crate::run::unit::Unit;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SlipEvent {
     /// When it begins [s].
-    start: f64,
+    pub start: f64,
     /// Displacement of the mass then [m].
     from: f64,
     /// Force of friction just before [N].
