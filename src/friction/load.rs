@@ -123,9 +123,12 @@ impl LoadCurve {
         if self.is_narrow((lower, upper)) {
             return rise * self.mean((lower, upper), |_, x| x);
         }
-        let load =
-            |at: SpringDepth| self.profile.load_integral(at.radius) + at.radius * (at.depth() - self.wall).max(0.0);
-        load(upper) - load(lower)
+        self.load(upper) - self.load(lower)
+    }
+
+    /// ∫₀^h a dh up to the depth h of a place [m²].
+    pub fn load(&self, at: SpringDepth) -> f64 {
+        self.profile.load_integral(at.radius) + at.radius * (at.depth() - self.wall).max(0.0)
     }
 
     /// ∫ P dx over the springs of the slice, P a product of linear functions of the depth.

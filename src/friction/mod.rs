@@ -36,7 +36,7 @@ pub use bed::CoulombBed;
 pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
 pub use strength::{Strength, StrengthCurve};
-pub use turning::{Corner, Grip, Pose, TangentialMemory, TangentialState};
+pub use turning::{Branch, Corner, Grip, Pose, TangentialMemory, TangentialState};
 pub use viscoelastic::ViscoelasticBed;
 
 use crate::input::quantity::{Modulus, Ratio};

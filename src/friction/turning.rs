@@ -34,6 +34,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod branch;
 mod whole;
 
 use super::FrictionError;
@@ -41,6 +42,7 @@ use super::load::{LinearProduct, LoadCurve, SpringDepth};
 use super::slipped::{Node, SlideStep, slip_work};
 pub use crate::contact::model::Pose;
 use crate::shape::Profile;
+pub use branch::Branch;
 use std::cmp::Ordering;
 use std::sync::Arc;
 pub use whole::Corner;
@@ -359,24 +361,26 @@ fn crossing(from: Pose, to: Pose) -> Pose {
 /// may cross both sides, and leaves by the one it reaches first on its way outwards. A piece parallel
 /// to a side lies on it up to rounding: any corner between its ends will do.
 fn mantle(inner: Node, outer: Node, slope: f64) -> (f64, f64) {
-    let size = |node: &Node| node.below.abs() + node.displacement.abs();
-    let near = if size(&inner) < size(&outer) { inner } else { outer };
-    let (lowest, highest) = (outer.below.max(0.0), inner.below.max(0.0));
-    let reached = |side: f64| {
-        let below = (side * near.displacement - side * slope * near.below) / (1.0 - side * slope);
-        if below.is_nan() { lowest } else { below.clamp(lowest, highest) }
-    };
     if outer.below > 0.0 {
         let side = outer.displacement.signum();
-        return (reached(side), side);
+        return (on_side(side, (inner, outer), slope), side);
     }
-    let (forward, backward) = (reached(1.0), reached(-1.0));
+    let [forward, backward] = [1.0, -1.0].map(|side| on_side(side, (inner, outer), slope));
     match forward.total_cmp(&backward) {
         Ordering::Greater => (forward, 1.0),
         Ordering::Less => (backward, -1.0),
         // At the apex both meet: the side is that of the springs beyond, so that mirrored histories mirror.
         Ordering::Equal => (forward, outer.displacement.signum()),
     }
+}
+
+/// Depth below the apex at which a piece of slope `slope` meets the side `side` of the cone, between its vertices.
+fn on_side(side: f64, (inner, outer): (Node, Node), slope: f64) -> f64 {
+    let size = |node: &Node| node.below.abs() + node.displacement.abs();
+    let near = if size(&inner) < size(&outer) { inner } else { outer };
+    let (lowest, highest) = (outer.below.max(0.0), inner.below.max(0.0));
+    let below = (side * near.displacement - side * slope * near.below) / (1.0 - side * slope);
+    if below.is_nan() { lowest } else { below.clamp(lowest, highest) }
 }
 
 #[cfg(test)]

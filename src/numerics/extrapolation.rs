@@ -35,6 +35,11 @@ const SHORTEST: f64 = 1e-18;
 /// Most trials for a landing.
 const MOST_TRIALS: usize = 80;
 
+/// Part of the lesser end above which a dip does not come to zero.
+const SHALLOW: f64 = 0.25;
+/// Part of the step to which the bottom of a dip is looked for: what it is deep changes with the square.
+const LOWEST: f64 = 1e-6;
+
 /// What moves a state of N numbers.
 pub trait Motion<const N: usize> {
     /// dy/dt at the time `time` since the beginning of the step.
@@ -61,6 +66,12 @@ pub struct Stepper {
     next: f64,
     /// Shortest step, relative to the longest asked for.
     shortest: f64,
+}
+
+/// A state on the way, and its time since the beginning of the step.
+struct Base<const N: usize> {
+    time: f64,
+    state: [f64; N],
 }
 
 /// A trial of one step.
@@ -101,10 +112,11 @@ impl Stepper {
         from: &[f64; N],
         longest: f64,
     ) -> Option<(f64, [f64; N])> {
+        let base = Base { time: 0.0, state: *from };
         let slope = motion.rate(0.0, from);
         let mut step = self.next.min(longest);
         while step > self.shortest * longest {
-            let trial = self.trial(motion, (from, &slope), step);
+            let trial = self.trial(motion, (&base, &slope), step);
             if let Some(row) = trial.row {
                 let growth = [8.0, 8.0, 8.0, 4.0, 2.5, 1.5, 1.0, 0.75][row];
                 // A step cut short by its user says nothing against a longer one.
@@ -119,7 +131,7 @@ impl Stepper {
     }
 
     /// Where inside a step from `from` to `to` of the length `span` the number `at` of the state comes to `target`, given as
-    /// `(span, at, target)`: by Newton's method on steps of their own, guarded by halving.
+    /// `(span, at, target)`: by Newton's method, guarded by halving, each trial a step from the one before.
     ///
     /// The state before the step and after it must lie on different sides of the target.
     pub fn landing<const N: usize>(
@@ -128,44 +140,90 @@ impl Stepper {
         (from, to): (&[f64; N], &[f64; N]),
         (span, at, target): (f64, usize, f64),
     ) -> Option<(f64, [f64; N])> {
-        let slope = motion.rate(0.0, from);
         let (mut low, mut high) = (0.0, span);
         // The way may begin at the target, and leave it before it comes back.
         let rises = to[at] > target;
         let secant = span * (target - from[at]) / (to[at] - from[at]);
-        let mut time = if secant > 0.0 && secant < span { secant } else { 0.5 * span };
-        let mut best = self.trial(motion, (from, &slope), time).end;
+        let mut next = if secant > 0.0 && secant < span { secant } else { 0.5 * span };
+        let mut base = Base { time: 0.0, state: *from };
         for _ in 0..MOST_TRIALS {
-            let off = best[at] - target;
+            base = self.onwards(motion, &base, next);
+            let off = base.state[at] - target;
             if (off > 0.0) == rises {
-                high = time
+                high = base.time
             } else {
-                low = time
+                low = base.time
             }
-            let newton = time - off / motion.rate(time, &best)[at];
-            let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            let done = (next - time).abs() <= 2.0 * f64::EPSILON * span || off.abs() <= 0.0;
-            if done {
-                return Some((time, best));
+            let newton = base.time - off / motion.rate(base.time, &base.state)[at];
+            next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            if (next - base.time).abs() <= 2.0 * f64::EPSILON * span || off.abs() <= 0.0 {
+                break;
             }
-            time = next;
-            best = self.trial(motion, (from, &slope), time).end;
         }
-        Some((time, best))
+        Some((base.time, base.state))
+    }
+
+    /// Where inside a step, at both ends of which the number `at` has the same sign, it has the other, given as `(span, at)`:
+    /// a dip through zero and back, which the ends do not show. `None` if there is none.
+    ///
+    /// The tangents at both ends meet below a dip that is convex; where they meet well above zero no step is tried.
+    pub fn dip<const N: usize>(
+        &self,
+        motion: &mut impl Motion<N>,
+        (from, to): (&[f64; N], &[f64; N]),
+        (span, at): (f64, usize),
+    ) -> Option<(f64, [f64; N])> {
+        let side = from[at].signum();
+        let (mut low, mut high) = (0.0, span);
+        let (mut falls, mut rises) = (side * motion.rate(0.0, from)[at], side * motion.rate(span, to)[at]);
+        if falls >= 0.0 || rises <= 0.0 {
+            return None;
+        }
+        let (begin, end) = (side * from[at], side * to[at]);
+        let meet = (begin - end + rises * span) / (rises - falls);
+        if begin + falls * meet > SHALLOW * begin.min(end) {
+            return None;
+        }
+        let mut base = Base { time: 0.0, state: *from };
+        for k in 0..MOST_TRIALS {
+            // By the secant, which of a slope that bends may leave one end for ever, and by halves in turn.
+            let secant = (low * rises - high * falls) / (rises - falls);
+            let next = if k % 3 == 2 { 0.5 * (low + high) } else { secant };
+            base = self.onwards(motion, &base, next);
+            if side * base.state[at] < 0.0 {
+                return Some((base.time, base.state));
+            }
+            let slope = side * motion.rate(base.time, &base.state)[at];
+            if slope < 0.0 {
+                (low, falls) = (base.time, slope);
+            } else {
+                (high, rises) = (base.time, slope);
+            }
+            if high - low <= LOWEST * span || slope.abs() <= 0.0 {
+                break;
+            }
+        }
+        None
+    }
+
+    /// From `base` to the time `time`, before it or after it.
+    fn onwards<const N: usize>(&self, motion: &mut impl Motion<N>, base: &Base<N>, time: f64) -> Base<N> {
+        let slope = motion.rate(base.time, &base.state);
+        Base { time, state: self.trial(motion, (base, &slope), time - base.time).end }
     }
 
     fn trial<const N: usize>(
         &self,
         motion: &mut impl Motion<N>,
-        (from, slope): (&[f64; N], &[f64; N]),
+        (base, slope): (&Base<N>, &[f64; N]),
         step: f64,
     ) -> Trial<N> {
-        let rounding = motion.rounding();
+        let (rounding, from) = (motion.rounding(), &base.state);
         let mut before = [[0.0; N]; ROWS];
         let mut end = *from;
         for row in 0..ROWS {
             let mut present = [[0.0; N]; ROWS];
-            present[0] = midpoint(motion, (from, slope), (step, row + 1));
+            present[0] = midpoint(motion, (base, slope), (step, row + 1));
             for k in 1..=row {
                 let ratio = (row + 1) as f64 / (row + 1 - k) as f64;
                 let weight = (ratio * ratio - 1.0).recip();
@@ -177,7 +235,7 @@ impl Stepper {
             if row >= FIRST {
                 let mut agree = (0..N).map(|i| {
                     let scale = end[i].abs().max(from[i].abs()) + (step * slope[i]).abs();
-                    (end[i] - present[row - 1][i]).abs() <= self.tolerance * scale + rounding[i] * step
+                    (end[i] - present[row - 1][i]).abs() <= self.tolerance * scale + rounding[i] * step.abs()
                 });
                 // A NaN agrees with nothing.
                 if agree.all(|agrees| agrees) {
@@ -193,18 +251,19 @@ impl Stepper {
 /// The midpoint rule with twice `pairs` substeps, smoothed at its end.
 fn midpoint<const N: usize>(
     motion: &mut impl Motion<N>,
-    (from, slope): (&[f64; N], &[f64; N]),
+    (begin, slope): (&Base<N>, &[f64; N]),
     (step, pairs): (f64, usize),
 ) -> [f64; N] {
+    let Base { time, state: from } = begin;
     let count = 2 * pairs;
     let short = step / count as f64;
     let ahead = |base: &[f64; N], slope: &[f64; N], by: f64| std::array::from_fn(|i| base[i] + by * slope[i]);
     let (mut last, mut now): ([f64; N], [f64; N]) = (*from, ahead(from, slope, short));
     for k in 1..count {
-        let slope = motion.rate(k as f64 * short, &now);
+        let slope = motion.rate(time + k as f64 * short, &now);
         (last, now) = (now, ahead(&last, &slope, 2.0 * short));
     }
-    let end = motion.rate(step, &now);
+    let end = motion.rate(time + step, &now);
     std::array::from_fn(|i| 0.5 * (now[i] + last[i] + short * end[i]))
 }
 
@@ -224,6 +283,21 @@ mod tests {
             (time, state) = (if step < end - time { time + step } else { end }, next);
         }
         assert!((state[0] - 1.0).abs() < 1e-9 && state[1].abs() < 1e-9, "{state:?}");
+    }
+
+    /// A speed that dips below zero inside a step, by however little, is found; one that stays above is not.
+    #[test]
+    fn a_dip_is_found() {
+        for k in 0..40 {
+            let deep = 0.05 * 10f64.powf(-0.2 * f64::from(k));
+            for (lowest, found) in [(-deep, true), (deep, false)] {
+                // v = lowest + s² + s³, s = t − 0.3.
+                let mut motion = |t: f64, _: &[f64; 1]| [2.0 * (t - 0.3) + 3.0 * (t - 0.3) * (t - 0.3)];
+                let at = |t: f64| [lowest + (t - 0.3f64).powi(2) * (0.7 + t)];
+                let dip = Stepper::new(1e-13).dip(&mut motion, (&at(0.0), &at(1.3)), (1.3, 0));
+                assert_eq!(dip.map(|dip| dip.1[0] < 0.0), found.then_some(true), "{lowest:e} {dip:?}");
+            }
+        }
     }
 
     /// A parabola takes one step.

@@ -187,10 +187,16 @@ impl MovedMass for Mass<'_> {
         if self.first.is_infinite() && self.touching {
             self.first = step;
         }
-        let leaves = if self.touching { to[0] < 0.0 } else { to[0] > 0.0 };
-        let turns = speed * to[1] < 0.0;
-        let edge = if leaves { self.land((&from, &to, step), 0)? } else { None };
+        let side = if self.touching { -1.0 } else { 1.0 };
+        let leaves = |depth: f64| side * depth > 0.0;
+        let (ends, turns) = (leaves(to[0]), speed * to[1] < 0.0);
         let turn = if turns { self.land((&from, &to, step), 1)? } else { None };
+        // A mass may leave only to turn, and be back at the end of the step.
+        let edge = match turn {
+            Some((after, there)) if leaves(there[0]) => self.land((&from, &there, after), 0)?,
+            Some(_) | None if ends => self.land((&from, &to, step), 0)?,
+            Some(_) | None => None,
+        };
         let first = match (edge, turn) {
             (Some(edge), Some(turn)) if turn.0 < edge.0 => (turn, Happening::Turns),
             (Some(edge), _) => (edge, if self.touching { Happening::Parts } else { Happening::Touches }),

@@ -123,6 +123,26 @@ fn looks_do_not_change_a_motion() {
     assert!((end.slide / cut.slide - 1.0).abs() < 1e-9, "{end:?} {cut:?}");
 }
 
+/// A mass that has ceased to swing creeps; one whose entry is cut so often that it is always followed slips at the same times.
+#[test]
+fn a_creep_is_the_motion_without_swings() {
+    for (damping, left) in [(0.05, 0.5), (0.2, 0.8)] {
+        let suspension = Suspension { mass: 1.0, stiffness: 0.02, damping };
+        let run = |cuts: u32| {
+            let mut mass = Drawn::new(suspension, ball(0.4), left);
+            let pieces = (1..=cuts).flat_map(|k| {
+                mass.draw(4e-4);
+                changes(&mut mass, 1.6e5 * f64::from(k) / f64::from(cuts))
+            });
+            pieces.map(|moment| moment.state.time).collect::<Vec<_>>()
+        };
+        let (creeping, followed) = (run(1), run(8000));
+        assert!(creeping.len() > 2 && creeping.len() == followed.len(), "{creeping:?} {followed:?}");
+        let off = creeping.iter().zip(&followed).map(|(one, other)| (one / other - 1.0).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-9, "{damping}: {off:e}, {creeping:?} {followed:?}");
+    }
+}
+
 /// A speck on a very stiff spring, drawn slowly: it slips when the spring has been drawn out to μF, and the energies add up.
 #[test]
 fn a_speck_on_a_stiff_spring_is_followed() {

@@ -69,7 +69,7 @@ pub struct Drawn {
     state: DrawnState,
     /// What the displacement is ahead of that in the memory [m].
     offset: f64,
-    /// The displacement in the memory [m]: however far the contact has slid, its digits are those of partial slip.
+    /// The displacement in the memory [m].
     local: f64,
     phase: Phase,
     stepper: Stepper,
@@ -80,12 +80,12 @@ pub struct Drawn {
     left_out: f64,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 enum Phase {
     /// The middle at least sticks.
     Sticks,
     /// It does, and the mass is in balance all the time.
-    Creeps(Creep),
+    Creeps(Box<Creep>),
     /// All slides, in the direction 1 or −1, since the state at the beginning; it rests after a time [s].
     Slides { ahead: f64, from: DrawnState, slide: Slide, rest: Option<f64> },
 }
@@ -186,11 +186,12 @@ impl Drawn {
     /// The contact cannot follow, or the mass turns too often.
     pub fn step(&mut self, until: f64) -> Result<Option<DrawnMoment>, MachineError> {
         while self.state.time < until {
-            let moment = match self.phase {
-                Phase::Slides { ahead, from, slide, rest } => self.slide_on(until, (ahead, from, slide, rest))?,
+            let moment = match &self.phase {
+                &Phase::Slides { ahead, from, slide, rest } => self.slide_on(until, (ahead, from, slide, rest))?,
                 Phase::Sticks => self.stick_on(until)?,
                 Phase::Creeps(creep) => {
-                    self.creep_on(until, creep)?;
+                    let creep = creep.clone();
+                    self.creep_on(until, &creep)?;
                     None
                 }
             };
@@ -217,6 +218,9 @@ impl Drawn {
         let force = self.memory.state().tangential_force;
         let given = self.memory.give_way(ahead * self.left);
         given.map_err(|error| MachineError::Contact(ContactError::from(error)))?;
+        // However far the contact slides, the digits in the memory are those of partial slip.
+        let counted = self.memory.position().slide;
+        (self.offset, self.local) = (self.offset + (self.local - counted), counted);
         (self.turns, self.steps) = (0, 0);
         self.slides(ahead);
         Ok(DrawnMoment { what: Turnover::Slips, state: self.state, force })

@@ -1,33 +1,34 @@
 //! A mass whose contact sticks, in its middle at least.
 
 use super::super::MachineError;
-use super::creeping::{Creep, beyond};
+use super::creeping::Creep;
 use super::forces::{Approach, Sticking};
 use super::{Drawn, DrawnMoment, DrawnState, Phase, TOLERANCE};
-use crate::contact::error::ContactError;
 use crate::friction::Corner;
 use crate::numerics::extrapolation::Stepper;
 
 /// Most turns of the mass between two slips.
 const MOST_TURNS: usize = 200_000;
-/// Steps between two looks whether the mass has come to rest, and those after which a swing is left out that does not die down.
+/// Steps between two looks whether the mass has come to rest.
 const LOOKS: usize = 32;
+/// A swing that has not died down after so many steps is left out where more radians of it lie before the next slip.
 const MOST_STEPS: usize = 2048;
-/// Radians of the swing of the mass on its spring up to the next slip from which on its inertia is left out, and those
-/// before that slip from which on it is followed again: there the contact gives way within a swing.
-const SLOW: f64 = 1000.0;
-const RESUMES: f64 = 200.0;
+const MOST_SWINGS: f64 = 2e5;
 /// Greatest force, relative to the friction, of a swing that has died down.
 const STILL: f64 = 1e-11;
+/// Radians of the fastest swing that a step may take.
+const HALF_SWING: f64 = 2.5;
 /// Shortest step of an approach, relative to all of it.
 const COARSEST: f64 = 1e-3;
 /// Part of the way that slips a contact as a whole below which there is none left.
 const CLOSE: f64 = 1e-13;
 
 impl Drawn {
-    fn sticking(&self) -> Sticking<'_> {
-        let from = (self.local, self.state.extension);
-        Sticking { suspension: self.suspension, memory: &self.memory, drawn: self.drawn, from }
+    /// The forces while the mass goes on in the direction `ahead`, 1 or −1.
+    fn sticking(&self, ahead: f64) -> Sticking<'_> {
+        let (memory, suspension, drawn) = (&self.memory, self.suspension, self.drawn);
+        let from = (self.local - memory.position().slide, self.state.extension);
+        Sticking { suspension, memory, branch: memory.branch(ahead), drawn, from }
     }
 
     /// One step of a contact that sticks.
@@ -44,18 +45,22 @@ impl Drawn {
         }
         let longest = until - self.state.time;
         let near = left <= self.state.speed.abs() * longest.min(self.stepper.next());
-        if near && let Some(landed) = self.approach(corner, ahead).filter(|landed| landed.0 <= longest) {
+        if near && let Some(landed) = self.approach(left, ahead).filter(|landed| landed.0 <= longest) {
             return self.pass(landed, (corner, ahead));
         }
-        let from = [self.local, self.state.speed, self.state.work, self.state.damped];
-        let (mut stepper, mut motion) = (self.stepper, self.sticking());
-        let Some((step, to)) = stepper.step(&mut motion, &from, longest) else { return Err(self.stalled()) };
-        let passes = ahead * (to[0] - corner.slide) > 0.0;
-        let turns = from[1] * to[1] < 0.0;
+        let from = [0.0, self.state.speed, self.state.work, self.state.damped];
+        let (mut stepper, mut motion) = (self.stepper, self.sticking(ahead));
+        let most = longest.min(HALF_SWING * motion.radian());
+        let Some((step, to)) = stepper.step(&mut motion, &from, most) else { return Err(self.stalled()) };
+        // A mass may turn twice in a step, and a loop of the memory with it.
+        let dip = if from[1] * to[1] > 0.0 { stepper.dip(&mut motion, (&from, &to), (step, 1)) } else { None };
+        let (step, to) = dip.unwrap_or((step, to));
+        let passes = ahead * to[0] > left;
+        let turns = ahead * to[1] < 0.0;
         let turn = if turns { stepper.landing(&mut motion, (&from, &to), (step, 1, 0.0)) } else { None };
-        let beyond = turn.is_none_or(|turn| ahead * (turn.1[0] - corner.slide) > 0.0);
+        let beyond = turn.is_none_or(|turn| ahead * turn.1[0] > left);
         let passed =
-            if passes && beyond { stepper.landing(&mut motion, (&from, &to), (step, 0, corner.slide)) } else { None };
+            if passes && beyond { stepper.landing(&mut motion, (&from, &to), (step, 0, ahead * left)) } else { None };
         self.stepper = stepper;
         if let Some(landed) = passed {
             return self.pass(landed, (corner, ahead));
@@ -72,60 +77,65 @@ impl Drawn {
         if self.state.speed.abs() > 0.0 {
             return self.state.speed.signum();
         }
-        let sticking = self.sticking();
-        let pulled = sticking.acceleration(0.0, self.local, 0.0);
+        let sticking = self.sticking(1f64.copysign(self.drawn));
+        let pulled = sticking.acceleration(0.0, 0.0, 0.0);
         if pulled.abs() > 4.0 * sticking.noise() { pulled.signum() } else { 1f64.copysign(self.drawn) }
     }
 
-    /// Whether the mass is in balance, and drawn so slowly that it stays so; it creeps then.
+    /// Whether the mass has ceased to swing, and is drawn so slowly that it stays so; it creeps then.
     fn rests(&mut self) -> Result<bool, MachineError> {
-        let from = (self.local, self.state.extension, self.state.time);
-        let creep = Creep { suspension: self.suspension, drawn: self.drawn, from };
-        let ahead = creep.slip_time(&self.memory) - self.state.time;
-        if ahead * self.pulse() < SLOW {
-            return Ok(false);
-        }
         self.remember()?;
-        let contact = self.memory.state();
-        let forces = (contact.tangential_force, contact.stiffness);
-        let energy = beyond(&self.suspension, &self.state, forces, self.drawn);
-        let still = STILL * self.memory.limit();
-        let dead = energy * (self.suspension.stiffness + contact.stiffness) <= 0.5 * still * still;
-        if !dead && self.steps < MOST_STEPS {
+        let DrawnState { extension, time, .. } = self.state;
+        let creep = Creep::new((self.suspension, self.drawn), &self.memory, (extension, time))?;
+        if !creep.is_long() {
             return Ok(false);
         }
-        if !dead {
-            self.left_out += energy;
+        let (slide, speed) = creep.at(time);
+        let stiffness = self.suspension.stiffness + self.memory.stuck();
+        let (off, fast) = (self.local - slide, self.state.speed - speed);
+        let energy = self.suspension.kinetic(fast) + 0.5 * stiffness * off * off;
+        let still = STILL * self.memory.limit();
+        if energy * stiffness <= 0.5 * still * still {
+            self.state.damped += self.suspension.kinetic(self.state.speed) - self.suspension.kinetic(speed);
+            self.state.speed = speed;
+            self.phase = Phase::Creeps(Box::new(creep));
+            return Ok(true);
         }
-        let speed = creep.speed(contact.stiffness);
-        self.state.damped += self.suspension.kinetic(self.state.speed) - self.suspension.kinetic(speed);
-        self.state.speed = speed;
-        self.phase = Phase::Creeps(creep);
-        Ok(true)
+        if self.steps >= MOST_STEPS && creep.swings() > MOST_SWINGS {
+            self.left_out += energy;
+            self.still(slide, speed)?;
+        }
+        Ok(false)
     }
 
-    /// Frequency [rad/s] of the mass on its spring alone.
-    fn pulse(&self) -> f64 {
-        (self.suspension.stiffness / self.suspension.mass).sqrt()
+    /// Takes the mass to where it would be if it did not swing; what energy is set free is lost.
+    fn still(&mut self, slide: f64, speed: f64) -> Result<(), MachineError> {
+        let before = self.energy();
+        self.state.extension += self.local - slide;
+        (self.local, self.state.slide, self.state.speed) = (slide, self.offset + slide, speed);
+        self.remember()?;
+        self.state.damped += before - self.energy();
+        self.steps = 0;
+        self.stepper.restart(f64::INFINITY);
+        Ok(())
     }
 
-    /// On in balance to the time `until` [s], or to shortly before the contact slips as a whole.
-    pub(super) fn creep_on(&mut self, until: f64, creep: Creep) -> Result<(), MachineError> {
-        let resumes = creep.slip_time(&self.memory) - RESUMES / self.pulse();
+    /// On in balance to the time `until` [s], or to shortly before the balance changes within a swing.
+    pub(super) fn creep_on(&mut self, until: f64, creep: &Creep) -> Result<(), MachineError> {
+        let resumes = creep.resumes();
         let time = until.min(resumes.max(self.state.time));
         let before = self.energy();
-        let to = creep.at(&self.memory, time).map_err(|error| MachineError::Contact(ContactError::from(error)))?;
+        let (to, speed) = creep.at(time);
         let (over, was) = (time - self.state.time, self.state.speed);
-        self.state.extension = creep.from.1 + self.drawn * (time - creep.from.2) - (to - creep.from.0);
+        self.state.extension += self.drawn * over - (to - self.local);
         (self.local, self.state.slide) = (to, self.offset + to);
-        self.state.time = time;
+        (self.state.time, self.state.speed) = (time, speed);
         self.remember()?;
-        self.state.speed = creep.speed(self.memory.state().stiffness);
-        self.state.damped += self.suspension.damping * over * 0.5 * (was * was + self.state.speed * self.state.speed);
+        self.state.damped += self.suspension.damping * over * 0.5 * (was * was + speed * speed);
         self.state.work += self.energy() - before;
         if resumes <= until {
             self.phase = Phase::Sticks;
-            self.stepper.restart(self.pulse().recip());
+            self.stepper.restart(f64::INFINITY);
         }
         Ok(())
     }
@@ -138,11 +148,11 @@ impl Drawn {
     }
 
     fn moved(&mut self, (step, to): (f64, [f64; 4]), longest: f64, until: f64) {
-        let extension = self.state.extension + self.drawn * step - (to[0] - self.local);
+        let [way, speed, work, damped] = to;
+        let extension = self.state.extension + (self.drawn * step - way);
         let time = if step < longest { self.state.time + step } else { until };
-        let [slide, speed, work, damped] = to;
-        self.local = slide;
-        self.state = DrawnState { time, slide: slide + self.offset, speed, extension, work, damped };
+        self.local += way;
+        self.state = DrawnState { time, slide: self.local + self.offset, speed, extension, work, damped };
     }
 
     /// The mass turns.
@@ -156,20 +166,19 @@ impl Drawn {
         self.remember()
     }
 
-    /// Time and state at the corner, approached in the root of the way to it; `None` where the mass turns before.
-    fn approach(&self, corner: Corner, ahead: f64) -> Option<(f64, [f64; 4])> {
-        let whole = (ahead * (corner.slide - self.local)).sqrt();
+    /// Time and state at a corner the way `whole` [m] ahead, approached in the root of it; `None` where the mass turns before.
+    fn approach(&self, whole: f64, ahead: f64) -> Option<(f64, [f64; 4])> {
         let mut stepper = Stepper::new(TOLERANCE).no_shorter_than(COARSEST);
-        let mut root = whole;
+        let mut root = whole.sqrt();
         let mut state = [0.0, self.state.speed, self.state.work, self.state.damped];
         while root > 0.0 {
-            let mut motion = Approach { sticking: self.sticking(), corner: corner.slide, ahead, root };
+            let mut motion = Approach { sticking: self.sticking(ahead), whole, ahead, root };
             let (step, next) = stepper.step(&mut motion, &state, root)?;
             root = if step < root { root - step } else { 0.0 };
             state = next;
         }
         let [time, speed, work, damped] = state;
-        Some((time, [corner.slide, speed, work, damped]))
+        Some((time, [ahead * whole, speed, work, damped]))
     }
 
     /// The mass comes to a corner of the memory.
@@ -178,8 +187,8 @@ impl Drawn {
         landed: (f64, [f64; 4]),
         (corner, ahead): (Corner, f64),
     ) -> Result<Option<DrawnMoment>, MachineError> {
-        let (step, [_, speed, work, damped]) = landed;
-        self.moved((step, [corner.slide, speed, work, damped]), f64::INFINITY, 0.0);
+        self.moved(landed, f64::INFINITY, 0.0);
+        (self.local, self.state.slide) = (corner.slide, self.offset + corner.slide);
         self.remember()?;
         if corner.is_last { self.slip(ahead).map(Some) } else { Ok(None) }
     }
