@@ -101,6 +101,12 @@ dimension!(
     sum of [("surface_1", 1.0), ("surface_2", 1.0), ("interface", -1.0)]
 );
 dimension!(
+    /// Tension of a liquid surface, in newtons per metre.
+    NewtonPerMetreOfLine, "a surface tension", [
+        ("N/m", 1.0, 1.0), ("mN/m", 1.0, 1e3), ("dyn/cm", 1.0, 1e3), ("J/m^2", 1.0, 1.0), ("mJ/m^2", 1.0, 1e3),
+    ]
+);
+dimension!(
     /// Stiffness, in newtons per metre.
     NewtonPerMetre, "a stiffness", [
         ("N/m", 1.0, 1.0), ("kN/m", 1e3, 1.0), ("mN/m", 1.0, 1e3), ("N/mm", 1e3, 1.0), ("nN/nm", 1.0, 1.0), ("pN/nm", 1.0, 1e3),
@@ -195,6 +201,9 @@ range!(/** Exponent of a modulus that grows with the depth. */ GradingRange, "fr
 range!(/** Angle of incidence measured from the surface normal. */ IncidenceRange, "from 0 (head-on) to below 90 degrees",
     value => (0.0..std::f64::consts::FRAC_PI_2).contains(&value));
 
+range!(/** Angle between a liquid and a solid that it wets. */ WettingRange, "from 0 (complete wetting) to below 90 degrees",
+    value => (0.0..std::f64::consts::FRAC_PI_2).contains(&value));
+
 /// A checked number of dimension `D` in the range `R`, stored in SI units.
 pub struct Quantity<D, R>(f64, PhantomData<(D, R)>);
 
@@ -214,6 +223,8 @@ pub type Force = Quantity<Newton, Finite>;
 pub type Duration = Quantity<Second, AboveZero>;
 /// Work of adhesion [J/m²]: the energy to part a unit of area.
 pub type WorkOfAdhesion = Quantity<JoulePerSquareMetre, NotNegative>;
+/// A positive tension of a liquid surface [N/m].
+pub type SurfaceTension = Quantity<NewtonPerMetreOfLine, AboveZero>;
 /// A positive stiffness of a spring [N/m].
 pub type SpringStiffness = Quantity<NewtonPerMetre, AboveZero>;
 /// A stiffness that may vanish [N/m].
@@ -252,6 +263,8 @@ pub type Hurst = Quantity<Unity, HurstRange>;
 pub type GradingExponent = Quantity<Unity, GradingRange>;
 /// Angle of incidence [rad] from the surface normal.
 pub type IncidenceAngle = Quantity<Radian, IncidenceRange>;
+/// Contact angle [rad] of a liquid that wets, through the liquid.
+pub type ContactAngle = Quantity<Radian, WettingRange>;
 
 impl<D: Dimension, R: Domain> Quantity<D, R> {
     /// A checked quantity from a number in SI units.

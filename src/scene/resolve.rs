@@ -239,12 +239,10 @@ fn rough(shared: Shared, (surface, base): (&Arc<Surface>, Option<&Arc<dyn Profil
 }
 
 fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
-    match adhesion {
-        None => ElasticAdhesion::None,
-        Some(Adhesion::Jkr(jkr)) => ElasticAdhesion::Vanishing { work: jkr.work.si() },
-        Some(Adhesion::Maugis(maugis)) => {
-            ElasticAdhesion::Finite { work: maugis.work.si(), stress: maugis.stress.si() }
-        }
+    let Some(AdhesionTraits { work, range, .. }) = adhesion.map(Adhesion::traits) else { return ElasticAdhesion::None };
+    match range {
+        Range::Vanishing(_) => ElasticAdhesion::Vanishing { work },
+        Range::Finite(stress) => ElasticAdhesion::Finite { work, stress },
     }
 }
 
@@ -265,7 +263,7 @@ fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
         Range::Vanishing(edge) => {
             edge.map(|edge| HeldEdge { work, closing: closing.unwrap_or(work), edge: edge.clone() })
         }
-        Range::Finite => None,
+        Range::Finite(_) => None,
     }
 }
 

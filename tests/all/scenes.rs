@@ -72,6 +72,7 @@ fn elastic_and_adhesive_scenes_quote_their_answers() {
         "wavy_lens",
         "measured_tip",
         "afm_tip",
+        "humid_tip",
         "crossed_cylinders",
     ] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("configs/{name}.ron"));

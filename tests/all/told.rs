@@ -5,6 +5,7 @@ use springbed::input::table::InMemory;
 use springbed::run::record::Outcome;
 use springbed::run::{self, SimulationError, Wanted};
 use springbed::scene::Scene;
+use std::f64::consts::PI;
 
 fn tried(text: &str) -> Result<Outcome, SimulationError> {
     let plan = Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap();
@@ -25,7 +26,7 @@ const JKR: &str = "adhesion: Jkr(work: 0.05),";
 /// JKR: the edge jumps in under −(4/3)πwR at d = 0 and is pulled off under −(3/2)πwR, if it is.
 #[test]
 fn a_pull_off_is_told_only_where_something_is_pulled_off() {
-    let scale = -std::f64::consts::PI * 0.05 * 5e-3;
+    let scale = -PI * 0.05 * 5e-3;
     let near = |found: Option<f64>, right: f64| found.is_some_and(|found| (found / right - 1.0).abs() < 1e-4);
     let pressed = on_rubber(JKR, "Indent(to: 1e-5, over: 1)");
     assert!(near(pressed.number("jump_in_force_n"), 4.0 / 3.0 * scale), "{:?}", pressed.results);
@@ -43,7 +44,7 @@ fn a_pull_off_is_told_only_where_something_is_pulled_off() {
 #[test]
 fn the_warning_of_a_pull_off_tells_its_instant() {
     let parted = on_rubber(JKR, "Press(to: 5e-3, over: 1), Press(to: -7e-3, over: 1)");
-    let instant = 1.0 + (5e-3 + 1.5 * std::f64::consts::PI * 0.05 * 5e-3) / 12e-3;
+    let instant = 1.0 + (5e-3 + 1.5 * PI * 0.05 * 5e-3) / 12e-3;
     let warning = parted.warnings.iter().find(|warning| warning.contains("passes pull-off at t = ")).unwrap();
     let told = warning.split("t = ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
     assert!((told.parse::<f64>().unwrap() / instant - 1.0).abs() < 1e-9, "{warning}: {instant}");
@@ -110,6 +111,31 @@ fn a_work_of_adhesion_may_be_given_by_its_surfaces() {
     assert!(wrong("(surface_1: 0.02)").contains("lacks the field `surface_2`"));
     assert!(wrong("(surface_1: 0.02, surface_2: -1)").contains("-1.0 J/m^2 is out of range"));
     assert!(wrong("(surface_1: 0.02, surface: 1)").contains("there is no part `surface`: expected surface_1"));
+}
+
+/// A bridge of liquid is the attraction γ/r_K up to the gap 2r_K cos θ; a hard ball is torn off by 4πγR cos θ.
+#[test]
+fn a_bridge_of_liquid_is_an_attraction_of_finite_range() {
+    let entries = "Indent(to: \"2 nm\", over: 1), Indent(to: \"-20 nm\", over: 1), Press(to: \"1 mN\", over: 1)";
+    let held = |adhesion: &str| on_rubber(&format!("adhesion: {adhesion},"), entries);
+    let bridge = held("Capillary(tension: \"72 mN/m\", angle: \"60 deg\", kelvin_radius: \"2 nm\")");
+    let stress = held("Maugis(work: \"72 mJ/m^2\", stress: \"36 MPa\")");
+    for (one, other) in bridge.records.iter().zip(&stress.records) {
+        let scale = stress.records.iter().map(|record| record.normal.force.abs()).fold(0.0, f64::max);
+        assert!((one.normal.force - other.normal.force).abs() < 1e-12 * scale, "{one:?} {other:?}");
+    }
+    let hard = |angle: f64| {
+        let text = format!(
+            "(shape: Paraboloid(radius: 1e-7), bodies: (Elastic(young: 1e15, poisson: 0), Rigid),
+            adhesion: Capillary(tension: 0.072, angle: {angle}, kelvin_radius: 1e-9), history: [Indent(to: 1e-12, over: 1), Indent(to: -4e-9, over: 1)])"
+        );
+        let outcome = tried(&text).unwrap();
+        outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::min)
+    };
+    for angle in [0.0, 0.5, 1.4] {
+        let limit = -4.0 * PI * 0.072 * 1e-7 * f64::cos(angle);
+        assert!((hard(angle) / limit - 1.0).abs() < 1e-3, "{angle} {:e} {limit:e}", hard(angle));
+    }
 }
 
 /// Two spheres are a ball of 1/R = 1/R₁ + 1/R₂ on a flat; a ball in a cup is a wider one.

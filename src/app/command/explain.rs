@@ -7,8 +7,10 @@ use crate::app::run::compute;
 use crate::app::scene_file::SceneFile;
 use crate::check::matrix::{self, Cell, Verdict};
 use crate::check::{one_piece, theory};
+use crate::contact::adhesion::{AdhesionTraits, Range};
 use crate::run::record::Outcome;
 use crate::scene::plan::Plan;
+use std::f64::consts::PI;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -60,6 +62,9 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
     if let Some(held) = plan.held_edge() {
         line("edge", &held.edge.in_words());
     }
+    if let Some(words) = attraction(plan) {
+        line("attraction", &words);
+    }
     let parts = &outcome.plan;
     line("solver", &format!("{}: {}", parts.solver, parts.reason));
     line("parts used", &parts.used.join(", "));
@@ -82,6 +87,21 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
         line("warning", warning);
     }
     text
+}
+
+/// What acts across the gap: stress, range and, under a tip of the radius R on E*, λ = σ₀(9R/2πwE*²)^{1/3} between the
+/// limits of hard and soft bodies (Maugis 1992).
+fn attraction(plan: &Plan) -> Option<String> {
+    let AdhesionTraits { work, range: Range::Finite(stress), .. } = plan.scene.adhesion.as_ref()?.traits() else {
+        return None;
+    };
+    let modulus = plan.pair.normal;
+    let between = plan.scene.shape.tip_radius().map_or_else(String::new, |radius| {
+        let lambda = stress * (4.5 * radius / (PI * work * modulus * modulus)).cbrt();
+        format!("; λ = {lambda:.3}: below 0.1 that of hard bodies (DMT), above 5 that of soft ones (JKR)")
+    });
+    let (range, work) = (with_prefix(work / stress, "m"), with_prefix(work, "J/m²"));
+    Some(format!("{} up to a gap of {range}, w = {work}{between}", with_prefix(stress, "Pa")))
 }
 
 /// What theories of rough contact say of the largest force of the scene.

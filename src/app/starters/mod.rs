@@ -22,6 +22,7 @@ starters!(
     "punch",
     "jkr",
     "maugis",
+    "capillary",
     "wavy",
     "viscoelastic",
     "layer",

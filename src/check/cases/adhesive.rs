@@ -4,7 +4,9 @@ use crate::check::case::{Attempt, Case, Pairs, Proof};
 use crate::check::contacts::{jkr, maugis, paraboloid};
 use crate::check::sketch::si;
 use crate::contact::adhesion::equilibrium::Balance;
+use crate::contact::adhesion::{Adhesion, Capillary, Range};
 use crate::contact::direct::Jump;
+use crate::input::quantity::{ContactAngle, Length, SurfaceTension};
 use crate::shape::{Cone, FlatPunch, Profile};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -42,6 +44,14 @@ pub(super) const CASES: &[Case] = &[
     )
     .weak("the paraboloid only: no closed equations exist for other shapes")
     .by(maugis_pull_off),
+    Case::new(
+        "maugis/bridge of liquid",
+        Proof::Rounding,
+        1e-12,
+        "w = 2γ cos θ and σ₀ = γ/r_K at λ = 1, where a ball is torn off by 1.60073491125409 πwR",
+    )
+    .weak("the paraboloid only: no closed equations exist for other shapes")
+    .by(bridge_pull_off),
 ];
 
 /// The first jump of a motion.
@@ -160,6 +170,22 @@ pub(super) fn maugis_force(lambda: f64) -> Attempt<f64> {
     let mut contact = maugis(ball.clone(), 0.75, 1.0 / PI, 0.5 * lambda)?;
     contact.press(0.0)?;
     Ok(contact.press(-3.0)?.last().ok_or("the bodies do not part")?.before.force)
+}
+
+/// The same ball, held by a liquid that wets at 60 degrees: w = γ.
+fn bridge_pull_off() -> Attempt<Pairs> {
+    let tension = 1.0 / PI;
+    let bridge = Capillary {
+        tension: SurfaceTension::new(tension)?,
+        angle: ContactAngle::new(PI / 3.0)?,
+        kelvin_radius: Length::new(2.0 * tension)?,
+    };
+    let adhesion = Adhesion::Capillary(bridge);
+    let Range::Finite(stress) = adhesion.traits().range else { return Err("a bridge has a range".into()) };
+    let mut contact = maugis(paraboloid(1.0)?, 0.75, adhesion.traits().work, stress)?;
+    contact.press(0.0)?;
+    let torn = contact.press(-3.0)?.last().ok_or("the bodies do not part")?.before.force;
+    Ok(vec![(torn, -1.600_734_911_254_09)])
 }
 
 /// References by golden section on the closed equations with thirty digits.

@@ -68,7 +68,7 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
         Range::Vanishing(_) => {
             "its springs have no neighbours by which an edge could open: expected no adhesion, or Layered(…)"
         }
-        Range::Finite => {
+        Range::Finite(_) => {
             "its attraction acts on a surface that is bent otherwise than a half-space: expected Jkr(work: …)"
         }
     };

@@ -36,12 +36,12 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
             ),
         ),
         (Range::Vanishing(Some(edge)), true) => edge_that_holds_nothing(edge, draft.relaxation()?),
-        (Range::Finite, false) if adhesion.work <= 0.0 => refused(
+        (Range::Finite(_), false) if adhesion.work <= 0.0 => refused(
             "adhesion.work",
             "a work of zero gives the attraction no range: expected one above zero, or no adhesion",
         ),
-        (Range::Finite, false) => None,
-        (Range::Finite, true) => refused(
+        (Range::Finite(_), false) => None,
+        (Range::Finite(_), true) => refused(
             "adhesion",
             format!("{} with a Viscoelastic body cannot be computed: expected Jkr(work: …, edge: …)", adhesion.name),
         ),
@@ -93,7 +93,7 @@ fn edge_that_holds_nothing(edge: &EdgeRule, relaxation: &Relaxation) -> Option<P
 
 pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (adhesion, profile) = (draft.adhesion(Look::Kind)?.traits(), draft.profile()?);
-    let Range::Finite = adhesion.range else { return None };
+    let Range::Finite(_) = adhesion.range else { return None };
     let why = if let Rim::Wall(_) = profile.rim() {
         "the side of the punch leaves the attraction no gap of growing width"
     } else if profile.is_plane() {
@@ -164,7 +164,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         ),
         (Range::Vanishing(_), Friction::Pressure(_)) => None,
         (
-            Range::Finite,
+            Range::Finite(_),
             Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
         ) => refused(
             "friction",
@@ -197,7 +197,7 @@ pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let adhesion = draft.adhesion(Look::Whole)?.traits();
     let name = adhesion.name;
     match adhesion.range {
-        Range::Finite => {
+        Range::Finite(_) => {
             refused("springs", format!("with {name} adhesion cannot be computed: expected Jkr(…), or no springs"))
         }
         Range::Vanishing(Some(_)) => refused(
@@ -237,7 +237,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let of = match (shape.family(), &adhesion.range) {
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => " of Viscoelastic bodies",
-        (Family::Line(_) | Family::Map(..), Range::Finite) => {
+        (Family::Line(_) | Family::Map(..), Range::Finite(_)) => {
             return refused(
                 "adhesion",
                 format!(
