@@ -49,16 +49,23 @@ const DRIVEN: &str = "friction: StaticKinetic(static: 0.5, kinetic: 0.3), \
 /// A drive that is cut into entries is the same drive.
 #[test]
 fn cutting_a_drive_changes_nothing() {
-    let drive =
-        |entries: &str| outcome(&polymer(&format!("{DRIVEN} history: [Press(to: 2, over: 1), {entries}], steps: 50")));
-    let whole = drive("Drive(speed: \"2.7 mm/s\", over: 0.3)");
-    let cut = drive("Drive(speed: \"2.7 mm/s\", over: 0.1234), Drive(speed: \"2.7 mm/s\", over: 0.1766)");
-    let (one, other) = (times(&whole, "slips", "start_time"), times(&cut, "slips", "start_time"));
-    assert!(one.len() > 3 && one.len() == other.len(), "{} {}", one.len(), other.len());
-    for (one, other) in one.iter().zip(&other) {
-        assert!((one / other - 1.0).abs() < 1e-10, "{one:e} {other:e}");
+    // With the weaker damper the mass swings two hundred times between slips, and the loops of its memory with it.
+    for (damping, most) in [("2 N s/m", 0.3), ("0.5 N s/m", 0.1)] {
+        let drive = |entries: &str, steps: usize| {
+            let entries = format!("{DRIVEN} history: [Press(to: 2, over: 1), {entries}], steps: {steps}");
+            outcome(&polymer(&entries).replace("2 N s/m", damping))
+        };
+        let whole = drive(&format!("Drive(speed: \"2.7 mm/s\", over: {most})"), 50);
+        let (one, other) = (0.4113 * most, most - 0.4113 * most);
+        let cut = format!("Drive(speed: \"2.7 mm/s\", over: {one}), Drive(speed: \"2.7 mm/s\", over: {other})");
+        let cut = drive(&cut, 333);
+        let (one, other) = (times(&whole, "slips", "start_time"), times(&cut, "slips", "start_time"));
+        assert!(one.len() > 3 && one.len() == other.len(), "{} {}", one.len(), other.len());
+        for (one, other) in one.iter().zip(&other) {
+            assert!((one / other - 1.0).abs() < 1e-10, "{one:e} {other:e}");
+        }
+        assert!(whole.number("energy_error").unwrap() < 1e-10);
     }
-    assert!(whole.number("energy_error").unwrap() < 1e-10);
 }
 
 /// However far the contact has slid, each slip is like the one before.
@@ -70,7 +77,7 @@ fn many_slips_are_alike() {
     let starts = times(&outcome, "slips", "start_time");
     assert!(starts.len() > 1000 && outcome.number("energy_error").unwrap() < 1e-10, "{}", starts.len());
     let periods: Vec<f64> = starts[500..].windows(2).map(|pair| pair[1] - pair[0]).collect();
-    assert!(periods.iter().all(|period| (period / periods[0] - 1.0).abs() < 1e-6), "{periods:?}");
+    assert!(periods.iter().all(|period| (period / periods[0] - 1.0).abs() < 1e-8), "{periods:?}");
 }
 
 /// Coulomb's law has no fall: the mass creeps, and slides steadily, drawn by μF.
