@@ -51,7 +51,7 @@ pub fn relaxing(relaxation: &Relaxation) -> Attempt<Body> {
     let (equilibrium, viscosity) = (si(0.25 * relaxation.equilibrium)?, si(0.25 * relaxation.viscosity)?);
     Ok(Body::Viscoelastic(Viscoelastic {
         poisson: si(0.5)?,
-        shear: Shear { equilibrium, terms, viscosity },
+        shear: Shear { equilibrium, terms, viscosity, power_law: None },
         temperature: None,
         shift: None,
     }))
