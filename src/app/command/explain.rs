@@ -60,7 +60,7 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
     if let Some(held) = plan.held_edge() {
         line("edge", &held.edge.in_words());
     }
-    for words in power_law(plan) {
+    if let Some(words) = power_law(plan) {
         line("power law", &words);
     }
     let parts = &outcome.plan;
