@@ -27,6 +27,7 @@
 mod adhesive;
 mod answer;
 mod curve;
+mod fading;
 mod frame;
 mod free;
 mod interval;

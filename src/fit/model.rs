@@ -9,7 +9,7 @@ use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::creep::Creep;
 use crate::contact::foundation::Foundation;
 use crate::input::table::{Columns, RawMap, TableError, Tables};
-use crate::material::Spectrum;
+use crate::material::{Relaxation, Spectrum, Times, joined};
 use crate::run::record::Record;
 use crate::run::{Wanted, run};
 use crate::scene::Scene;
@@ -68,6 +68,8 @@ enum Way<'w> {
     Run,
 }
 
+/// Part of the shortest step down to which a power law is kept to.
+const WITHIN: f64 = 0.1;
 /// Part of the first interval in which the first row is reached.
 const SOON: f64 = 1e-9;
 /// Name of the table that drives.
@@ -139,7 +141,19 @@ impl Model<'_> {
         let force = &self.curve.force;
         let grows = force.first().is_some_and(|first| *first >= 0.0) && force.windows(2).all(|pair| pair[1] >= pair[0]);
         let time = self.curve.time.as_deref().filter(|_| grows)?;
-        Some((Creep::new(Arc::new(Spectrum::new(relaxation)), round.profile.clone()), time))
+        let relaxation = self.relaxation(plan).unwrap_or_else(|| relaxation.clone());
+        Some((Creep::new(Arc::new(Spectrum::new(&relaxation)), round.profile.clone()), time))
+    }
+
+    /// E*(t) of bodies that relax by a power law, over the times of the curve; `None` of others.
+    fn relaxation(&self, plan: &Plan) -> Option<Arc<Relaxation>> {
+        plan.times()?;
+        let time = self.curve.time.as_deref()?;
+        let step = time.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::MAX, f64::min);
+        let longest = time.last()? - time.first()?;
+        let times = Times { shortest: WITHIN * step, longest, accuracy: plan.accuracy() };
+        let joined = joined(&plan.scene.bodies, self.tables, Some(times)).ok()??;
+        joined.relaxation.map(Arc::new)
     }
 
     /// Depths [m] of a contact that creeps; the first force is there at once.
@@ -165,6 +179,7 @@ impl Model<'_> {
                 Branch::of(EdgeLine::new(round.ground(), *work)).map_or(Way::Run, Way::Adhesive)
             }
             ContactLaw::Continuous { relaxation, edge: None } => {
+                let relaxation = self.relaxation(plan).unwrap_or_else(|| relaxation.clone());
                 let once = goes_in_once(&self.curve.depth, contact);
                 let time = self.curve.time.as_deref().filter(|_| once && relaxation.viscosity <= 0.0);
                 let flat = round.profile.flat_radius() > 0.0;

@@ -5,26 +5,27 @@
 //! relaxation of the effective modulus [Pa], a contact radius [m]; the drive is straight between rows. Holds for a depth
 //! that first rises and then falls, and constant ν.
 
+use super::fading::{Fading, NODES};
 use crate::material::Relaxation;
 use crate::numerics::root;
 use crate::shape::Profile;
+use std::sync::Arc;
 
 /// A body that relaxes under an indenter.
 pub struct Remembering<'r> {
     /// The indenter.
     pub profile: &'r dyn Profile,
     /// E*(t), without viscosity.
-    pub relaxation: &'r Relaxation,
+    pub relaxation: Arc<Relaxation>,
 }
 
-/// Nodes and weights of Gauss and Legendre on (0, 1): five.
-const NODES: [(f64, f64); 5] = [
-    (0.046_910_077_030_668, 0.118_463_442_528_094_54),
-    (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
-    (0.5, 0.284_444_444_444_444_44),
-    (0.769_234_655_052_841_6, 0.239_314_335_249_683_23),
-    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
-];
+/// Lengths that differ by less, relatively, are one.
+const SAME: f64 = 1e-11;
+/// Part of the time since first touch below which a piece begins with it, and how often it is halved towards it.
+const TOUCH: f64 = 1e-6;
+const HALVINGS: i32 = 20;
+/// Ratio of the ends of a stretch in time since first touch: polynomials of degree four are off by less than 1e-6 there.
+const FINE: f64 = 1.25;
 
 /// A straight piece of the way in, from first touch on.
 struct Piece {
@@ -43,6 +44,8 @@ struct Way<'w> {
     body: &'w Remembering<'w>,
     /// Rates 1/τ of the terms, zero first.
     rates: Vec<f64>,
+    /// What a stretch of the usual length does to the memory.
+    usual: Fading,
     /// Their moduli [Pa].
     moduli: Vec<f64>,
     pieces: Vec<Piece>,
@@ -91,9 +94,9 @@ impl Remembering<'_> {
 impl<'w> Way<'w> {
     fn of(body: &'w Remembering<'w>) -> Self {
         let terms = &body.relaxation.terms;
-        let rates = std::iter::once(0.0).chain(terms.iter().map(|term| 1.0 / term.1)).collect();
+        let rates: Vec<f64> = std::iter::once(0.0).chain(terms.iter().map(|term| 1.0 / term.1)).collect();
         let moduli = std::iter::once(body.relaxation.equilibrium).chain(terms.iter().map(|term| term.0)).collect();
-        Self { body, rates, moduli, pieces: Vec::new(), touch: 0.0 }
+        Self { body, usual: Fading::over(&rates, 0.0), rates, moduli, pieces: Vec::new(), touch: 0.0 }
     }
 
     /// Goes on straight from one time and depth to another.
@@ -104,6 +107,9 @@ impl<'w> Way<'w> {
             None => vec![0.0; self.rates.len()],
         };
         let (mut from, mut depth) = (from, depth);
+        if (to - from - self.usual.length).abs() > SAME * (to - from) {
+            self.usual = Fading::over(&self.rates, to - from);
+        }
         if self.pieces.is_empty() {
             (from, depth) = (from - depth / speed, 0.0);
             self.touch = from;
@@ -113,19 +119,22 @@ impl<'w> Way<'w> {
 
     /// ∫e^{−(t − s)/τ} dΦ up to the time `t` in a piece, for each term.
     fn memory(&self, piece: &Piece, t: f64) -> Vec<f64> {
-        // s = touch + u² takes the root of the radius at first touch away.
-        let (low, high) = ((piece.from - self.touch).max(0.0).sqrt(), (t - self.touch).max(0.0).sqrt());
-        let mut memory: Vec<f64> =
-            piece.before.iter().zip(&self.rates).map(|(sum, rate)| sum * (-rate * (t - piece.from)).exp()).collect();
-        for (node, weight) in NODES {
-            let u = low + (high - low) * node;
-            let s = self.touch + u * u;
-            let depth = piece.depth + piece.speed * (s - piece.from);
-            let radius = self.body.profile.edge(depth.max(0.0)).unwrap_or(0.0);
-            let part = weight * (high - low) * 2.0 * u * 2.0 * radius * piece.speed;
-            for (sum, rate) in memory.iter_mut().zip(&self.rates) {
-                *sum += part * (-rate * (t - s)).exp();
-            }
+        let mut memory = piece.before.clone();
+        let (low, high) = (piece.from - self.touch, t - self.touch);
+        let whole = t - piece.from;
+        for (from, length) in stretches(low, high) {
+            let own;
+            let fading = if (length - self.usual.length).abs() <= SAME * length {
+                &self.usual
+            } else {
+                own = Fading::over(&self.rates, length.min(whole));
+                &own
+            };
+            let rate_at = |node: f64| {
+                let depth = piece.depth + piece.speed * (from - low + length * node);
+                2.0 * self.body.profile.edge(depth.max(0.0)).unwrap_or(0.0) * piece.speed
+            };
+            fading.pass(&mut memory, length, NODES.map(|(node, _)| rate_at(node)));
         }
         memory
     }
@@ -174,6 +183,19 @@ impl<'w> Way<'w> {
             forces[number] = terms.map(|((sum, modulus), rate)| sum * modulus * (-rate * (t - grown)).exp()).sum();
         }
     }
+}
+
+/// Stretches of the way from one time after first touch to another [s], each with its length: short where the radius grows
+/// like a root of the time.
+fn stretches(low: f64, high: f64) -> impl Iterator<Item = (f64, f64)> {
+    let from_touch = low <= TOUCH * high;
+    let (ratio, start): (f64, f64) = if from_touch { (2.0, high * 2f64.powi(-HALVINGS)) } else { (FINE, low) };
+    #[expect(clippy::cast_possible_truncation, reason = "at most some tens")]
+    let count = ((high / start).ln() / ratio.ln()).ceil().max(1.0) as i32;
+    let grow = (high / start).powf(1.0 / f64::from(count));
+    let end = move |k: i32| if k == count { high } else { start * grow.powi(k) };
+    let first = from_touch.then_some((low, start - low));
+    first.into_iter().chain((0..count).map(move |k| (end(k), end(k + 1) - end(k))))
 }
 
 /// ∫₀^h e^{−rs} ds [s].

@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use springbed::app::data_file::{Data, Wanted};
+use springbed::check::power_law::PowerTriangle;
 use springbed::fit::{Curve, Fit, FitError, Options, Question};
 use springbed::prelude::*;
 use springbed::run::record::{FORCE, INDENTATION, Record};
@@ -212,6 +213,48 @@ fn a_triangle_of_ting_is_recovered() {
     near(&found, "bodies.0.shear.terms.0.modulus", 900.0, 1e-6);
     near(&found, "bodies.0.shear.terms.0.time", 0.2, 1e-6);
     assert!(found.parameter("contact_point").unwrap().value.abs() < 1e-12);
+}
+
+const POWER: &str = r#"(shape: Paraboloid(radius: "10 um"), bodies: (Viscoelastic(poisson: 0.5,
+    shear: PowerLaw(modulus: "500 Pa", exponent: 0.3, time: "1 s")), Rigid), history: [Indent(to: "1 um", over: 1)])"#;
+
+const POWER_FREE: [&str; 2] = ["bodies.0.shear.modulus=10 Pa..100 kPa", "bodies.0.shear.exponent=0.02..0.8"];
+
+/// Ting's triangle in closed form: G₀ = 800 Pa, β = 0.2, touched between two rows.
+fn power_triangle(half: usize) -> Curve {
+    let exact = PowerTriangle { scale: 4.0 * 800.0 * 4.0 / 3.0 * 10e-6f64.sqrt(), power: 1.5, exponent: 0.2, speed: 2e-6, turn: 1.0 };
+    let depth = triangle(-0.3e-6, 2e-6, -0.3e-6, half);
+    let step = 2.3e-6 / 2e-6 / half as f64;
+    let time: Vec<f64> = (0..depth.len()).map(|k| step * k as f64).collect();
+    let force = time.iter().map(|t| if *t > 0.15 { exact.force(t - 0.15) } else { 0.0 }).collect();
+    curve(Some(time), depth, force)
+}
+
+#[test]
+fn a_power_law_is_recovered_from_a_triangle() {
+    let clock = std::time::Instant::now();
+    let found = fit(&scene(POWER), &POWER_FREE, &power_triangle(250), Options::default()).unwrap();
+    println!("{:?}", clock.elapsed());
+    near(&found, "bodies.0.shear.modulus", 800.0, 1e-6);
+    near(&found, "bodies.0.shear.exponent", 0.2, 1e-6);
+    assert!(found.parameter("contact_point").unwrap().value.abs() < 1e-6 * 2e-6);
+}
+
+/// 60 curves hold the truth 57 times; 4 standard deviations of the binomial law are 6.8.
+#[test]
+fn intervals_of_a_power_law_hold_the_truth() {
+    let clean = power_triangle(60);
+    let mut held = [0, 0];
+    for seed in 1..=60 {
+        let mut noise = Noise::new(seed, 0.0);
+        let force = clean.force.iter().map(|force| force + 20e-12 * noise.next()).collect();
+        let found = fit(&scene(POWER), &POWER_FREE, &Curve { force, ..clean.clone() }, Options::default()).unwrap();
+        for (held, (path, truth)) in held.iter_mut().zip([("bodies.0.shear.modulus", 800.0), ("bodies.0.shear.exponent", 0.2)]) {
+            let one = found.parameter(path).unwrap();
+            *held += usize::from(one.low.is_some_and(|low| low <= truth) && one.high.is_some_and(|high| truth <= high));
+        }
+    }
+    assert!(held.iter().all(|held| (50..=60).contains(held)), "{held:?}");
 }
 
 /// Under a force: the depth creeps, d^{3/2} = 3F(1 − ν)J(t)/8√R.

@@ -28,6 +28,7 @@ starters!(
     "winkler",
     "graded",
     "creep",
+    "cell",
     "oscillation",
     "friction",
     "fretting",
