@@ -56,7 +56,11 @@ impl PowerTriangle {
     #[must_use]
     pub fn driven(&self, t: f64, until: f64) -> f64 {
         let Self { scale, power, exponent, speed, .. } = *self;
-        scale * power * speed.powf(power) * t.powf(power - exponent) * beta((until / t, 1.0 - until / t), power, 1.0 - exponent)
+        scale
+            * power
+            * speed.powf(power)
+            * t.powf(power - exponent)
+            * beta((until / t, 1.0 - until / t), power, 1.0 - exponent)
     }
 }
 

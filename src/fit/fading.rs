@@ -73,9 +73,10 @@ fn bessel(z: f64) -> [f64; 5] {
         }
         return values;
     }
-    // Downwards, where they grow (Miller).
+    // Downwards, where they grow (Miller); i_k falls below 1e-14 of i_4 before k = 16 + 2z.
     let (mut above, mut here) = (0.0, 1e-200);
-    for k in (0..40).rev() {
+    #[expect(clippy::cast_possible_truncation, reason = "at most 40")]
+    for k in (0..16 + (2.0 * z) as i32).rev() {
         (above, here) = (here, above + (2.0 * f64::from(k) + 3.0) / z * here);
         if let Ok(k) = usize::try_from(k)
             && k < 5

@@ -269,7 +269,12 @@ impl Question {
     /// The frame of noise of the correlation `rho`, and the answer in it; of a lesser one where that answer would leave
     /// the data: what a wrong model leaves looks like noise of a correlation next to one, which is blind to all but steps
     /// from row to row.
-    fn whitened(&self, (task, frame): (&Task<'_>, &Frame), found: &Found, rho: f64) -> Result<(Frame, Found), FitError> {
+    fn whitened(
+        &self,
+        (task, frame): (&Task<'_>, &Frame),
+        found: &Found,
+        rho: f64,
+    ) -> Result<(Frame, Found), FitError> {
         let plain = frame.with(frame.weights.clone(), 0.0);
         let left = |found: &Found| {
             plain.reduced(&Task { frame: &plain, ..*task }.rest(&found.answer)).iter().map(|x| x * x).sum::<f64>()

@@ -37,6 +37,8 @@ struct Piece {
     speed: f64,
     /// ∫e^{−(from − s)/τ} dΦ for each term, that of equilibrium first [m²].
     before: Vec<f64>,
+    /// The same at its end.
+    after: Vec<f64>,
 }
 
 /// The way in, ready to be looked back on.
@@ -103,7 +105,7 @@ impl<'w> Way<'w> {
     fn goes(&mut self, ((from, depth), (to, end)): ((f64, f64), (f64, f64))) {
         let speed = (end - depth) / (to - from);
         let before = match self.pieces.last() {
-            Some(last) => self.memory(last, last.to),
+            Some(last) => last.after.clone(),
             None => vec![0.0; self.rates.len()],
         };
         let (mut from, mut depth) = (from, depth);
@@ -114,7 +116,9 @@ impl<'w> Way<'w> {
             (from, depth) = (from - depth / speed, 0.0);
             self.touch = from;
         }
-        self.pieces.push(Piece { from, to, depth, speed, before });
+        let mut piece = Piece { from, to, depth, speed, before, after: Vec::new() };
+        piece.after = self.memory(&piece, to);
+        self.pieces.push(piece);
     }
 
     /// ∫e^{−(t − s)/τ} dΦ up to the time `t` in a piece, for each term.
@@ -141,7 +145,7 @@ impl<'w> Way<'w> {
 
     fn force_in(&self) -> f64 {
         let Some(last) = self.pieces.last() else { return 0.0 };
-        self.memory(last, last.to).iter().zip(&self.moduli).map(|(sum, modulus)| sum * modulus).sum()
+        last.after.iter().zip(&self.moduli).map(|(sum, modulus)| sum * modulus).sum()
     }
 
     /// Forces on the way out, from the turn on; the first is there already.
@@ -152,36 +156,51 @@ impl<'w> Way<'w> {
         let mut after = vec![0.0; self.rates.len()];
         let turn = last.to;
         let mut at = self.pieces.len() - 1;
+        let mut old = self.faded(turn - self.pieces[at].to);
+        let mut step = self.faded(0.0);
+        let mut lasted = 0.0;
         for number in 1..times.len() {
-            let (before, t) = (times[number - 1], times[number]);
-            let speed = (depths[number] - depths[number - 1]) / (t - before);
-            for (sum, rate) in since.iter_mut().zip(&self.rates) {
-                *sum = *sum * (-rate * (t - before)).exp() + speed * held(*rate, t - before);
+            let (h, t) = (times[number] - times[number - 1], times[number]);
+            if (h - lasted).abs() > SAME * h {
+                (step, lasted) = (self.faded(h), h);
             }
-            let balance = |from: f64, piece: &Piece, after: &[f64]| {
-                let one = |((rate, modulus), (since, after)): ((&f64, &f64), (&f64, &f64))| {
-                    let piece = piece.speed * held(*rate, piece.to - from) * (-rate * (turn - piece.to)).exp();
-                    modulus * (since + (after + piece) * (-rate * (t - turn)).exp())
+            let speed = (depths[number] - depths[number - 1]) / h;
+            for ((sum, rate), kept) in since.iter_mut().zip(&self.rates).zip(&step) {
+                *sum = *sum * kept + speed * held(*rate, h);
+            }
+            // Moduli of what lies before the turn, as they are felt now.
+            let felt: Vec<f64> =
+                self.faded(t - turn).iter().zip(&self.moduli).map(|(kept, modulus)| kept * modulus).collect();
+            let now: f64 = since.iter().zip(&self.moduli).map(|(sum, modulus)| sum * modulus).sum();
+            let balance = |from: f64, piece: &Piece, after: &[f64], old: &[f64]| {
+                let one = |((rate, felt), (after, old)): ((&f64, &f64), (&f64, &f64))| {
+                    felt * (after + piece.speed * held(*rate, piece.to - from) * old)
                 };
-                self.rates.iter().zip(&self.moduli).zip(since.iter().zip(after)).map(one).sum::<f64>()
+                now + self.rates.iter().zip(&felt).zip(after.iter().zip(old)).map(one).sum::<f64>()
             };
-            while balance(self.pieces[at].from, &self.pieces[at], &after) < 0.0 {
+            while balance(self.pieces[at].from, &self.pieces[at], &after, &old) < 0.0 {
                 let piece = &self.pieces[at];
-                for (sum, rate) in after.iter_mut().zip(&self.rates) {
-                    *sum += piece.speed * held(*rate, piece.to - piece.from) * (-rate * (turn - piece.to)).exp();
+                for ((sum, rate), old) in after.iter_mut().zip(&self.rates).zip(&old) {
+                    *sum += piece.speed * held(*rate, piece.to - piece.from) * old;
                 }
                 if at == 0 {
                     // All springs are free.
                     return;
                 }
                 at -= 1;
+                old = self.faded(turn - self.pieces[at].to);
             }
             let piece = &self.pieces[at];
-            let grown = root::within(|s| -balance(s, piece, &after), piece.from, piece.to);
+            let grown = root::within(|s| -balance(s, piece, &after, &old), piece.from, piece.to);
             let memory = self.memory(piece, grown);
             let terms = memory.iter().zip(&self.moduli).zip(&self.rates);
             forces[number] = terms.map(|((sum, modulus), rate)| sum * modulus * (-rate * (t - grown)).exp()).sum();
         }
+    }
+
+    /// e^{−rt} of all rates.
+    fn faded(&self, t: f64) -> Vec<f64> {
+        self.rates.iter().map(|rate| (-rate * t).exp()).collect()
     }
 }
 

@@ -115,11 +115,7 @@ impl Body {
             Self::Layered(body) => {
                 body.layers.iter().map(|layer| &layer.body).chain([body.base.as_ref()]).find_map(Self::power_law)
             }
-            Self::Rigid
-            | Self::Elastic(_)
-            | Self::Winkler(_)
-            | Self::Graded(_)
-            | Self::Plastic(_) => None,
+            Self::Rigid | Self::Elastic(_) | Self::Winkler(_) | Self::Graded(_) | Self::Plastic(_) => None,
         }
     }
 
@@ -605,7 +601,8 @@ mod tests {
     }
 
     fn rubber(terms: Terms) -> Body {
-        let shear = Shear { equilibrium: Stress::new(0.1).unwrap(), terms, viscosity: Viscosity::default(), power_law: None };
+        let shear =
+            Shear { equilibrium: Stress::new(0.1).unwrap(), terms, viscosity: Viscosity::default(), power_law: None };
         Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None })
     }
 

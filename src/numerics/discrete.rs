@@ -80,13 +80,13 @@ impl Orthogonal {
         // The roots of one degree part those of the next (Szegő 1939, § 3.3).
         for degree in 1..=count {
             let ends: Vec<f64> = std::iter::once(self.low).chain(roots).chain([self.high]).collect();
-            let side = |at: usize| if (degree + at) % 2 == 0 { 1.0 } else { -1.0 };
-            let between = |(at, pair): (usize, &[f64])| {
-                root::within(|x| -side(at) * self.at(degree, x), pair[0], pair[1])
-            };
+            let side = |at: usize| if (degree + at).is_multiple_of(2) { 1.0 } else { -1.0 };
+            let between =
+                |(at, pair): (usize, &[f64])| root::within(|x| -side(at) * self.at(degree, x), pair[0], pair[1]);
             roots = ends.windows(2).enumerate().map(between).collect();
         }
-        let weight = |x: f64| self.values(count - 1, x).zip(&self.squares).map(|(value, square)| value * value / square);
+        let weight =
+            |x: f64| self.values(count - 1, x).zip(&self.squares).map(|(value, square)| value * value / square);
         roots.into_iter().map(|x| (x, weight(x).sum::<f64>().recip())).collect()
     }
 }

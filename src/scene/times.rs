@@ -29,7 +29,7 @@ pub(super) fn of(scene: &Scene, motions: &[Option<MotionTable>]) -> Option<Times
     }
     let accuracy = scene.accuracy.map_or(1e-6, |accuracy| accuracy.si());
     let Seen { shortest, longest, .. } = seen;
-    (longest > 0.0 && shortest <= longest).then(|| Times { shortest: WITHIN * shortest, longest, accuracy })
+    (longest > 0.0 && shortest <= longest).then_some(Times { shortest: WITHIN * shortest, longest, accuracy })
 }
 
 /// Whether how long it takes is known only behind it, or from the size of the contact.

@@ -132,7 +132,8 @@ fn both_ways_of_an_adhesive_lens_are_recovered() {
 
 /// An adhesive contact pressed and torn off, every record of the run: first touch and both sides of pull-off among them.
 fn torn_off(text: &str) -> Curve {
-    let outcome = run(&Notation::Ron.plan(text, &InMemory::default()).unwrap(), springbed::run::Wanted::NOTHING).unwrap();
+    let outcome =
+        run(&Notation::Ron.plan(text, &InMemory::default()).unwrap(), springbed::run::Wanted::NOTHING).unwrap();
     let column = |column: springbed::run::table::Column<Record>| -> Vec<f64> {
         outcome.records.iter().map(|record| (column.of)(record).unwrap_or(0.0)).collect()
     };
@@ -169,7 +170,9 @@ fn rows_on_jumps_are_left_out_and_told() {
 #[test]
 fn intervals_beside_jumps_hold_the_truth() {
     let (clean, start) = (torn_off(GEL), scene(&GEL.replace("40 kPa", "30 kPa")));
-    for (options, rho) in [(in_place(), 0.0), (in_place(), 0.8), (Options { drive: in_place().drive, ..Options::default() }, 0.0)] {
+    for (options, rho) in
+        [(in_place(), 0.0), (in_place(), 0.8), (Options { drive: in_place().drive, ..Options::default() }, 0.0)]
+    {
         let mut held = [0, 0];
         for seed in 1..=200 {
             let mut noise = Noise::new(seed, rho);
@@ -178,7 +181,8 @@ fn intervals_beside_jumps_hold_the_truth() {
             let found = fit(&start, &GEL_FREE, &data, options).unwrap();
             for (held, (path, truth)) in held.iter_mut().zip([("bodies.0.young", 40e3), ("adhesion.work", 0.02)]) {
                 let one = found.parameter(path).unwrap();
-                *held += usize::from(one.low.is_some_and(|low| low <= truth) && one.high.is_some_and(|high| truth <= high));
+                *held +=
+                    usize::from(one.low.is_some_and(|low| low <= truth) && one.high.is_some_and(|high| truth <= high));
             }
         }
         println!("{options:?} {rho} {held:?}");
@@ -222,7 +226,13 @@ const POWER_FREE: [&str; 2] = ["bodies.0.shear.modulus=10 Pa..100 kPa", "bodies.
 
 /// Ting's triangle in closed form: G₀ = 800 Pa, β = 0.2, touched between two rows.
 fn power_triangle(half: usize) -> Curve {
-    let exact = PowerTriangle { scale: 4.0 * 800.0 * 4.0 / 3.0 * 10e-6f64.sqrt(), power: 1.5, exponent: 0.2, speed: 2e-6, turn: 1.0 };
+    let exact = PowerTriangle {
+        scale: 4.0 * 800.0 * 4.0 / 3.0 * 10e-6f64.sqrt(),
+        power: 1.5,
+        exponent: 0.2,
+        speed: 2e-6,
+        turn: 1.0,
+    };
     let depth = triangle(-0.3e-6, 2e-6, -0.3e-6, half);
     let step = 2.3e-6 / 2e-6 / half as f64;
     let time: Vec<f64> = (0..depth.len()).map(|k| step * k as f64).collect();
@@ -249,7 +259,9 @@ fn intervals_of_a_power_law_hold_the_truth() {
         let mut noise = Noise::new(seed, 0.0);
         let force = clean.force.iter().map(|force| force + 20e-12 * noise.next()).collect();
         let found = fit(&scene(POWER), &POWER_FREE, &Curve { force, ..clean.clone() }, Options::default()).unwrap();
-        for (held, (path, truth)) in held.iter_mut().zip([("bodies.0.shear.modulus", 800.0), ("bodies.0.shear.exponent", 0.2)]) {
+        for (held, (path, truth)) in
+            held.iter_mut().zip([("bodies.0.shear.modulus", 800.0), ("bodies.0.shear.exponent", 0.2)])
+        {
             let one = found.parameter(path).unwrap();
             *held += usize::from(one.low.is_some_and(|low| low <= truth) && one.high.is_some_and(|high| truth <= high));
         }

@@ -10,10 +10,23 @@ use std::f64::consts::PI;
 const SERIES: &str = "the series is within a tenth of the accuracy of 1e-6 at all times of the scene, and the force is an integral over it with weights of one sign; on the way out the end of the integral is off by as much";
 
 pub(super) const CASES: &[Case] = &[
-    Case::new("power law/triangle of a paraboloid", Proof::Bound, 1e-6, SERIES).weak("relative to the greatest force; one exponent").by(|| triangle(paraboloid(0.2), ball(1.0))),
-    Case::new("power law/triangle of a cone", Proof::Bound, 1e-6, SERIES).weak("relative to the greatest force; one exponent").by(|| triangle(cone(0.4), si(SLOPE).map(|slope| Shape::Cone(Cone { slope })))),
-    Case::new("power law/ramp and hold", Proof::Bound, 1e-6, SERIES).weak("relative to the force itself; a paraboloid").by(ramp_and_hold),
-    Case::new("power law/creep under a force", Proof::Bound, 3e-4, "chords within 1e-4 of the depth, springs for half of it and the series for a tenth").weak("a paraboloid; force that does not fall").by(creep),
+    Case::new("power law/triangle of a paraboloid", Proof::Bound, 1e-6, SERIES)
+        .weak("relative to the greatest force; one exponent")
+        .by(|| triangle(paraboloid(0.2), ball(1.0))),
+    Case::new("power law/triangle of a cone", Proof::Bound, 1e-6, SERIES)
+        .weak("relative to the greatest force; one exponent")
+        .by(|| triangle(cone(0.4), si(SLOPE).map(|slope| Shape::Cone(Cone { slope })))),
+    Case::new("power law/ramp and hold", Proof::Bound, 1e-6, SERIES)
+        .weak("relative to the force itself; a paraboloid")
+        .by(ramp_and_hold),
+    Case::new(
+        "power law/creep under a force",
+        Proof::Bound,
+        3e-4,
+        "chords within 1e-4 of the depth, springs for half of it and the series for a tenth",
+    )
+    .weak("a paraboloid; force that does not fall")
+    .by(creep),
 ];
 
 const SPEED: f64 = 0.01;

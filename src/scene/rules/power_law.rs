@@ -52,8 +52,12 @@ pub(super) fn at_once(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Prob
     relaxes_by_power(draft)?.then_some(())?;
     let first = entry.stages.first().filter(|stage| entry.table.is_some() && stage.over <= 0.0)?;
     let what = match (first.control, first.normal) {
-        (Some(Control::Indentation), Path::To(depth)) if depth > 0.0 => "the force of a depth that is there at once is infinite",
-        (Some(Control::Force), Path::To(force)) if force > 0.0 => "a force that is there at once has not yet gone any way",
+        (Some(Control::Indentation), Path::To(depth)) if depth > 0.0 => {
+            "the force of a depth that is there at once is infinite"
+        }
+        (Some(Control::Force), Path::To(force)) if force > 0.0 => {
+            "a force that is there at once has not yet gone any way"
+        }
         _ => return None,
     };
     Some(Problem::new(
