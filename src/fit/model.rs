@@ -94,7 +94,11 @@ impl Model<'_> {
         let plan = scene.resolve(self.tables).map_err(|problems| told(&problems))?;
         if self.control == Control::Force {
             return match self.creeping(&plan) {
-                Some((creep, time)) => self.crept(creep, time).map(Answer::plain),
+                Some((creep, time)) => self.crept(creep, time).map(|mut depths| {
+                    // A power law is infinitely stiff at once, its series is not.
+                    depths.iter_mut().take(usize::from(plan.times().is_some())).for_each(|depth| *depth = 0.0);
+                    Answer::plain(depths)
+                }),
                 None => self.by_run(plan.scene.clone(), contact),
             };
         }

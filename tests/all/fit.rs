@@ -250,6 +250,20 @@ fn a_power_law_is_recovered_from_a_triangle() {
     assert!(found.parameter("contact_point").unwrap().value.abs() < 1e-6 * 2e-6);
 }
 
+/// d^{3/2} = (3F(1 − ν)/8√R) J(t) with J = sin(πβ)/(πβ) t^β/G₀; at once nothing gives.
+#[test]
+fn a_power_law_is_recovered_from_creep() {
+    use std::f64::consts::PI;
+    let time: Vec<f64> = (0..200).map(|k| 0.02 * f64::from(k)).collect();
+    let compliance = |t: f64| (0.2 * PI).sin() / (0.2 * PI) * t.powf(0.2) / 800.0;
+    let depth = |t: &f64| (3.0 * 1e-9 * 0.5 * compliance(*t) / (8.0 * 10e-6f64.sqrt())).powf(2.0 / 3.0);
+    let data = curve(Some(time.clone()), time.iter().map(depth).collect(), vec![1e-9; 200]);
+    let start = scene(&POWER.replace(r#"Indent(to: "1 um", over: 1)"#, "HoldForce(over: 1)"));
+    let found = fit(&start, &POWER_FREE, &data, Options { baseline: Baseline::Absent, ..Options::default() }).unwrap();
+    near(&found, "bodies.0.shear.modulus", 800.0, 1e-6);
+    near(&found, "bodies.0.shear.exponent", 0.2, 1e-6);
+}
+
 /// 60 curves hold the truth 57 times; 4 standard deviations of the binomial law are 6.8.
 #[test]
 fn intervals_of_a_power_law_hold_the_truth() {
@@ -336,6 +350,17 @@ fn a_wrong_shape_is_noticed() {
         assert!(!right.rejected, "{rho} {:?}", right.notes);
         assert!(right.aic < wrong.aic);
     }
+}
+
+/// What a wrong model leaves is smooth, like noise of a correlation next to one: it must not lead the search away.
+#[test]
+fn a_misfit_without_noise_stays_at_the_data() {
+    let cone = scene(&BALL.replace(r#"Paraboloid(radius: "5 um")"#, "Cone(slope: 0.5)"));
+    let data = hertz(400, 0.0, Noise::new(1, 0.0));
+    let found = fit(&cone, &["bodies.0.young=10 Pa..1 MPa"], &data, Options::default()).unwrap();
+    let largest = data.force.iter().copied().fold(0.0, f64::max);
+    // The best cone leaves 1 %.
+    assert!(found.deviation < 0.04 * largest, "{} {:?}", found.deviation / largest, found.parameters);
 }
 
 #[test]
@@ -429,10 +454,11 @@ fn program(arguments: &[&str], folder: &Path) -> std::process::Output {
 #[test]
 fn the_data_that_come_with_it_give_back_what_made_them() {
     let folder = tempfile::tempdir().unwrap();
-    let truths: [(&str, &[(&str, f64)]); 4] = [
+    let truths: [(&str, &[(&str, f64)]); 5] = [
         ("gel_sphere", &[("bodies.0.young", 2.4e3), ("contact_point", 1.3e-6)]),
         ("jkr_lens", &[("bodies.0.young", 4.8e6), ("adhesion.work", 0.042)]),
         ("cell_ting", &[("bodies.0.shear.equilibrium", 300.0), ("bodies.0.shear.terms.0.time", 0.2)]),
+        ("cell_power_law", &[("bodies.0.shear.modulus", 800.0), ("bodies.0.shear.exponent", 0.2)]),
         ("pdms_creep", &[("bodies.0.shear.equilibrium", 0.4e6), ("bodies.0.shear.terms.0.time", 2.0)]),
     ];
     for (name, truth) in truths {
