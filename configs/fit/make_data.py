@@ -110,6 +110,36 @@ def ting():
     save("cell_ting.csv", "time_s\tz_um\tforce_nN", (time, z * 1e6, force * 1e9), "%.7g", "\t")
 
 
+def power_law():
+    """Ting's triangle on G(t) = 800 Pa (t/1 s)^(-0.2): R = 5 um, nu = 1/2, touched at 0.3 um; noise 20 pN.
+
+    F(t) = 4 sqrt(R)/3 4 G0 3/2 v^(3/2) int_0^t1 (t - s)^(-b) sqrt(s) ds, t1 = t on the way in and
+    t1 = t - 2^(1/(1-b)) (t - T) on the way out, T from first touch to the turn.
+    """
+    rng = np.random.default_rng(8)
+    radius, modulus, beta, speed, turn = 5e-6, 800.0, 0.2, 2e-6, 0.5
+    time = np.linspace(0.0, 1.0, 501)
+    touch = 0.3e-6 / speed
+    nodes, weights = np.polynomial.legendre.leggauss(200)
+
+    def integral(t, t1):
+        """int_0^t1 (t - s)^(-b) sqrt(s) ds; s = t - x^(1/(1-b)) takes the root of the power away, x = low + (high - low) y^2 that of s."""
+        low, high = (t - t1) ** (1 - beta), t ** (1 - beta)
+        y = 0.5 * (nodes + 1)
+        s = t - (high - (high - low) * y * y) ** (1 / (1 - beta))
+        return 0.5 * np.sum(weights * np.sqrt(np.clip(s, 0, None)) * 2 * (high - low) * y) / (1 - beta)
+
+    force = np.zeros_like(time)
+    for k, now in enumerate(time):
+        t, top = now - touch, turn - touch
+        t1 = t if t <= top else t - 2 ** (1 / (1 - beta)) * (t - top)
+        if t > 0 and t1 > 0:
+            force[k] = 4 / 3 * np.sqrt(radius) * 4 * modulus * 1.5 * speed**1.5 * integral(t, t1)
+    z = np.where(time < turn, speed * time, speed * (2 * turn - time))
+    force += correlated(rng, time.size, 20e-12, 0.0)
+    save("cell_power_law.csv", "time_s\tz_um\tforce_nN", (time, z * 1e6, force * 1e9), "%.7g", "\t")
+
+
 def creep():
     """Creep of a standard solid under a ball: R = 1 mm, 10 mN at once; J(t) = 1/G0 + (1/Ginf - 1/G0)(1 - exp(-t/q)).
 
@@ -139,5 +169,5 @@ def rubber_moduli():
 
 
 if __name__ == "__main__":
-    for make in (gel_sphere, jkr_lens, ting, creep, rubber_moduli):
+    for make in (gel_sphere, jkr_lens, ting, power_law, creep, rubber_moduli):
         make()

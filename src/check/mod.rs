@@ -22,6 +22,7 @@ pub mod cases;
 pub mod matrix;
 mod measured;
 pub mod one_piece;
+pub mod power_law;
 pub mod comparison;
 pub mod ting;
 pub(crate) mod clock;

@@ -6,7 +6,7 @@ use crate::drive::machine::Machine;
 use crate::friction::{Coulomb, Friction, StaticKinetic};
 use crate::input::quantity::{Dimension, Domain, Quantity};
 use crate::input::table::InMemory;
-use crate::material::{Body, Elastic, Relaxation, Shear, Term, Terms, Viscoelastic};
+use crate::material::{Body, Elastic, PowerLaw, Relaxation, Shear, Term, Terms, Viscoelastic};
 use crate::run::record::{Outcome, Record};
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Scene;
@@ -51,10 +51,20 @@ pub fn relaxing(relaxation: &Relaxation) -> Attempt<Body> {
     let (equilibrium, viscosity) = (si(0.25 * relaxation.equilibrium)?, si(0.25 * relaxation.viscosity)?);
     Ok(Body::Viscoelastic(Viscoelastic {
         poisson: si(0.5)?,
-        shear: Shear { equilibrium, terms, viscosity },
+        shear: Shear { equilibrium, terms, viscosity, power_law: None },
         temperature: None,
         shift: None,
     }))
+}
+
+/// An incompressible body whose E*(t) = 4G(t) is 4 Pa at 1 s and falls by the power `exponent` β of time.
+///
+/// # Errors
+/// No exponent.
+pub fn relaxing_by_power(exponent: f64) -> Attempt<Body> {
+    let law = PowerLaw { modulus: si(1.0)?, exponent: si(exponent)?, time: si(1.0)? };
+    let shear = Shear { power_law: Some(law), ..Shear::default() };
+    Ok(Body::Viscoelastic(Viscoelastic { poisson: si(0.5)?, shear, temperature: None, shift: None }))
 }
 
 /// A history being written; the first part that makes no sense is kept as the reason why it cannot be run.

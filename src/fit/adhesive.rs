@@ -18,6 +18,28 @@ pub struct Branch {
     least: f64,
 }
 
+/// Forces and slopes of a contact that is led through depths, and where it jumps.
+#[derive(Debug, Clone, Default)]
+pub struct Followed {
+    /// Forces [N].
+    pub forces: Vec<f64>,
+    /// Slopes dF/dd [N/m].
+    pub slopes: Vec<f64>,
+    /// Jumps on the way.
+    pub jumps: Vec<Jump>,
+}
+
+/// A jump of a contact led through a row of depths: the bodies snap together or part, or are on the brink of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jump {
+    /// The first row behind it, or behind the row that comes nearest to it.
+    pub row: usize,
+    /// By how much the response jumps.
+    pub height: f64,
+    /// The drive at which it is [m or N]; `None` where no more is known than between which rows.
+    pub at: Option<f64>,
+}
+
 /// The most steps of Newton's rule, which squares the error, before the root is bracketed instead.
 const STEPS: usize = 30;
 
@@ -39,14 +61,28 @@ impl Branch {
         (least < 0.0).then_some(Self { line, last, least })
     }
 
-    /// Forces [N] and slopes dF/dd [N/m] at the depths `depths` [m] in their order, first touch at `contact`.
+    /// The contact at the depths `depths` [m] in their order, first touch at `contact`.
     ///
     /// # Errors
     /// A depth is not met.
-    pub fn followed(&self, depths: &[f64], contact: f64) -> Result<(Vec<f64>, Vec<f64>), String> {
+    pub fn followed(&self, depths: &[f64], contact: f64) -> Result<Followed, String> {
         let (mut joined, mut radius) = (false, self.last);
-        let mut follow = |d: f64| {
-            joined = d >= self.least && (joined || d >= 0.0);
+        let (mut jumps, mut brink) = (Vec::new(), None);
+        let touched = self.radius(0.0, self.last).map_or(0.0, |radius| self.line.value(Control::Force, radius));
+        let torn = self.line.value(Control::Force, self.last);
+        let parting = |row: usize| Jump { row, height: torn.abs(), at: Some(contact + self.least) };
+        let mut follow = |(row, d): (usize, f64)| {
+            let before = joined;
+            joined = d >= self.least && (before || d >= 0.0);
+            match (before, joined) {
+                (false, true) => jumps.push(Jump { row, height: touched.abs(), at: Some(contact) }),
+                (true, false) => {
+                    jumps.push(parting(row));
+                    brink = None;
+                }
+                (true, true) if brink.is_none_or(|(_, least)| d < least) => brink = Some((row, d)),
+                (true, true) | (false, false) => {}
+            }
             if !joined {
                 return Ok((0.0, 0.0));
             }
@@ -54,8 +90,11 @@ impl Branch {
             let force = self.line.value(Control::Force, radius);
             Ok((force, self.line.slope(Control::Force, radius) / self.line.slope(Control::Indentation, radius)))
         };
-        let states: Result<Vec<(f64, f64)>, String> = depths.iter().map(|d| follow(d - contact)).collect();
-        Ok(states?.into_iter().unzip())
+        let rows = depths.iter().map(|d| d - contact).enumerate();
+        let states: Result<Vec<(f64, f64)>, String> = rows.map(&mut follow).collect();
+        let (forces, slopes) = states?.into_iter().unzip();
+        jumps.extend(brink.map(|(row, _)| parting(row + 1)));
+        Ok(Followed { forces, slopes, jumps })
     }
 
     /// The radius [m] on the branch at the depth `d` [m], searched from the radius `near` on.

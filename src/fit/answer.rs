@@ -52,6 +52,8 @@ pub struct Fit {
     pub control: Control,
     /// Numbers of the points that counted.
     pub used: Vec<usize>,
+    /// Numbers of the points that were left out because the model jumps there.
+    pub on_jumps: Vec<usize>,
     /// Model and baseline, one per point of the curve.
     pub model: Vec<f64>,
     /// The parameters as text for a scene are at these values.
@@ -163,6 +165,7 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
         aic: rest.len() as f64 * squares.ln() + 2.0 * moving.len() as f64,
         control: question.control,
         used: frame.used.clone(),
+        on_jumps: Vec::new(),
         model: found.answer.response.iter().enumerate().map(|(at, model)| model + line(at)).collect(),
         values: found.place.values,
         parameters,
@@ -287,7 +290,7 @@ fn tilted(task: &Task<'_>, frame: &Frame, off: &[f64], apart: &[usize]) -> bool 
 }
 
 /// The baseline at a point of the curve.
-fn baseline_at(task: &Task<'_>, baseline: &[f64], at: usize) -> f64 {
+pub(super) fn baseline_at(task: &Task<'_>, baseline: &[f64], at: usize) -> f64 {
     let drive = task.model.curve.driven(task.model.control)[at] / task.frame.largest;
     baseline.first().copied().unwrap_or(0.0) + baseline.get(1).map_or(0.0, |tilt| tilt * drive)
 }

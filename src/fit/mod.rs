@@ -27,9 +27,11 @@
 mod adhesive;
 mod answer;
 mod curve;
+mod fading;
 mod frame;
 mod free;
 mod interval;
+mod jumps;
 mod model;
 mod noise;
 pub mod prony;
@@ -121,6 +123,10 @@ const SPARE: usize = 3;
 const FEW: (usize, usize) = (200, 60);
 /// Rounds in which weights or the correlation of the noise are found.
 const ROUNDS: usize = 3;
+/// Times of the sum of squares, not made white, beyond which an answer to white noise has left the data.
+const LEAVES: f64 = 4.0;
+/// Correlation up to which white noise sees what there is.
+const LIKE: f64 = 0.5;
 /// Relative change of parameters or sum of squares at which a search ends.
 const TOLERANCE: f64 = 1e-12;
 
@@ -197,8 +203,12 @@ impl Question {
         let step = if self.control == Control::Indentation || model.is_cheap() { 1e-7 } else { self.accuracy.sqrt() };
         let task = Task { model, frame: &frame, touch, step, kept: None };
         let found = self.nearest(&task)?;
-        let (frame, found) = self.weighed(task, found)?;
-        answer::told(self, Task { frame: &frame, ..task }, found)
+        let (frame, found) = jumps::left_out(&task, found, TOLERANCE).map_err(FitError::Scene)?;
+        let (frame, found) = self.weighed(Task { frame: &frame, ..task }, found)?;
+        let mut fit = answer::told(self, Task { frame: &frame, ..task }, found)?;
+        fit.on_jumps = task.frame.used.iter().copied().filter(|at| !fit.used.contains(at)).collect();
+        fit.notes.extend(jumps::told(curve, &fit.on_jumps));
+        Ok(fit)
     }
 
     /// The points that count.
@@ -251,10 +261,34 @@ impl Question {
             if (rho - frame.correlation).abs() <= 1e-3 * (1.0 - rho.abs()) || self.is_exact(&task, &found) {
                 break;
             }
-            frame = frame.with(frame.weights.clone(), rho);
-            found = Task { frame: &frame, ..task }.solved(&found.place, TOLERANCE).map_err(FitError::Scene)?;
+            (frame, found) = self.whitened((&task, &frame), &found, rho)?;
         }
         Ok((frame, found))
+    }
+
+    /// The frame of noise of the correlation `rho`, and the answer in it; of a lesser one where that answer would leave
+    /// the data: what a wrong model leaves looks like noise of a correlation next to one, which is blind to all but steps
+    /// from row to row.
+    fn whitened(
+        &self,
+        (task, frame): (&Task<'_>, &Frame),
+        found: &Found,
+        rho: f64,
+    ) -> Result<(Frame, Found), FitError> {
+        let plain = frame.with(frame.weights.clone(), 0.0);
+        let left = |found: &Found| {
+            plain.reduced(&Task { frame: &plain, ..*task }.rest(&found.answer)).iter().map(|x| x * x).sum::<f64>()
+        };
+        let most = LEAVES * left(found);
+        let mut rho = rho;
+        loop {
+            let next = frame.with(frame.weights.clone(), rho);
+            let there = Task { frame: &next, ..*task }.solved(&found.place, TOLERANCE).map_err(FitError::Scene)?;
+            if rho <= LIKE || left(&there) <= most {
+                return Ok((next, there));
+            }
+            rho = (1.0 - 4.0 * (1.0 - rho)).max(0.0);
+        }
     }
 
     /// Whether no more is left than what the scene is computed to.

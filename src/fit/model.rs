@@ -1,6 +1,6 @@
 //! What a scene answers to the drive of a measured curve.
 
-use super::adhesive::Branch;
+use super::adhesive::{Branch, Followed, Jump};
 use super::curve::Curve;
 use super::free::Free;
 use super::remembering::{Remembering, goes_in_once};
@@ -9,7 +9,8 @@ use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::creep::Creep;
 use crate::contact::foundation::Foundation;
 use crate::input::table::{Columns, RawMap, TableError, Tables};
-use crate::material::Spectrum;
+use crate::material::{Relaxation, Spectrum, Times, joined};
+use crate::run::record::Record;
 use crate::run::{Wanted, run};
 use crate::scene::Scene;
 use crate::scene::history::Entry;
@@ -42,6 +43,8 @@ pub struct Answer {
     pub response: Vec<f64>,
     /// Its slope in the drive, where it is known.
     pub slope: Option<Vec<f64>>,
+    /// Where it jumps on the way.
+    pub jumps: Vec<Jump>,
     /// The decision, where the state follows from the depth.
     plan: Option<Plan>,
 }
@@ -65,6 +68,8 @@ enum Way<'w> {
     Run,
 }
 
+/// Part of the shortest step down to which a power law is kept to.
+const WITHIN: f64 = 0.1;
 /// Part of the first interval in which the first row is reached.
 const SOON: f64 = 1e-9;
 /// Name of the table that drives.
@@ -88,24 +93,27 @@ impl Model<'_> {
         let scene = self.scene(values)?;
         let plan = scene.resolve(self.tables).map_err(|problems| told(&problems))?;
         if self.control == Control::Force {
-            let depths = match self.creeping(&plan) {
-                Some((creep, time)) => self.crept(creep, time),
+            return match self.creeping(&plan) {
+                Some((creep, time)) => self.crept(creep, time).map(|mut depths| {
+                    // A power law is infinitely stiff at once, its series is not.
+                    depths.iter_mut().take(usize::from(plan.times().is_some())).for_each(|depth| *depth = 0.0);
+                    Answer::plain(depths)
+                }),
                 None => self.by_run(plan.scene.clone(), contact),
             };
-            return Ok(Answer::plain(depths?));
         }
         match self.way(&plan, contact) {
             Way::Elastic(ground) => {
                 let states = self.curve.depth.iter().map(|d| elastic(&ground, d - contact));
                 let (response, slope) = states.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-                Ok(Answer { response, slope: Some(slope), plan: Some(plan) })
+                Ok(Answer { response, slope: Some(slope), plan: Some(plan), jumps: Vec::new() })
             }
             Way::Adhesive(branch) => {
-                let (response, slope) = branch.followed(&self.curve.depth, contact)?;
-                Ok(Answer { response, slope: Some(slope), plan: None })
+                let Followed { forces, slopes, jumps } = branch.followed(&self.curve.depth, contact)?;
+                Ok(Answer { response: forces, slope: Some(slopes), plan: None, jumps })
             }
             Way::Remembering(body, time) => Ok(Answer::plain(body.followed(time, &self.curve.depth, contact)?)),
-            Way::Run => Ok(Answer::plain(self.by_run(plan.scene.clone(), contact)?)),
+            Way::Run => self.by_run(plan.scene.clone(), contact),
         }
     }
 
@@ -137,7 +145,19 @@ impl Model<'_> {
         let force = &self.curve.force;
         let grows = force.first().is_some_and(|first| *first >= 0.0) && force.windows(2).all(|pair| pair[1] >= pair[0]);
         let time = self.curve.time.as_deref().filter(|_| grows)?;
-        Some((Creep::new(Arc::new(Spectrum::new(relaxation)), round.profile.clone()), time))
+        let relaxation = self.relaxation(plan).unwrap_or_else(|| relaxation.clone());
+        Some((Creep::new(Arc::new(Spectrum::new(&relaxation)), round.profile.clone()), time))
+    }
+
+    /// E*(t) of bodies that relax by a power law, over the times of the curve; `None` of others.
+    fn relaxation(&self, plan: &Plan) -> Option<Arc<Relaxation>> {
+        plan.times()?;
+        let time = self.curve.time.as_deref()?;
+        let step = time.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::MAX, f64::min);
+        let longest = time.last()? - time.first()?;
+        let times = Times { shortest: WITHIN * step, longest, accuracy: plan.accuracy() };
+        let joined = joined(&plan.scene.bodies, self.tables, Some(times)).ok()??;
+        joined.relaxation.map(Arc::new)
     }
 
     /// Depths [m] of a contact that creeps; the first force is there at once.
@@ -163,6 +183,7 @@ impl Model<'_> {
                 Branch::of(EdgeLine::new(round.ground(), *work)).map_or(Way::Run, Way::Adhesive)
             }
             ContactLaw::Continuous { relaxation, edge: None } => {
+                let relaxation = self.relaxation(plan).unwrap_or_else(|| relaxation.clone());
                 let once = goes_in_once(&self.curve.depth, contact);
                 let time = self.curve.time.as_deref().filter(|_| once && relaxation.viscosity <= 0.0);
                 let flat = round.profile.flat_radius() > 0.0;
@@ -187,7 +208,7 @@ impl Model<'_> {
     }
 
     /// A run led through the curve, from its first row on.
-    fn by_run(&self, mut scene: Scene, contact: f64) -> Result<Vec<f64>, String> {
+    fn by_run(&self, mut scene: Scene, contact: f64) -> Result<Answer, String> {
         let drive = Drive::of(self, contact, scene.relaxes())?;
         scene.history = vec![Entry::Table(DRIVE.into())];
         let plan = scene.resolve(&drive).map_err(|problems| told(&problems))?;
@@ -199,8 +220,21 @@ impl Model<'_> {
             Control::Indentation => Ok(record.normal.force),
             Control::Force => record.normal.indentation.ok_or_else(parted),
         });
-        answered.collect()
+        let response = answered.collect::<Result<Vec<f64>, String>>()?;
+        let jumps = if plan.adheres() { jumps(&records[before..], &response) } else { Vec::new() };
+        Ok(Answer { jumps, ..Answer::plain(response) })
     }
+}
+
+/// Where adhesive bodies have snapped together or parted since the record before.
+fn jumps(records: &[Record], response: &[f64]) -> Vec<Jump> {
+    let joined = |record: &Record| record.normal.contact_radius.is_some_and(|radius| radius > 0.0);
+    let before = std::iter::once(false).chain(records.iter().map(joined));
+    let rows = before.zip(records.iter().map(joined)).enumerate();
+    // Before the first row nothing has touched.
+    let height = |row: usize| (response[row] - row.checked_sub(1).map_or(0.0, |before| response[before])).abs();
+    let jump = |(row, _)| Jump { row, height: height(row), at: None };
+    rows.filter(|(_, (before, here))| before != here).map(jump).collect()
 }
 
 fn parted() -> String {

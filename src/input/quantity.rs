@@ -198,6 +198,7 @@ range!(/** Poisson's ratio of a stable isotropic solid. */ PoissonRange, "above 
 range!(/** A relative error one can aim at. */ AccuracyRange, "between 1e-14 and 0.1", value => (1e-14..=0.1).contains(&value));
 range!(/** Hurst exponent of a self-affine surface. */ HurstRange, "above 0 and at most 1", value => value > 0.0 && value <= 1.0);
 range!(/** Exponent of a modulus that grows with the depth. */ GradingRange, "from 0 to below 1", value => (0.0..1.0).contains(&value));
+range!(/** Exponent of a relaxation by a power of time. */ RelaxationRange, "above 0 and below 1", value => value > 0.0 && value < 1.0);
 range!(/** Angle of incidence measured from the surface normal. */ IncidenceRange, "from 0 (head-on) to below 90 degrees",
     value => (0.0..std::f64::consts::FRAC_PI_2).contains(&value));
 
@@ -261,6 +262,8 @@ pub type Accuracy = Quantity<Unity, AccuracyRange>;
 pub type Hurst = Quantity<Unity, HurstRange>;
 /// Exponent n of E = E₀(z/z₀)ⁿ.
 pub type GradingExponent = Quantity<Unity, GradingRange>;
+/// Exponent β of G = G₀(t/t₀)^−β.
+pub type RelaxationExponent = Quantity<Unity, RelaxationRange>;
 /// Angle of incidence [rad] from the surface normal.
 pub type IncidenceAngle = Quantity<Radian, IncidenceRange>;
 /// Contact angle [rad] of a liquid that wets, through the liquid.

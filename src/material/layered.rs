@@ -10,7 +10,7 @@
 //!     "base": "Rigid"}}"#;
 //! # #[cfg(feature = "text")] {
 //! let gel: Body = serde_json::from_str(json)?;
-//! let joined = joined(&(gel, Body::Rigid), &InMemory::default()).map_err(|problems| problems[0].clone())?;
+//! let joined = joined(&(gel, Body::Rigid), &InMemory::default(), None).map_err(|problems| problems[0].clone())?;
 //! let joined = joined.ok_or("two rigid bodies")?;
 //! assert!((joined.pair.normal / (1e4 / 0.75) - 1.0).abs() < 1e-14);
 //! assert!(matches!(joined.under, Under::Layers(_)));
@@ -18,10 +18,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::{Alone, Body, Relaxation, Spectrum, Stiffness, instantly_stiff};
+use super::{Alone, Body, Known, Relaxation, Spectrum, Stiffness, instantly_stiff};
 use crate::input::problem::Problem;
 use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson};
-use crate::input::table::Tables;
 use serde::{Deserialize, Serialize};
 
 /// Layers on a base, the topmost first.
@@ -127,13 +126,13 @@ struct Material {
 }
 
 impl Material {
-    fn of(body: &Body, path: &str, tables: &dyn Tables) -> Result<Self, Problem> {
+    fn of(body: &Body, path: &str, known: Known<'_>) -> Result<Self, Problem> {
         let (poisson, relaxation) = match body {
             Body::Elastic(elastic) => {
                 let equilibrium = elastic.plane_modulus();
                 (elastic.poisson.si(), Relaxation { equilibrium, terms: Vec::new(), viscosity: 0.0 })
             }
-            Body::Viscoelastic(body) => (body.poisson.si(), instantly_stiff(body, path, tables)?),
+            Body::Viscoelastic(body) => (body.poisson.si(), instantly_stiff(body, path, known)?),
             Body::Rigid | Body::Plastic(_) | Body::Layered(_) | Body::Winkler(_) | Body::Graded(_) => {
                 let what =
                     format!("{} cannot be part of a layered body: expected Elastic(…) or Viscoelastic(…)", body.name());
@@ -160,12 +159,12 @@ impl Material {
 const SAME: f64 = 1e-12;
 
 /// A layered body against a rigid one: its modulus is that of an endless top layer.
-pub(super) fn layered(body: &Layered, path: &str, tables: &dyn Tables) -> Result<Alone, Vec<Problem>> {
+pub(super) fn layered(body: &Layered, path: &str, known: Known<'_>) -> Result<Alone, Vec<Problem>> {
     let layers = body.layers.iter().enumerate();
-    let layers = layers.map(|(k, layer)| Material::of(&layer.body, &format!("{path}.layers[{k}].body"), tables));
+    let layers = layers.map(|(k, layer)| Material::of(&layer.body, &format!("{path}.layers[{k}].body"), known));
     let base = match body.base.as_ref() {
         Body::Rigid => None,
-        other => Some(Material::of(other, &format!("{path}.base"), tables)),
+        other => Some(Material::of(other, &format!("{path}.base"), known)),
     };
     let (materials, problems): (Vec<_>, Vec<_>) = layers.chain(base).partition(Result::is_ok);
     let problems: Vec<Problem> = problems.into_iter().filter_map(Result::err).collect();

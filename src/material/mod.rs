@@ -12,10 +12,13 @@
 //! ```
 
 mod layered;
+mod power_law;
 mod secular;
+mod shear;
 mod spectrum;
 
 pub use layered::{Graded, Joint, Layer, Layered, Sheet, Stack, Under, Winkler};
+pub use power_law::{PowerLaw, Series, Times};
 pub use spectrum::Element;
 pub use spectrum::{Mode, Spectrum};
 
@@ -101,6 +104,18 @@ impl Body {
             | Self::Layered(_)
             | Self::Winkler(_)
             | Self::Graded(_) => None,
+        }
+    }
+
+    /// The power law by which it relaxes, if it does by one.
+    #[must_use]
+    pub fn power_law(&self) -> Option<&PowerLaw> {
+        match self {
+            Self::Viscoelastic(body) => body.shear.power_law.as_ref(),
+            Self::Layered(body) => {
+                body.layers.iter().map(|layer| &layer.body).chain([body.base.as_ref()]).find_map(Self::power_law)
+            }
+            Self::Rigid | Self::Elastic(_) | Self::Winkler(_) | Self::Graded(_) | Self::Plastic(_) => None,
         }
     }
 
@@ -227,19 +242,20 @@ impl Shift {
     }
 }
 
-/// Relaxation function in shear, G(t) = G∞ + Σ Gᵢ e^(−t/τᵢ), and a parallel dashpot η.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+/// Relaxation function in shear, G(t) = G∞ + Σ Gᵢ e^(−t/τᵢ) + G₀(t/t₀)^(−β), and a parallel dashpot η.
+///
+/// A scene writes it `(equilibrium: …, terms: […], viscosity: …)`, or `PowerLaw(modulus: …, exponent: …, time: …)` with the
+/// others beside it if there are any.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Shear {
     /// Equilibrium modulus G∞ [Pa]; zero for a liquid.
-    #[serde(default)]
     pub equilibrium: Stress,
     /// Terms Gᵢ, τᵢ of the Prony series.
-    #[serde(default)]
     pub terms: Terms,
     /// Viscosity η [Pa s] of a parallel dashpot (Kelvin–Voigt).
-    #[serde(default)]
     pub viscosity: Viscosity,
+    /// Power law G₀, β, t₀.
+    pub power_law: Option<PowerLaw>,
 }
 
 /// The terms of a Prony series: a list, or a table with columns `time_s,modulus_pa`.
@@ -381,11 +397,12 @@ impl Plastic {
 }
 
 impl Viscoelastic {
-    /// E*(t) = 2G(t)/(1−ν) against a rigid body (Popov & Heß 2015, eq. 7.9), terms in the order given.
+    /// E*(t) = 2G(t)/(1−ν) against a rigid body (Popov & Heß 2015, eq. 7.9), terms in the order given; a power law, which
+    /// stands for nothing without `times`, as its series between them.
     ///
     /// # Errors
     /// The table of terms cannot be read or holds a term that makes no sense.
-    pub fn relaxation(&self, tables: &dyn Tables) -> Result<Relaxation, TableError> {
+    pub fn relaxation(&self, tables: &dyn Tables, times: Option<Times>) -> Result<Relaxation, TableError> {
         let scale = 2.0 / (1.0 - self.poisson.si());
         let terms = match &self.shear.terms {
             Terms::List(terms) => terms.iter().map(|term| (term.modulus.si(), term.time.si())).collect(),
@@ -393,9 +410,11 @@ impl Viscoelastic {
         };
         let shift = self.shift.as_ref().zip(self.temperature);
         let shifted = shift.and_then(|(shift, temperature)| shift.factor(temperature.si())).unwrap_or(1.0);
+        let series = self.shear.power_law.zip(times).map(|(law, times)| law.series(times.at_reference(shifted)));
+        let (beyond, series) = series.map_or((0.0, Vec::new()), |series| (series.equilibrium, series.terms));
         Ok(Relaxation {
-            equilibrium: scale * self.shear.equilibrium.si(),
-            terms: terms.into_iter().map(|(modulus, time)| (scale * modulus, shifted * time)).collect(),
+            equilibrium: scale * (self.shear.equilibrium.si() + beyond),
+            terms: terms.into_iter().chain(series).map(|(modulus, time)| (scale * modulus, shifted * time)).collect(),
             viscosity: shifted * (scale * self.shear.viscosity.si()),
         })
     }
@@ -442,14 +461,24 @@ struct Alone {
 /// Each half-space is pressed in by its own 1/E*ᵢ(p) times the same pressure, whatever its ν: the sum is
 /// exact for constant ν, in the normal direction and without friction.
 ///
+/// A power law is known between `times`; `None` too where there is one, and no times.
+///
 /// # Errors
 /// A table of terms is wrong, or a body has no modulus; all problems at once.
-pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joined>, Vec<Problem>> {
-    let (one, two) = (alone(&bodies.0, "bodies.0", tables), alone(&bodies.1, "bodies.1", tables));
+pub fn joined(
+    bodies: &(Body, Body),
+    tables: &dyn Tables,
+    times: Option<Times>,
+) -> Result<Option<Joined>, Vec<Problem>> {
+    let known = Known { tables, times };
+    let (one, two) = (alone(&bodies.0, "bodies.0", known), alone(&bodies.1, "bodies.1", known));
     let (one, two) = match (one, two) {
         (Ok(one), Ok(two)) => (one, two),
         (one, two) => return Err(one.err().into_iter().chain(two.err()).flatten().collect()),
     };
+    if times.is_none() && [&bodies.0, &bodies.1].into_iter().any(|body| body.power_law().is_some()) {
+        return Ok(None);
+    }
     let pair = Pair::of(&one.stiffness, &two.stiffness);
     let (shares, _) = in_series(one.stiffness.normal, two.stiffness.normal);
     let under = Under::both(one.under, two.under, shares);
@@ -468,18 +497,25 @@ pub fn joined(bodies: &(Body, Body), tables: &dyn Tables) -> Result<Option<Joine
     }))
 }
 
-fn alone(body: &Body, path: &str, tables: &dyn Tables) -> Result<Alone, Vec<Problem>> {
+/// What is known beside a body itself.
+#[derive(Clone, Copy)]
+struct Known<'k> {
+    tables: &'k dyn Tables,
+    times: Option<Times>,
+}
+
+fn alone(body: &Body, path: &str, known: Known<'_>) -> Result<Alone, Vec<Problem>> {
     let under = Under::HalfSpaces;
     Ok(match body {
         Body::Rigid => Alone { stiffness: Stiffness::RIGID, spectrum: None, under },
         Body::Elastic(body) => elastic(body),
         Body::Plastic(body) => elastic(&body.elastic()),
         Body::Viscoelastic(body) => {
-            let relaxation = instantly_stiff(body, path, tables).map_err(|problem| vec![problem])?;
+            let relaxation = instantly_stiff(body, path, known).map_err(|problem| vec![problem])?;
             let stiffness = Stiffness::new(relaxation.instantaneous(), body.poisson.si());
             Alone { stiffness, spectrum: Some(Spectrum::new(&relaxation)), under }
         }
-        Body::Layered(body) => layered::layered(body, path, tables)?,
+        Body::Layered(body) => layered::layered(body, path, known)?,
         Body::Winkler(body) => layered::winkler(body),
         Body::Graded(body) => layered::graded(body),
     })
@@ -491,13 +527,14 @@ fn elastic(body: &Elastic) -> Alone {
 }
 
 /// E*(t) against a rigid body, above zero at once.
-fn instantly_stiff(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Result<Relaxation, Problem> {
+fn instantly_stiff(body: &Viscoelastic, path: &str, known: Known<'_>) -> Result<Relaxation, Problem> {
     if let Some(problem) = badly_shifted(body, path) {
         return Err(problem);
     }
-    let relaxation =
-        body.relaxation(tables).map_err(|error| Problem::new(format!("{path}.shear.terms"), error.to_string()))?;
-    if relaxation.instantaneous() > 0.0 {
+    let relaxation = body
+        .relaxation(known.tables, known.times)
+        .map_err(|error| Problem::new(format!("{path}.shear.terms"), error.to_string()))?;
+    if relaxation.instantaneous() > 0.0 || body.shear.power_law.is_some() {
         return Ok(relaxation);
     }
     let message = "has no modulus above zero: expected an equilibrium modulus or at least one term";
@@ -560,11 +597,12 @@ mod tests {
     }
 
     fn of(one: Body, two: Body) -> Pair {
-        joined(&(one, two), &InMemory::default()).unwrap().unwrap().pair
+        joined(&(one, two), &InMemory::default(), None).unwrap().unwrap().pair
     }
 
     fn rubber(terms: Terms) -> Body {
-        let shear = Shear { equilibrium: Stress::new(0.1).unwrap(), terms, viscosity: Viscosity::default() };
+        let shear =
+            Shear { equilibrium: Stress::new(0.1).unwrap(), terms, viscosity: Viscosity::default(), power_law: None };
         Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None })
     }
 
@@ -584,7 +622,7 @@ mod tests {
     fn a_viscoelastic_body_relaxes_from_its_instantaneous_modulus() {
         let term = Term { modulus: Stress::new(0.9).unwrap(), time: Duration::new(0.2).unwrap() };
         let bodies = (Body::Rigid, rubber(Terms::List(vec![term])));
-        let Joined { pair, relaxation, .. } = joined(&bodies, &InMemory::default()).unwrap().unwrap();
+        let Joined { pair, relaxation, .. } = joined(&bodies, &InMemory::default(), None).unwrap().unwrap();
         let relaxation = relaxation.unwrap();
         assert!(near(pair.normal, 4.0) && near(relaxation.equilibrium, 0.4));
         assert_eq!(relaxation.terms, [(3.6, 0.2)]);
@@ -595,14 +633,14 @@ mod tests {
     fn a_wrong_table_of_terms_names_its_row() {
         let tables = InMemory::default().with("p.csv", &[("time_s", &[1.0, 0.0]), ("modulus_pa", &[1.0, 1.0])]);
         let bodies = (rubber(Terms::Table("p.csv".into())), Body::Rigid);
-        let problems = joined(&bodies, &tables).unwrap_err();
+        let problems = joined(&bodies, &tables, None).unwrap_err();
         assert_eq!(problems[0].path, "bodies.0.shear.terms");
         assert!(problems[0].message.starts_with("p.csv, row 3: time_s: 0.0 s is out of range"), "{}", problems[0]);
     }
 
     #[test]
     fn bodies_that_make_no_pair() {
-        assert_eq!(joined(&(Body::Rigid, Body::Rigid), &InMemory::default()).unwrap(), None);
+        assert_eq!(joined(&(Body::Rigid, Body::Rigid), &InMemory::default(), None).unwrap(), None);
     }
 
     proptest! {

@@ -12,6 +12,7 @@
 
 pub mod chebyshev;
 pub mod complex;
+pub mod discrete;
 pub mod exponential;
 pub mod extrapolation;
 pub mod extremum;

@@ -174,6 +174,10 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
     let shape = warnings::error_of_shape(plan, &outcome.records)
         .filter(|shape| !on_pixels && shape.relative > outcome.error_estimate.relative);
     outcome.error_estimate = shape.unwrap_or(outcome.error_estimate);
+    if let Some(times) = plan.times() {
+        outcome.error_estimate.relative += times.error();
+        outcome.error_estimate.basis.push_str("; and the series that stands for the power law");
+    }
     Ok(outcome)
 }
 

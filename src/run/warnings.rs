@@ -17,6 +17,29 @@ const ATOMIC_RANGE: f64 = 0.3e-9;
 /// The physics a user must know about the records of a scene.
 #[must_use]
 pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
+    let mut warnings = of_kind(plan, records);
+    warnings.extend(power_law(plan, records));
+    warnings
+}
+
+/// What a power law does not say: its stiffness at once, and its force behind the times its series is laid out over.
+fn power_law(plan: &Plan, records: &[Record]) -> Vec<String> {
+    let Some(times) = plan.times() else { return Vec::new() };
+    let at_once = format!(
+        "a power law is infinitely stiff at once: stiffness_n_per_m is that against a motion of {:.1e} s, a tenth of the shortest step, and grows as steps get shorter",
+        times.shortest
+    );
+    let end = records.last().map_or(0.0, |record| record.time);
+    let late = (end > times.longest * (1.0 + 1e-9)).then(|| {
+        format!(
+            "the history took {end:.3e} s, longer than the {:.3e} s over which the series of the power law is laid out: what comes after is too stiff; expected a retraction from a prescribed depth, or a table",
+            times.longest
+        )
+    });
+    [at_once].into_iter().chain(late).collect()
+}
+
+fn of_kind(plan: &Plan, records: &[Record]) -> Vec<String> {
     match plan {
         Plan::Round(of) => round(plan, of.ground().profile(), records),
         Plan::Impact(of) => round(plan, of.ground().profile(), records),

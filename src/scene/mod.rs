@@ -51,6 +51,7 @@ pub mod rules;
 pub mod solver;
 pub mod stage;
 pub mod surface;
+mod times;
 pub mod swept;
 
 use crate::contact::adhesion::Adhesion;

@@ -27,7 +27,7 @@ use crate::contact::rough::EdgeWorks;
 use crate::friction::Grip;
 use crate::friction::oblique::Ball;
 use crate::input::quantity::Accuracy;
-use crate::material::{Pair, Relaxation};
+use crate::material::{Pair, Relaxation, Times};
 use crate::scene::Scene;
 use crate::scene::history::Impact;
 use crate::scene::solver::SolverChoice;
@@ -73,6 +73,13 @@ impl Shared {
     #[must_use]
     pub fn accuracy(&self) -> f64 {
         self.scene.accuracy.map_or(1e-6, |accuracy| accuracy.si())
+    }
+
+    /// The times between which a power law of the bodies is kept to, if there is one.
+    #[must_use]
+    pub fn times(&self) -> Option<Times> {
+        let (one, two) = &self.scene.bodies;
+        one.power_law().or(two.power_law()).and(self.read.times)
     }
 
     /// Moduli and friction of a contact with the coefficient `coefficient` μ.

@@ -3,11 +3,12 @@
 use super::Scene;
 use super::mended::{Look, Mended};
 use super::surface::{self, Surface};
+use super::times;
 use crate::friction::{Friction, Strength, StrengthCurve};
 use crate::ground::{self, Ground, Grounded};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
-use crate::material::{self, Joined, Relaxation};
+use crate::material::{self, Joined, Relaxation, Times};
 use crate::scene::history::{Entry, MotionTable};
 use crate::shape::{Family, Lying, MapSource, PlacedTip, PlaneWavy, Profile, RoughShape, Shape, Tip};
 use std::sync::Arc;
@@ -19,6 +20,8 @@ pub(super) struct Read {
     pub(super) relaxation: Option<Arc<Relaxation>>,
     pub(super) geometry: Option<Geometry>,
     pub(super) strength: Option<Arc<StrengthCurve>>,
+    /// The times of the history.
+    pub(super) times: Option<Times>,
     /// One per history entry: the table it names.
     pub(super) motions: Vec<Option<MotionTable>>,
 }
@@ -27,7 +30,9 @@ impl Read {
     /// Reads what is not `mended`.
     pub(super) fn of(scene: &Scene, tables: &dyn Tables, mended: &Mended, problems: &mut Vec<Problem>) -> Self {
         let mut read = Reading { tables, mended, problems };
-        let joined = read.part("bodies", |tables| material::joined(&scene.bodies, tables)).flatten();
+        let motions: Vec<_> = scene.history.iter().enumerate().map(|numbered| read.motion(numbered)).collect();
+        let times = times::of(scene, &motions);
+        let joined = read.part("bodies", |tables| material::joined(&scene.bodies, tables, times)).flatten();
         let ground = joined.as_ref().and_then(|joined| ground::of(&joined.under));
         let geometry = read.part("shape", |tables| Geometry::of(scene, tables)).map(|geometry| geometry.on(ground));
         Self {
@@ -35,7 +40,8 @@ impl Read {
             joined,
             geometry,
             strength: read.part("friction", |tables| strength(scene.friction.as_ref(), tables)).flatten(),
-            motions: scene.history.iter().enumerate().map(|numbered| read.motion(numbered)).collect(),
+            times,
+            motions,
         }
     }
 }

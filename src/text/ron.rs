@@ -152,7 +152,12 @@ impl<'t> Stop<'t> {
     }
 
     fn wrong_name(&self, code: &Error) -> Option<String> {
-        let outer = |outer: &Option<String>| outer.clone().unwrap_or_else(|| "this".into());
+        let outer = |outer: &Option<String>| match outer.as_deref() {
+            // A series of terms has no name before it, a power law has one.
+            Some("PowerLaw") if !self.text[self.head()..].starts_with("PowerLaw") => "Shear".to_owned(),
+            Some(outer) => outer.to_owned(),
+            None => "this".to_owned(),
+        };
         Some(match code {
             Error::NoSuchEnumVariant { expected, found, outer: kind } => {
                 format!("unknown {} `{found}`: {}", kind_in_words(kind.as_deref()), advice(found, expected))

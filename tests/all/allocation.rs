@@ -117,6 +117,7 @@ fn springs_friction_and_prony_elements_cost_what_they_say() {
         equilibrium: Stress::new(1e6).unwrap(),
         terms: Terms::List(vec![term]),
         viscosity: Viscosity::new(0.0).unwrap(),
+        power_law: None,
     };
     let rubber =
         Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None });

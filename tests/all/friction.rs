@@ -314,6 +314,7 @@ fn relaxing(equilibrium: f64, terms: &[(f64, f64)], friction: Friction, history:
         equilibrium: Stress::new(0.25 * equilibrium).unwrap(),
         terms: Terms::List(terms.iter().map(term).collect()),
         viscosity: Viscosity::default(),
+        power_law: None,
     };
     let body = Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None };
     Scene { bodies: (Body::Viscoelastic(body), Body::Rigid), ..scene(ball(), friction, history) }

@@ -27,6 +27,7 @@ fn rubber(equilibrium: f64, terms: &[(f64, f64)], viscosity: f64) -> Body {
         equilibrium: Stress::new(equilibrium).unwrap(),
         terms: Terms::List(terms.iter().map(term).collect()),
         viscosity: Viscosity::new(viscosity).unwrap(),
+        power_law: None,
     };
     Body::Viscoelastic(Viscoelastic { poisson: Poisson::new(0.5).unwrap(), shear, temperature: None, shift: None })
 }

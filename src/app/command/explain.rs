@@ -65,6 +65,9 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
     if let Some(words) = attraction(plan) {
         line("attraction", &words);
     }
+    if let Some(words) = power_law(plan) {
+        line("power law", &words);
+    }
     let parts = &outcome.plan;
     line("solver", &format!("{}: {}", parts.solver, parts.reason));
     line("parts used", &parts.used.join(", "));
@@ -102,6 +105,17 @@ fn attraction(plan: &Plan) -> Option<String> {
     });
     let (range, work) = (with_prefix(work / stress, "m"), with_prefix(work, "J/m²"));
     Some(format!("{} up to a gap of {range}, w = {work}{between}", with_prefix(stress, "Pa")))
+}
+
+/// The series that stands for a power law, if the bodies relax by one.
+fn power_law(plan: &Plan) -> Option<String> {
+    let (times, relaxation) = (plan.times()?, plan.relaxation()?);
+    let [shortest, longest] = [times.shortest, times.longest].map(|time| with_prefix(time, "s"));
+    let terms = relaxation.terms.len();
+    Some(format!(
+        "{terms} Prony terms and a modulus that does not relax, from {shortest} to {longest} within {:.0e}; E*(0) and E*(∞) are those of the series, of the law they are infinite and zero",
+        times.error()
+    ))
 }
 
 /// What theories of rough contact say of the largest force of the scene.

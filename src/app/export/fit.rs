@@ -33,6 +33,8 @@ struct Summary<'f> {
     rejected: bool,
     notes: Vec<&'f str>,
     points: usize,
+    /// Rows that were left out because the model jumps there.
+    rows_on_jumps: Vec<usize>,
     driven_by: &'static str,
     residual_deviation: f64,
     residual_correlation: f64,
@@ -65,7 +67,7 @@ struct NoiseRow {
 
 impl<'f> Summary<'f> {
     fn of(fitted: &'f Fitted) -> Self {
-        let Fitted { file, scene, fit, data_notes, .. } = fitted;
+        let Fitted { file, scene, fit, data_notes, curve } = fitted;
         let noise = |noise: Noise| NoiseRow {
             deviation: noise.deviation,
             correlation: noise.correlation,
@@ -80,6 +82,7 @@ impl<'f> Summary<'f> {
             rejected: fit.rejected,
             notes: data_notes.iter().chain(&fit.notes).map(String::as_str).collect(),
             points: fit.used.len(),
+            rows_on_jumps: fit.on_jumps.iter().map(|&at| curve.rows[at]).collect(),
             driven_by: if fit.control == Control::Force { "force" } else { "depth" },
             residual_deviation: fit.deviation,
             residual_correlation: fit.correlation,

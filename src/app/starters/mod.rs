@@ -29,6 +29,7 @@ starters!(
     "winkler",
     "graded",
     "creep",
+    "cell",
     "oscillation",
     "friction",
     "fretting",

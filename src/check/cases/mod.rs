@@ -22,6 +22,7 @@ mod ground;
 mod lying;
 mod machine;
 mod plastic;
+mod power_law;
 mod rough;
 mod shapes;
 mod stress;
@@ -49,6 +50,7 @@ pub fn all() -> Vec<Case> {
         stress::CASES,
         adhesive::CASES,
         viscoelastic::CASES,
+        power_law::CASES,
         friction::CASES,
         wear::CASES,
         impact::CASES,

@@ -19,6 +19,7 @@ mod parts;
 mod pixels;
 mod plastic;
 mod plots;
+mod power_law;
 mod wear;
 
 pub use draft::Draft;
@@ -102,7 +103,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 81] = [
+pub const RULES: [Rule; 84] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -124,6 +125,7 @@ pub const RULES: [Rule; 81] = [
     Rule::once(Bodies, Friction, plastic::with_friction),
     Rule::once(Bodies, Springs, plastic::on_springs),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
+    Rule::once(Adhesion, Bodies, power_law::under_adhesion),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
@@ -165,6 +167,8 @@ pub const RULES: [Rule; 81] = [
     Rule::entry(Shape, history::oblique_on_shape),
     Rule::entry(Bodies, history::curve_of_viscoelastic),
     Rule::entry(Bodies, history::oblique_of_viscoelastic),
+    Rule::entry(Bodies, power_law::in_entry),
+    Rule::entry(Bodies, power_law::at_once),
     Rule::entry(Adhesion, history::pull_without_adhesion),
     Rule::entry(Adhesion, history::oblique_under_adhesion),
     Rule::entry(Friction, history::slide_without_friction),

@@ -23,6 +23,9 @@ pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
 /// An attraction, and what holds its edge, between elastic or viscoelastic bodies.
 pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
     let (adhesion, relaxes) = (draft.adhesion(Look::Whole)?.traits(), draft.pair_relaxes()?);
+    if super::power_law::relaxes_by_power(draft)? {
+        return None;
+    }
     match (adhesion.range, relaxes) {
         (Range::Vanishing(None), false) => None,
         (Range::Vanishing(Some(_)), false) => {

@@ -127,8 +127,10 @@ fn poisson() -> Attempt<Tally> {
     let away = || powers(-16.0, -1.0, 1.0).chain([0.0]);
     for ratio in away().chain(away().map(|part| 0.5 - part)) {
         let bodies = (elastic(young, ratio)?, Body::Rigid);
-        let pair =
-            material::joined(&bodies, &InMemory::default()).map_err(SimulationError::from)?.ok_or("no pair")?.pair;
+        let pair = material::joined(&bodies, &InMemory::default(), None)
+            .map_err(SimulationError::from)?
+            .ok_or("no pair")?
+            .pair;
         tally.pair(pair.normal, young / (1.0 - ratio * ratio));
         tally.pair(pair.tangential, 2.0 * young / ((2.0 - ratio) * (1.0 + ratio)));
     }
