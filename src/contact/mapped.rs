@@ -29,7 +29,7 @@
 
 use super::creep::Creep;
 use super::error::{BedError, ContactError, PlaneError};
-use super::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
+use super::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Pose, Pull, Straight};
 use super::state::{Normal, Tangential};
 use crate::material::Spectrum;
 use crate::shape::{Profile, Rim};
@@ -153,7 +153,7 @@ impl ContactModel for MappedContact {
         self.bed.last_depth()
     }
 
-    fn parting(&self, piece: &Straight) -> Result<Option<f64>, ContactError> {
+    fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
         self.bed.parting(piece)
     }
 

@@ -79,6 +79,15 @@ pub struct Event {
     pub tangential: Option<Tangential>,
 }
 
+/// How bodies part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parting {
+    /// Time since the beginning of the piece [s], to rounding.
+    pub time: f64,
+    /// Whether an attraction gives way, with a jump of the force.
+    pub suddenly: bool,
+}
+
 /// What a contact takes, and how well it knows its force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Effort {
@@ -153,8 +162,8 @@ impl Loading for Loaded {
 /// A contact: it follows straight pieces of (d, u_x) and can be looked at without being moved.
 ///
 /// What a contact knows better than by being followed it says itself: the answer to a force that it finds at once
-/// ([`press`](Self::press)), the depth at which a retraction parts it, the instant at which its edge gives
-/// way, its creep.
+/// ([`press`](Self::press)), the depth at which a retraction parts it, the instant at which the bodies
+/// part, its creep.
 pub trait ContactModel: Send {
     /// Follows a straight piece; the jumps and turns on the way, in order.
     ///
@@ -236,11 +245,11 @@ pub trait ContactModel: Send {
         None
     }
 
-    /// When in a piece the attraction of the edge gives way [s].
+    /// When in a piece the bodies part, of a contact that knows it.
     ///
     /// # Errors
     /// The contact cannot follow.
-    fn parting(&self, _piece: &Straight) -> Result<Option<f64>, ContactError> {
+    fn parting(&self, _piece: &Straight) -> Result<Option<Parting>, ContactError> {
         Ok(None)
     }
 

@@ -34,10 +34,39 @@ impl Glimpse {
 const NOISE: f64 = 1e-12;
 /// What happens before this part of a look is the beginning, where there is a record already.
 const BEGINNING: f64 = 1e-12;
+/// Parts of a time within which a parting may lie from where it was found.
+const NEAR: [f64; 4] = [1e-15, 1e-13, 1e-10, 1e-7];
 /// Looks at equal distances in a whole entry.
 const EVEN: i32 = 24;
 /// Looks per decade towards the beginning of a piece, where the fast elements relax.
 const PER_DECADE: i32 = 2;
+
+/// The last time [s] between two at which all is as at the first of them, and the first at which it is not, to rounding;
+/// near the time `known` if the contact says when that is.
+///
+/// # Errors
+/// The contact cannot be looked at.
+pub fn last_of(
+    mut as_before: impl FnMut(f64) -> Result<bool, ContactError>,
+    (mut low, mut high): (f64, f64),
+    known: Option<f64>,
+) -> Result<(f64, f64), ContactError> {
+    for (time, near) in known.iter().flat_map(|&time| NEAR.map(|near| (time, near))) {
+        for time in [time * (1.0 - near), time * (1.0 + near)] {
+            if low < time && time < high {
+                *(if as_before(time)? { &mut low } else { &mut high }) = time;
+            }
+        }
+        if high - low <= 4.0 * near * time {
+            break;
+        }
+    }
+    while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+        let middle = 0.5 * (low + high);
+        *(if as_before(middle)? { &mut low } else { &mut high }) = middle;
+    }
+    Ok((low, high))
+}
 
 /// Times at which a piece is looked at, whatever the records; `fastest` is the shortest time of the material [s].
 pub fn looks(duration: f64, fastest: f64) -> Vec<f64> {
@@ -153,19 +182,12 @@ impl Watch {
             return Ok(None);
         }
         let way = ahead(contact, self.speed, high - before.time);
-        let torn = if joined { contact.parting(&way)? } else { None };
-        for time in torn.iter().flat_map(|time| [1.0 - 1e-9, 1.0 + 1e-9].map(|part| before.time + time * part)) {
-            if low < time && time < high {
-                let still = self.see(contact, time)?.contact_radius > 0.0;
-                *(if still == joined { &mut low } else { &mut high }) = time;
-            }
-        }
-        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
-            let middle = 0.5 * (low + high);
-            let still = self.see(contact, middle)?.contact_radius > 0.0;
-            *(if still == joined { &mut low } else { &mut high }) = middle;
-        }
-        Ok(Some(NotableInstant { time: high, just_before: torn.map(|_| low), touching: Some(!joined) }))
+        let parting = if joined { contact.parting(&way)? } else { None };
+        let known = parting.map(|parting| before.time + parting.time);
+        (low, high) =
+            last_of(|time| Ok((self.see(contact, time)?.contact_radius > 0.0) == joined), (low, high), known)?;
+        let torn = parting.is_some_and(|parting| parting.suddenly);
+        Ok(Some(NotableInstant { time: high, just_before: torn.then_some(low), touching: Some(!joined) }))
     }
 
     /// The turn of the force among three looks.

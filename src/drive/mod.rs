@@ -50,7 +50,7 @@ use chords::Chords;
 use course::{Course, Extent, Path};
 use cycle::Cycle;
 use force::{ForceDrive, Ramp, Stretch, ahead, depth_of};
-use instants::{NotableInstant, Watch, looks};
+use instants::{NotableInstant, Watch, last_of, looks};
 
 /// Something that happens between two records, with the state on both sides.
 #[derive(Debug, Clone, Copy)]
@@ -67,8 +67,6 @@ pub struct Occurrence {
 
 /// Mean difference of the contact's force from the prescribed one, in errors allowed, from which on it has jumped.
 const JUMP: f64 = 4.0;
-/// Parts of a time within which a parting may lie from where it was found.
-const NEAR: [f64; 3] = [1e-13, 1e-10, 1e-7];
 /// Part of a time by which rounding may delay what was seen to happen.
 const LATEST: f64 = 1e-12;
 
@@ -523,22 +521,9 @@ impl Driver {
         while held(contact, high)? {
             high *= 2.0;
         }
-        let mut low = 0.0;
-        // Where an attraction gives way, the contact knows when, to rounding.
-        if let Some(time) = contact.parting(&ahead(contact, -speed, high))? {
-            for near in NEAR {
-                let (before, after) = (time * (1.0 - near), time * (1.0 + near));
-                if held(contact, before)? && !held(contact, after)? {
-                    (low, high) = (before, after);
-                    break;
-                }
-            }
-        }
-        while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
-            let middle = 0.5 * (low + high);
-            *(if held(contact, middle)? { &mut low } else { &mut high }) = middle;
-        }
-        Ok(start - speed * low)
+        let known = contact.parting(&ahead(contact, -speed, high))?.map(|parting| parting.time);
+        let (last, _) = last_of(|time| held(contact, time), (0.0, high), known)?;
+        Ok(start - speed * last)
     }
 
     /// Parts the bodies at the last depth of a retraction at the speed `speed` [m/s]; the state after.

@@ -5,7 +5,7 @@ use super::memory::Memory;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
-use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Straight};
+use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Straight};
 use crate::contact::state::Normal;
 use std::sync::Arc;
 
@@ -101,8 +101,9 @@ impl ContactModel for ContinuousContact {
         Effort { springs: 0, bytes: self.bed.bytes(), force_error: Some(self.bed.force_error()) }
     }
 
-    fn parting(&self, piece: &Straight) -> Result<Option<f64>, ContactError> {
-        Ok(self.bed.parting(piece.speed, piece.duration)?)
+    fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
+        let suddenly = self.bed.attraction().is_some();
+        Ok(self.bed.parting(piece.speed, piece.duration)?.map(|time| Parting { time, suddenly }))
     }
 
     fn creep(&self) -> Option<Creep> {

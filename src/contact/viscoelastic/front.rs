@@ -80,8 +80,15 @@ pub(super) struct Front<'b> {
     pub motion: Motion,
     /// The shortest time the edge stands still [s].
     pub least: f64,
-    /// Times [s] between which nothing changes much.
-    pub instants: Vec<f64>,
+    /// Times between which nothing changes much.
+    pub instants: Vec<Instant>,
+}
+
+/// A time of a motion, and what the terms of the spectrum have lost until then: the same of all springs.
+pub(super) struct Instant {
+    /// Time since the beginning of the motion [s].
+    time: f64,
+    decays: Vec<(f64, f64)>,
 }
 
 /// First step of the search for the edge, and the longest, relative to where it is.
@@ -96,7 +103,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Times between which no spring's load changes much: halved from the end of a motion to well below the shortest
 /// time in which a spring changes by itself.
-pub(super) fn instants(spectrum: &Spectrum, duration: f64) -> Vec<f64> {
+pub(super) fn instants(spectrum: &Spectrum, duration: f64) -> Vec<Instant> {
     let shortest = spectrum.modes().first().map_or(f64::INFINITY, |mode| mode.time).min(spectrum.shortest_time());
     let least = (0.125 * shortest).clamp(1e-18 * duration, 0.25 * duration);
     let mut times = vec![duration, 0.75 * duration];
@@ -108,7 +115,7 @@ pub(super) fn instants(spectrum: &Spectrum, duration: f64) -> Vec<f64> {
     times.pop();
     times.push(0.0);
     times.reverse();
-    times
+    times.into_iter().map(|time| Instant { time, decays: spectrum.decays(time).collect() }).collect()
 }
 
 impl EdgeSpring {
@@ -117,6 +124,25 @@ impl EdgeSpring {
         match &self.spring {
             Spring::Pressed(s) => -spectrum.load_after(self.seen.start, s, self.seen.speed, t) - self.limit,
             Spring::Free(free) => self.seen.depth(t) - spectrum.recovered(free, t) + self.limit,
+        }
+    }
+
+    /// The same at an instant whose decays are known.
+    fn urge_then(&self, spectrum: &Spectrum, at: &Instant) -> f64 {
+        match &self.spring {
+            Spring::Pressed(s) => {
+                let decays = at.decays.iter().copied();
+                -spectrum.load_faded((self.seen.start, s, self.seen.speed), at.time, decays) - self.limit
+            }
+            Spring::Free(_) => self.urge(spectrum, at.time),
+        }
+    }
+
+    /// How fast it grows at an instant whose decays are known.
+    fn rate_then(&self, spectrum: &Spectrum, at: &Instant) -> f64 {
+        match &self.spring {
+            Spring::Pressed(s) => -spectrum.rate_faded((s, self.seen.speed), at.decays.iter().copied()),
+            Spring::Free(_) => self.urge_rate(spectrum, at.time),
         }
     }
 
@@ -220,8 +246,8 @@ impl Front<'_> {
         }
         let rate = next.urge_rate(self.spectrum, 0.0);
         // At a limit only just reached: whether it is passed is seen a little later.
-        rate > 0.0 && next.urge(self.spectrum, self.instants[1]) > -rounding
-            || next.urge(self.spectrum, self.instants[1]) > rounding
+        rate > 0.0 && next.urge_then(self.spectrum, &self.instants[1]) > -rounding
+            || next.urge_then(self.spectrum, &self.instants[1]) > rounding
     }
 
     /// How long the edge stands still [s].
@@ -252,11 +278,12 @@ impl Front<'_> {
         let urge = |t: f64| candidate.urge(self.spectrum, t) - level;
         let rate = |t: f64| candidate.urge_rate(self.spectrum, t);
         let (mut before, mut rising) = (0.0, rate(0.0) > 0.0);
-        for &t in &self.instants[1..] {
-            if urge(t) >= 0.0 {
+        for at in &self.instants[1..] {
+            let t = at.time;
+            if candidate.urge_then(self.spectrum, at) - level >= 0.0 {
                 return Some(root::within(urge, before, t));
             }
-            let rises = rate(t) > 0.0;
+            let rises = candidate.rate_then(self.spectrum, at) > 0.0;
             if rising && !rises {
                 // A top between the two: the limit may be reached there and only there.
                 let top = root::brent(rate, before, t).unwrap_or(t);
@@ -275,12 +302,13 @@ impl Front<'_> {
         let rate = |t: f64| candidate.urge_rate(self.spectrum, t);
         let at = |t: f64| extremum::Peak { place: t, value: urge(t) };
         let (mut best, mut before) = (at(0.0), (0.0, rate(0.0)));
-        for &t in &self.instants[1..] {
-            let now = (t, rate(t));
+        for instant in &self.instants[1..] {
+            let t = instant.time;
+            let now = (t, candidate.rate_then(self.spectrum, instant));
             if before.1 > 0.0 && now.1 <= 0.0 {
                 best = best.max(at(root::brent(rate, before.0, t).unwrap_or(t)));
             }
-            best = best.max(at(t));
+            best = best.max(extremum::Peak { place: t, value: candidate.urge_then(self.spectrum, instant) });
             before = now;
         }
         best

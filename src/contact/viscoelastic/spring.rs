@@ -160,11 +160,25 @@ impl Spectrum {
 
     /// Line load q [N/m] of a pressed spring after the time `t` of a motion at the speed `v`.
     pub fn load_after(&self, u: f64, s: &[f64], v: f64, t: f64) -> f64 {
-        let moved = |(term, s): (&super::Element, &f64)| {
-            let (kept, lost) = decay(t / term.time);
+        self.load_faded((u, s, v), t, self.decays(t))
+    }
+
+    /// Of each term, what the time `t` leaves of its load, and what it loses.
+    pub(super) fn decays(&self, t: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.terms().iter().map(move |term| decay(t / term.time))
+    }
+
+    /// [`load_after`](Self::load_after) with the `decays` of that time.
+    pub(super) fn load_faded(
+        &self,
+        (u, s, v): (f64, &[f64], f64),
+        t: f64,
+        decays: impl Iterator<Item = (f64, f64)>,
+    ) -> f64 {
+        let moved = |((term, s), (kept, lost)): ((&super::Element, &f64), (f64, f64))| {
             kept * s + term.modulus * v * term.time * lost
         };
-        let elements: f64 = self.terms().iter().zip(s).map(moved).sum();
+        let elements: f64 = self.terms().iter().zip(s).zip(decays).map(moved).sum();
         self.equilibrium() * (u + v * t) + elements + self.viscosity() * v
     }
 
@@ -178,8 +192,14 @@ impl Spectrum {
 
     /// q̇ [N/(m s)] of a pressed spring after the time `t` of a motion at the speed `v`.
     pub(super) fn load_rate(&self, s: &[f64], v: f64, t: f64) -> f64 {
-        let fading = |(term, s): (&super::Element, &f64)| (term.modulus * v - s / term.time) * decay(t / term.time).0;
-        self.equilibrium() * v + self.terms().iter().zip(s).map(fading).sum::<f64>()
+        self.rate_faded((s, v), self.decays(t))
+    }
+
+    /// [`load_rate`](Self::load_rate) with the `decays` of that time.
+    pub(super) fn rate_faded(&self, (s, v): (&[f64], f64), decays: impl Iterator<Item = (f64, f64)>) -> f64 {
+        let fading =
+            |((term, s), (kept, _)): ((&super::Element, &f64), (f64, f64))| (term.modulus * v - s / term.time) * kept;
+        self.equilibrium() * v + self.terms().iter().zip(s).zip(decays).map(fading).sum::<f64>()
     }
 
     /// When a pressed spring at the displacement `u` lets go within `duration`; `None` if it does not.

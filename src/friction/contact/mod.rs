@@ -43,7 +43,7 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
 use crate::contact::loaded::Loaded;
-use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Pose, Pull, Straight};
+use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Pose, Pull, Straight};
 use crate::contact::state::{Normal, Tangential};
 use crate::contact::viscoelastic::Spectrum;
 use std::sync::Arc;
@@ -288,7 +288,7 @@ impl ContactModel for FrictionalContact {
         self.normal.last_depth()
     }
 
-    fn parting(&self, piece: &Straight) -> Result<Option<f64>, ContactError> {
+    fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
         self.normal.parting(piece)
     }
 

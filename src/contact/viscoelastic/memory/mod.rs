@@ -65,21 +65,18 @@ impl Memory {
         self
     }
 
-    /// When in a motion the bodies part [s] by the attraction giving way; `None` if they do not.
+    /// When in a motion the bodies part [s]: the attraction gives way, or the last spring leaves; `None` if they do not.
     ///
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn parting(&self, speed: f64, duration: f64) -> Result<Option<f64>, BedError> {
-        if self.attraction.is_none() {
-            return Ok(None);
-        }
         let mut bed = self.clone();
         let mut walk = Walk::new(Motion { start: self.depth, speed, duration });
         while walk.rest.duration > 0.0 {
             let joined = bed.held > 0;
             bed.phase(&mut walk)?;
             if joined && bed.held == 0 {
-                return Ok(Some(duration - walk.rest.duration));
+                return Ok(Some(walk.ended.unwrap_or(duration - walk.rest.duration)));
             }
         }
         Ok(None)

@@ -28,12 +28,14 @@ pub(super) struct Walk {
     shortest: f64,
     /// The same now: longer each time that nothing has happened.
     least: f64,
+    /// When the last spring of a contact that nothing holds has left [s], if that was in the last phase.
+    pub ended: Option<f64>,
 }
 
 impl Walk {
     pub fn new(motion: Motion) -> Self {
         let shortest = 1e-15 * motion.duration;
-        Self { rest: motion, whole: motion.duration, stalls: 0, shortest, least: shortest }
+        Self { rest: motion, whole: motion.duration, stalls: 0, shortest, least: shortest, ended: None }
     }
 }
 
@@ -41,6 +43,8 @@ impl Walk {
 struct PhaseStep {
     duration: f64,
     change: Option<Change>,
+    /// When the last spring leaves [s], if nothing holds the bodies.
+    ended: Option<f64>,
 }
 
 /// Springs between two radii [m] that join or leave, as they are afterwards, and the work [J] done on them meanwhile.
@@ -67,7 +71,7 @@ impl Memory {
             self.next(&motion, walk.least)?
         } else {
             walk.stalls -= 1;
-            PhaseStep { duration: walk.least.min(motion.duration), change: None }
+            PhaseStep { duration: walk.least.min(motion.duration), change: None, ended: None }
         };
         if step.change.is_none() {
             walk.least *= 4.0;
@@ -76,6 +80,7 @@ impl Memory {
         } else {
             walk.stalls += 1;
         }
+        walk.ended = step.ended.map(|time| walk.whole - motion.duration + time);
         self.take(&motion.lasting(step.duration), step.change);
         self.depth = motion.depth(step.duration);
         walk.rest = motion.after(step.duration);
@@ -88,10 +93,12 @@ impl Memory {
         let borders: Vec<f64> = self.panels.iter().map(|panel| panel.outer).collect();
         let front = self.front(motion, least, &borders, &see);
         let (phase, way) = front.phase();
+        let mut ended = None;
         let (duration, change) = match phase {
             EdgePhase::Still(duration) => (duration, None),
             EdgePhase::Moves { to, duration } => {
-                let to = if front.is_spent(way, duration) { 0.0 } else { to };
+                ended = front.is_spent(way, duration).then(|| front.instant(way, 0.0, duration));
+                let to = if ended.is_some() { 0.0 } else { to };
                 if way == Way::Closing && to >= front.limit && matches!(self.profile.rim(), Rim::End(_)) {
                     return Err(BedError::BeyondProfile { indentation: motion.depth(duration) });
                 }
@@ -103,7 +110,7 @@ impl Memory {
             }
             EdgePhase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
         };
-        Ok(PhaseStep { duration, change })
+        Ok(PhaseStep { duration, change, ended })
     }
 
     fn front<'b>(
