@@ -6,7 +6,7 @@
 //!
 //! // β = 0.2: t₁ = t − 2^{1.25}(t − T), so that the force is gone at T·2^{1.25}/(2^{1.25} − 1).
 //! let triangle = PowerTriangle { scale: 1.0, power: 1.5, exponent: 0.2, speed: 1.0, turn: 1.0 };
-//! assert!((triangle.parting() - 1.725_73).abs() < 1e-5);
+//! assert!((triangle.parting() - 1.725_471).abs() < 1e-6);
 //! assert!(triangle.force(1.7) > 0.0 && triangle.force(1.73) <= 0.0);
 //! ```
 
