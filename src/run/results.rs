@@ -157,9 +157,8 @@ fn per_cycle(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
     }
 }
 
-/// Part of the largest pressure anywhere that an edge without load may seem to carry: what the polynomial of a thin panel
-/// of a bed that remembers may miss there, 1e-14 of the greatest load over the panel's part of the radius.
-const ROUNDING: f64 = 1e-10;
+/// Part of the largest pressure anywhere that an edge without load may seem to carry, by rounding.
+const ROUNDING: f64 = 1e-12;
 
 impl Pressures<'_> {
     /// The largest of all, finite or not.
