@@ -110,9 +110,8 @@ impl Loaded {
     pub fn remembered(profile: Arc<dyn Profile>, indentation: f64, load: Curve, displacement: Curve) -> Self {
         let contact_radius = load.ends.last().copied().unwrap_or(0.0);
         let edge_load = load.at(contact_radius);
-        // Without adhesion the last spring ends unloaded, to what the polynomial of a thin panel misses there: 1e-14 of
-        // the greatest load over the panel's part of the radius.
-        let rounding = 1e-10 * load.at(0.0).abs();
+        // Without adhesion the last spring ends unloaded, to the rounding of the others.
+        let rounding = 1e-12 * load.at(0.0).abs();
         let edge_load = if edge_load.abs() <= rounding { 0.0 } else { edge_load };
         Self { bed: Bed::Remembered(load, displacement), profile, contact_radius, edge_load, indentation }
     }

@@ -157,10 +157,6 @@ impl ContactModel for MappedContact {
         self.bed.parting(piece)
     }
 
-    fn goes_one_way(&self, piece: &Straight) -> bool {
-        self.bed.goes_one_way(piece)
-    }
-
     fn creep(&self) -> Option<Creep> {
         self.bed.creep()
     }

@@ -253,11 +253,6 @@ pub trait ContactModel: Send {
         Ok(None)
     }
 
-    /// Whether the force is known to turn nowhere on a piece, and the bodies to touch or part there once at most.
-    fn goes_one_way(&self, _piece: &Straight) -> bool {
-        false
-    }
-
     /// The exact answer to a force that never falls, of a contact not touched before.
     fn creep(&self) -> Option<Creep> {
         None

@@ -36,8 +36,6 @@ const NOISE: f64 = 1e-12;
 const BEGINNING: f64 = 1e-12;
 /// Parts of a time within which a parting may lie from where it was found.
 const NEAR: [f64; 4] = [1e-15, 1e-13, 1e-10, 1e-7];
-/// Part of the time of an end before which there is still a contact.
-const FADING: f64 = 1e-9;
 /// Looks at equal distances in a whole entry.
 const EVEN: i32 = 24;
 /// Looks per decade towards the beginning of a piece, where the fast elements relax.
@@ -179,43 +177,17 @@ impl Watch {
         after: Glimpse,
     ) -> Result<Option<NotableInstant>, ContactError> {
         let joined = before.joined();
-        let (low, high) = (before.time, after.time);
+        let (mut low, mut high) = (before.time, after.time);
         if low <= 0.0 && (self.see(contact, BEGINNING * high)?.contact_radius > 0.0) != joined {
             return Ok(None);
         }
         let way = ahead(contact, self.speed, high - before.time);
         let parting = if joined { contact.parting(&way)? } else { None };
         let known = parting.map(|parting| before.time + parting.time);
+        (low, high) =
+            last_of(|time| Ok((self.see(contact, time)?.contact_radius > 0.0) == joined), (low, high), known)?;
         let torn = parting.is_some_and(|parting| parting.suddenly);
-        if let Some(time) = known.filter(|_| !torn)
-            && let Some(time) = self.first_without(contact, time, (low, high))?
-        {
-            return Ok(Some(NotableInstant { time, just_before: None, touching: Some(false) }));
-        }
-        let as_before = |time: f64| Ok((self.see(contact, time)?.contact_radius > 0.0) == joined);
-        let (low, high) = last_of(as_before, (low, high), known)?;
         Ok(Some(NotableInstant { time: high, just_before: torn.then_some(low), touching: Some(!joined) }))
-    }
-
-    /// The first instant [s] at or behind `time`, between two looks, at which a contact that fades away is seen to have ended;
-    /// `None` if it has ended before, where all springs leave at nearly the same instant.
-    fn first_without(
-        &self,
-        contact: &mut dyn ContactModel,
-        time: f64,
-        (low, high): (f64, f64),
-    ) -> Result<Option<f64>, ContactError> {
-        let before = time * (1.0 - FADING);
-        if before <= low || self.see(contact, before)?.contact_radius <= 0.0 {
-            return Ok(None);
-        }
-        for near in NEAR {
-            let after = time * (1.0 + near);
-            if after < high && self.see(contact, after)?.contact_radius <= 0.0 {
-                return Ok(Some(after));
-            }
-        }
-        Ok(None)
     }
 
     /// The turn of the force among three looks.

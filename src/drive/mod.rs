@@ -455,12 +455,9 @@ impl Driver {
         let duration = leg.end - leg.begin;
         let Some(spectrum) = contact.memory().filter(|_| duration > 0.0) else { return Ok(None) };
         let Remainder::Chords(chords) = &self.stage.remainder else {
-            let fastest = 1e20 * spectrum.instant();
-            let one_way = contact.goes_one_way(&ahead(contact, leg.speed, duration));
             let times = match self.stage.course.extent {
-                Extent::Row | Extent::Entry if one_way => vec![duration],
                 Extent::Row => vec![0.5 * duration, duration],
-                Extent::Entry => looks(duration, fastest),
+                Extent::Entry => looks(duration, 1e20 * spectrum.instant()),
             };
             return Watch::new(contact, leg.speed, times).map(Some);
         };

@@ -106,10 +106,6 @@ impl ContactModel for ContinuousContact {
         Ok(self.bed.parting(piece.speed, piece.duration)?.map(|time| Parting { time, suddenly }))
     }
 
-    fn goes_one_way(&self, piece: &Straight) -> bool {
-        self.bed.goes_one_way(piece.speed)
-    }
-
     fn creep(&self) -> Option<Creep> {
         let free = self.bed.attraction().is_none() && self.bed.is_untouched() && self.bed.time() <= 0.0;
         free.then(|| Creep::new(self.bed.spectrum(), self.bed.profile()))

@@ -57,9 +57,6 @@ fn legendre(degree: usize, x: f64) -> f64 {
     (1..degree).fold((1.0, x), next).1
 }
 
-/// Part of the greatest load below which a load changes by rounding only.
-const LEVEL: f64 = 1e-13;
-
 /// A spring at the end of a motion, and ∫ q dt [N s/m] over it.
 pub(super) struct Lived {
     pub spring: Spring,
@@ -281,19 +278,6 @@ impl Panel {
         }
         let rest = values.pop().unwrap_or(0.0);
         Spring::Free(Free { rest, modes: values })
-    }
-
-    /// Whether at the speed `speed` [m/s] the loads of all terms at all nodes change one way only: up if the bodies are
-    /// pressed together, else down. A load that is held up tends to its steady value, and never crosses it.
-    pub(super) fn goes_one_way(&self, spectrum: &Spectrum, speed: f64) -> bool {
-        let grows = |(j, s): (usize, &f64)| {
-            let dim = self.memory.len();
-            let term = &spectrum.terms()[j % dim];
-            let load = self.memory[j % dim] + self.kept[j % dim] * s;
-            let (steady, rounding) = (term.modulus * speed * term.time, LEVEL * self.greatest);
-            if speed > 0.0 { load <= steady + rounding } else { load >= steady - rounding }
-        };
-        self.held && self.states.iter().enumerate().all(grows)
     }
 
     /// A number of its springs as they are now, linear in their states.

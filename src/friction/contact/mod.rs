@@ -292,10 +292,6 @@ impl ContactModel for FrictionalContact {
         self.normal.parting(piece)
     }
 
-    fn goes_one_way(&self, piece: &Straight) -> bool {
-        self.normal.goes_one_way(piece)
-    }
-
     fn creep(&self) -> Option<Creep> {
         self.normal.creep()
     }

@@ -67,8 +67,6 @@ impl Memory {
 
     /// When in a motion the bodies part [s]: the attraction gives way, or the last spring leaves; `None` if they do not.
     ///
-    /// Where all springs leave at nearly the same instant, that of the last may be told late.
-    ///
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn parting(&self, speed: f64, duration: f64) -> Result<Option<f64>, BedError> {
@@ -82,16 +80,6 @@ impl Memory {
             }
         }
         Ok(None)
-    }
-
-    /// Whether in a motion at constant `speed` [m/s] the force goes one way only, up or down, whatever springs join or leave.
-    ///
-    /// Where all elements are below what a pressing motion would hold them at, each load grows; where they are above what a
-    /// slower or opposite one would, each falls, and a spring that leaves recovers ever slower than the indenter goes. An
-    /// edge that is held, or a spring that is free, may have more to tell.
-    #[must_use]
-    pub fn goes_one_way(&self, speed: f64) -> bool {
-        self.attraction.is_none() && self.panels.iter().all(|panel| panel.goes_one_way(&self.spectrum, speed))
     }
 
     /// Moves at constant `speed` [m/s] for `duration` [s].

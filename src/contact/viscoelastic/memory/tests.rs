@@ -315,26 +315,4 @@ proptest! {
     fn answer_does_not_depend_on_the_steps(recipe in recipe(4), history in history(5), pieces in 2u32..6) {
         steps_do_not_matter(&recipe, &history, pieces)?;
     }
-
-    /// Where a bed says that its force goes one way it does, and when it says that it has ended it has.
-    #[test]
-    fn what_goes_one_way_does_not_turn(recipe in recipe(4), history in history(5)) {
-        let mut bed = bed(Arc::new(Spectrum::new(&recipe.relaxation())));
-        for motion in history {
-            let one_way = bed.goes_one_way(motion.speed);
-            let looks = (0..=40).map(|k| bed.after(motion.speed, motion.duration * f64::from(k) / 40.0).unwrap());
-            let forces: Vec<f64> = looks.map(|seen| seen.force()).collect();
-            let most = forces.iter().fold(0.0, |most: f64, force| most.max(force.abs()));
-            // A dashpot gives way at once: the first look is before it does.
-            let falls = |pair: &[f64]| if motion.speed > 0.0 { pair[0] - pair[1] } else { pair[1] - pair[0] };
-            let turned = forces[1..].windows(2).map(falls).fold(0.0, f64::max);
-            prop_assert!(!one_way || turned <= 1e-11 * most, "{turned:e} of {most:e}");
-            let joined = bed.radius() > 0.0;
-            if let Some(time) = bed.parting(motion.speed, motion.duration).unwrap().filter(|_| one_way && joined) {
-                let after = time + 1e-9 * motion.duration;
-                prop_assert!(bed.after(motion.speed, after).unwrap().radius() <= 0.0);
-            }
-            bed.advance(motion.speed, motion.duration).unwrap();
-        }
-    }
 }
