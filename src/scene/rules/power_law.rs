@@ -58,7 +58,10 @@ pub(super) fn at_once(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Prob
         (Some(Control::Force), Path::To(force)) if force > 0.0 => {
             "a force that is there at once has not yet gone any way"
         }
-        _ => return None,
+        (
+            Some(Control::Indentation | Control::Force) | None,
+            Path::To(_) | Path::Stay | Path::Steady { .. } | Path::Wave(_) | Path::UntilParted { .. },
+        ) => return None,
     };
     Some(Problem::new(
         entry.place(),
