@@ -168,6 +168,24 @@ def rubber_moduli():
     save("rubber_moduli.csv", "frequency [Hz],G' [MPa],G'' [MPa]", (frequency, storage / 1e6, loss / 1e6), "%.6e")
 
 
+def polymer_temperatures():
+    """Moduli of a polymer at five temperatures: fifteen terms, log a = -8.86 (T - 300 K)/(101.6 K + T - 300 K), 1 % noise."""
+    rng = np.random.default_rng(9)
+    terms = [(300e6 * 0.4**k, 10 ** (-7 + 0.7 * k)) for k in range(15)]
+    frequency = np.geomspace(0.01, 100, 25)
+    rows = []
+    for temperature in (263.15, 283.15, 303.15, 323.15, 343.15):
+        by = temperature - 300.0
+        w = 2 * np.pi * frequency * 10 ** (-8.86 * by / (101.6 + by))
+        storage = 0.3e6 + sum(g * (w * t) ** 2 / (1 + (w * t) ** 2) for g, t in terms)
+        loss = sum(g * w * t / (1 + (w * t) ** 2) for g, t in terms)
+        storage *= 1 + 0.01 * rng.normal(size=w.size)
+        loss *= 1 + 0.01 * rng.normal(size=w.size)
+        rows.append((np.full(w.size, temperature - 273.15), frequency, storage / 1e6, loss / 1e6))
+    columns = [np.concatenate(column) for column in zip(*rows)]
+    save("polymer_temperatures.csv", "temperature [degC];frequency [Hz];G' [MPa];G'' [MPa]", columns, "%.6e", ";")
+
+
 if __name__ == "__main__":
-    for make in (gel_sphere, jkr_lens, ting, power_law, creep, rubber_moduli):
+    for make in (gel_sphere, jkr_lens, ting, power_law, creep, rubber_moduli, polymer_temperatures):
         make()

@@ -71,6 +71,11 @@ class Fit:
         """Akaike's criterion up to a constant of the data: of two models the one with the smaller is the better."""
         return self._summary["aic"]
 
+    @property
+    def models(self) -> list[dict[str, Any]]:
+        """The models that were compared: ``model``, ``aic_beyond_best``, ``weight``, ``parameters`` and more of each."""
+        return self._summary["models"]
+
     def figure(self) -> Figure:
         """The figure of the fit, as ``springbed fit`` draws it."""
         return Figure(self._figure)
@@ -111,7 +116,8 @@ def fit(
     **options
         ``columns="depth=z [nm], force=F [nN]"``, ``spring="0.05 N/m"`` (deflection and piezo), ``baseline`` ("absent",
         "constant", "linear"), ``contact`` ("free", "zero"), ``drive`` ("depth", "force"), ``way`` ("both", "in", "out"),
-        ``range="-1 um..300 nm"``, ``robust=True``.
+        ``range="-1 um..300 nm"``, ``robust=True``; ``given={"shape.radius": "2 %"}`` for what is known with a standard error
+        only (``spring`` is the cantilever), ``models=["hertz", "jkr", "layered"]`` to compare (``Fit.models``).
 
     Raises
     ------
@@ -135,6 +141,8 @@ def settings(free: Optional[Free], options: dict[str, Any]) -> dict[str, Any]:
     for name in ("baseline", "contact", "drive", "way"):
         if isinstance(asked.get(name), str):
             asked[name] = asked[name].capitalize()
+    if isinstance(asked.get("given"), Mapping):
+        asked["given"] = [f"{path}={text(spread)}" for path, spread in asked["given"].items()]
     if isinstance(free, str):
         free = [free]
     if isinstance(free, Mapping):

@@ -54,7 +54,7 @@ fn fitted(source: &Source, options: &str, curve: Owned) -> Result<Fitted, Wrong>
     let scene = source.plan()?.scene.clone();
     let asked = |message: String| Wrong::Places(vec![Problem::new("fit", message)]);
     let measured = measured(scene.fit.clone(), options).map_err(asked)?;
-    let fitting = Fitting::new(&measured, &scene).map_err(asked)?;
+    let fitting = Fitting::new(&measured, &scene, &source.folder).map_err(asked)?;
     let found = match curve {
         Owned::File(path) => fitting.of_file(&path, &source.tables()),
         Owned::Curve(curve) => fitting.of_curve("arrays", curve, &source.tables()),

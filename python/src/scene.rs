@@ -22,7 +22,7 @@ use std::path::PathBuf;
 pub struct Source {
     text: String,
     json: bool,
-    folder: PathBuf,
+    pub folder: PathBuf,
 }
 
 /// What is wrong with a source or with what is set in it.

@@ -1,4 +1,5 @@
-//! Tables: CSV files with a header, next to the scene.
+//! Tables next to the scene: CSV files with a header that names columns and SI units, read to the letter, or what
+//! instruments write, with the columns found by names and units.
 //!
 //! # Examples
 //! ```
@@ -11,6 +12,7 @@
 //! # Ok::<(), springbed::input::table::TableError>(())
 //! ```
 
+use super::data_file::Spelt;
 use super::read::{number, read_text};
 use super::{matrix_file, topography_file};
 use crate::input::table::{Columns, RawMap, TableError, Tables};
@@ -66,11 +68,18 @@ impl TableFiles {
 
 impl Tables for TableFiles {
     fn names(&self, path: &Path) -> Result<Vec<String>, TableError> {
-        Ok(self.open(path)?.header)
+        let table = self.open(path)?;
+        Ok(match table.spelt() {
+            Some(spelt) => spelt.names(),
+            None => table.header,
+        })
     }
 
     fn columns(&self, path: &Path, names: &[&str]) -> Result<Columns, TableError> {
         let table = self.open(path)?;
+        if let Some(columns) = table.spelt().and_then(|spelt| spelt.columns(path, names)) {
+            return columns;
+        }
         let order = table.order(names)?;
         table.values(names, &order)
     }
@@ -98,7 +107,19 @@ fn header(text: &str) -> Result<Vec<String>, csv::Error> {
     Ok(reader(text).headers()?.iter().map(|name| name.trim().to_owned()).collect())
 }
 
+/// Endings of the names in a scene's own tables.
+const SI: [&str; 8] = ["_s", "_m", "_n", "_pa", "_m_per_s", "_m4", "_rad_per_m", "_hz"];
+
 impl NamedColumns {
+    /// The table under names of its own; `None` if a name is one of a scene's own tables, or there is none to be found.
+    fn spelt(&self) -> Option<Spelt> {
+        let own = |name: &String| SI.iter().any(|unit| name.ends_with(unit)) && *name == name.to_lowercase();
+        if self.header.iter().any(own) {
+            return None;
+        }
+        Spelt::of(&self.text).filter(|spelt| !spelt.names().is_empty())
+    }
+
     /// For each name the number of its column.
     fn order(&self, names: &[&str]) -> Result<Vec<usize>, TableError> {
         let right = names.join(",");
@@ -204,6 +225,21 @@ mod tests {
         assert!(message(&format!("{header}nan,0\n")).contains("row 2: radius_m: \"nan\" is not finite"));
         assert!(message(&format!("{header}0,1e400\n")).contains("\"1e400\" is not finite"));
         assert!(read(b"radius_m,height_m\n0,0\n\xff,1\n").unwrap_err().contains("row 3: the byte 0xff is not UTF-8"));
+    }
+
+    /// What an instrument writes is the same as a scene's own table of it.
+    #[test]
+    fn tables_of_instruments_are_read_too() {
+        let own = read(b"radius_m,height_m\n0,0\n1e-6,2e-9\n").unwrap();
+        for text in ["r [um];z [nm]\n0;0\n1;2\n", "Tip 7\nr [µm]\tz [nm]\tn\n0,0\t0,0\t1\n1,0\t2,0\t2\n"] {
+            assert_eq!(read(text.as_bytes()).map(|columns| columns.values), Ok(own.values.clone()), "{text}");
+        }
+        let tables = |text: &str| {
+            let folder = tempfile::tempdir().unwrap();
+            std::fs::write(folder.path().join("h.txt"), text).unwrap();
+            TableFiles::beside(&folder.path().join("scene.ron")).names(Path::new("h.txt")).unwrap()
+        };
+        assert_eq!(tables("t [ms],F [mN],T [degC]\n0,0,20\n1,1,20\n"), ["time_s", "force_n"]);
     }
 
     #[test]

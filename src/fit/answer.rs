@@ -1,7 +1,9 @@
 //! What a fit says: values, intervals, what the data can tell and what they cannot.
 
 use super::frame::Frame;
+use super::given::Carried;
 use super::interval::{Valley, without};
+use super::map::{Around, Map};
 use super::noise::{Moments, student};
 use super::solve::{Found, Task};
 use super::verdict::{Noise, Verdict};
@@ -58,6 +60,10 @@ pub struct Fit {
     pub model: Vec<f64>,
     /// The parameters as text for a scene are at these values.
     pub values: Vec<f64>,
+    /// What is known only roughly, and how far that moves the parameters.
+    pub carried: Vec<Carried>,
+    /// The confidence over two parameters, if it was asked for.
+    pub map: Option<Map>,
 }
 
 impl Fit {
@@ -125,6 +131,9 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
         let value = parameters.iter().find(|one| one.path == free.path).map_or(0.0, |one| one.value);
         notes.push(format!("{} sits at the end of its range, {value:?} {}: widen it", free.path, free.unit));
     }
+    let errors: Vec<f64> = (0..task.count()).map(|at| covariance(at, at).sqrt()).collect();
+    let around = Around { task, found: &found, errors: &errors, variance: judged.variance, freedom };
+    let map = question.map.and_then(|pair| around.map(pair, &names).map_err(|why| notes.push(why)).ok());
     let correlations = correlations(columns.len(), &covariance);
     notes.extend(alike(&names, &correlations));
     let deviation = (off.iter().map(|x| x * x).sum::<f64>() / freedom).sqrt();
@@ -169,6 +178,8 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
         model: found.answer.response.iter().enumerate().map(|(at, model)| model + line(at)).collect(),
         values: found.place.values,
         parameters,
+        carried: Vec::new(),
+        map,
     })
 }
 
@@ -250,7 +261,8 @@ fn estimate(
     }
 }
 
-fn correlations(count: usize, covariance: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
+/// Correlations of `count` parameters from their covariances.
+pub(super) fn correlations(count: usize, covariance: &dyn Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
     let one = |j: usize, k: usize| {
         let size = (covariance(j, j) * covariance(k, k)).sqrt();
         if size > 0.0 { covariance(j, k) / size } else { f64::from(u8::from(j == k)) }

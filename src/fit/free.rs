@@ -37,8 +37,7 @@ impl Free {
             Some(range) => {
                 let wrong = || FitError::Free(format!("\"{text}\" has no range: expected {path}=LO..HI"));
                 let (low, high) = range.split_once("..").ok_or_else(wrong)?;
-                let at = |end: &str| number(&Places::of(&places.with(&[(path, given(end))])?)?, path);
-                (at(low)?, at(high)?)
+                (end(places, path, low)?, end(places, path, high)?)
             }
         };
         if low >= high {
@@ -86,8 +85,13 @@ impl Free {
     }
 }
 
+/// The number [SI unit] that `text` stands for at a place.
+pub(super) fn end(places: &Places, path: &str, text: &str) -> Result<f64, FitError> {
+    number(&Places::of(&places.with(&[(path, given(text))])?)?, path)
+}
+
 /// The number at a place, or what is there instead.
-fn number(places: &Places, path: &str) -> Result<f64, FitError> {
+pub(super) fn number(places: &Places, path: &str) -> Result<f64, FitError> {
     places.number(path).ok_or_else(|| {
         let wrong = places.with(&[(path, Value::from(1.0))]).err();
         wrong.unwrap_or_else(|| Problem::new(path, "holds no number: expected the place of one")).into()

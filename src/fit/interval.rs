@@ -27,7 +27,7 @@ impl Valley<'_> {
     /// parabola's own where it is good enough, `None` where the range ends first.
     #[must_use]
     pub fn end(&self, at: usize, reach: f64) -> Option<f64> {
-        let here = self.natural(at, &self.found.place);
+        let here = self.task.natural(at, &self.found.place);
         let beside = |share: f64| self.beside(at, share * reach);
         let rise = self.risen(&beside(1.0)?)?;
         if (rise - 1.0).abs() <= STRAIGHT {
@@ -38,7 +38,7 @@ impl Valley<'_> {
         let mut share = (1.0 / rise.max(0.0625).sqrt()).clamp(0.25, 4.0);
         for _ in 0..STEPS {
             let place = beside(share)?;
-            let freed = Task { kept: Some(at), ..self.task }.solved(&place, 1e-8).ok()?;
+            let freed = Task { kept: [Some(at), None], ..self.task }.solved(&place, 1e-8).ok()?;
             let root = (freed.squares - self.found.squares).max(0.0).sqrt() / self.rise.sqrt();
             if (root - 1.0).abs() < CLOSE {
                 break;
@@ -49,13 +49,6 @@ impl Valley<'_> {
             share = if next.is_finite() && slope > 0.0 { next.clamp(0.3 * share, 3.0 * share) } else { 2.0 * share };
         }
         Some(here + share * reach)
-    }
-
-    fn natural(&self, at: usize, place: &Place) -> f64 {
-        match self.task.model.free.get(at) {
-            Some(free) => free.natural(place.values[at]),
-            None => place.contact,
-        }
     }
 
     /// The place at which parameter `at` is moved by `by` and the others go with it as they are correlated.

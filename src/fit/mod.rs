@@ -26,12 +26,18 @@
 
 mod adhesive;
 mod answer;
+mod candidates;
+mod compare;
 mod curve;
 mod fading;
+mod few;
 mod frame;
 mod free;
+mod given;
 mod interval;
 mod jumps;
+mod map;
+mod master;
 mod model;
 mod noise;
 pub mod prony;
@@ -41,8 +47,14 @@ mod start;
 mod verdict;
 
 pub use answer::{Estimate, Fit};
+pub use candidates::Candidate;
+pub use compare::{Standing, compared};
 pub use curve::Curve;
+pub use few::Terms;
 pub use free::Free;
+pub use given::{Carried, Doubt, Given, percent};
+pub use map::Map;
+pub use master::{Master, Sweeps};
 pub use verdict::Noise;
 
 use crate::contact::adhesion::equilibrium::Control;
@@ -111,6 +123,9 @@ impl Default for Options {
 pub struct Question {
     places: Places,
     free: Vec<Free>,
+    given: Vec<Given>,
+    /// Numbers of the parameters of which a map is wanted.
+    map: Option<[usize; 2]>,
     options: Options,
     control: Control,
     /// Relative error of the scene.
@@ -160,7 +175,33 @@ impl Question {
             None => by_scene,
         };
         let accuracy = scene.accuracy.map_or(1e-6, |accuracy| accuracy.si());
-        Ok(Self { places, free, options, control, accuracy })
+        Ok(Self { places, free, given: Vec::new(), map: None, options, control, accuracy })
+    }
+
+    /// The same question where some numbers of the scene, each `PATH=SPREAD`, are known with a standard error only.
+    ///
+    /// # Errors
+    /// There is no such number, its standard error is none, or it is free.
+    pub fn given(self, given: &[impl AsRef<str>]) -> Result<Self, FitError> {
+        let given: Vec<Given> =
+            given.iter().map(|text| Given::read(&self.places, text.as_ref())).collect::<Result<_, _>>()?;
+        match given.iter().find(|given| self.free.iter().any(|free| free.path == given.path)) {
+            Some(both) => Err(FitError::Free(format!("{} is both free and given: expected one of them", both.path))),
+            None => Ok(Self { given, ..self }),
+        }
+    }
+
+    /// The same question with a map of the confidence over two parameters, `PATH,PATH`.
+    ///
+    /// # Errors
+    /// They are not two that are free.
+    pub fn map(self, pair: &str) -> Result<Self, FitError> {
+        Ok(Self { map: Some(self.pair(pair)?), ..self })
+    }
+
+    /// Whether first touch is free.
+    fn touches(&self) -> bool {
+        self.options.contact == FirstTouch::Free && self.control == Control::Indentation
     }
 
     /// What drives: depth or force.
@@ -189,8 +230,16 @@ impl Question {
     /// # Errors
     /// There are too few points, or the scene cannot be computed anywhere in the ranges.
     pub fn fit(&self, curve: &Curve, tables: &dyn Tables) -> Result<Fit, FitError> {
+        self.fit_in_doubt((curve, &[]), tables)
+    }
+
+    /// The same for a curve that depends on numbers of the instrument known only roughly.
+    ///
+    /// # Errors
+    /// As of [`fit`](Self::fit).
+    pub fn fit_in_doubt(&self, (curve, doubts): (&Curve, &[Doubt]), tables: &dyn Tables) -> Result<Fit, FitError> {
         curve.checked().map_err(FitError::Data)?;
-        let touch = self.options.contact == FirstTouch::Free && self.control == Control::Indentation;
+        let touch = self.touches();
         let used = self.used(curve);
         let needed = self.free.len() + 3 + SPARE;
         if used.len() < needed {
@@ -201,11 +250,13 @@ impl Question {
         let frame = Frame::new(curve.driven(self.control), used, self.options.baseline);
         // Slopes by differences: half of the digits of what the scene is computed to.
         let step = if self.control == Control::Indentation || model.is_cheap() { 1e-7 } else { self.accuracy.sqrt() };
-        let task = Task { model, frame: &frame, touch, step, kept: None };
+        let task = Task { model, frame: &frame, touch, step, kept: [None; 2] };
         let found = self.nearest(&task)?;
         let (frame, found) = jumps::left_out(&task, found, TOLERANCE).map_err(FitError::Scene)?;
         let (frame, found) = self.weighed(Task { frame: &frame, ..task }, found)?;
-        let mut fit = answer::told(self, Task { frame: &frame, ..task }, found)?;
+        let weighed = Task { frame: &frame, ..task };
+        let carried = self.carried(&weighed, &found, doubts).map_err(FitError::Scene)?;
+        let mut fit = answer::told(self, weighed, found)?.widened(&self.free, carried);
         fit.on_jumps = task.frame.used.iter().copied().filter(|at| !fit.used.contains(at)).collect();
         fit.notes.extend(jumps::told(curve, &fit.on_jumps));
         Ok(fit)

@@ -9,7 +9,7 @@ use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::creep::Creep;
 use crate::contact::foundation::Foundation;
 use crate::input::table::{Columns, RawMap, TableError, Tables};
-use crate::material::{Relaxation, Spectrum, Times, joined};
+use crate::material::{Relaxation, Spectrum, Times, Under, joined};
 use crate::run::record::Record;
 use crate::run::{Wanted, run};
 use crate::scene::Scene;
@@ -201,10 +201,16 @@ impl Model<'_> {
 
     /// The response with other values, if it is `base` times a factor: that of another modulus alone.
     pub(super) fn scaled(&self, base: &Answer, values: &[f64]) -> Option<Vec<f64>> {
-        let plan = base.plan.as_ref()?;
+        let plan = base.plan.as_ref().filter(|plan| self.fills_half_spaces(&plan.scene))?;
         let scene = self.scene(values).ok().filter(|scene| scene.shape == plan.scene.shape)?;
         let factor = scene.resolve(self.tables).ok()?.pair.normal / plan.pair.normal;
         Some(base.response.iter().map(|force| factor * force).collect())
+    }
+
+    /// Whether nothing but the moduli of the bodies counts.
+    fn fills_half_spaces(&self, scene: &Scene) -> bool {
+        let joined = joined(&scene.bodies, self.tables, None).ok().flatten();
+        joined.is_some_and(|joined| matches!(joined.under, Under::HalfSpaces))
     }
 
     /// A run led through the curve, from its first row on.

@@ -35,8 +35,8 @@ pub struct Judged {
     pub inverse: Option<DMatrix<f64>>,
     /// The normal matrix of columns of length one, whose least eigenvalue tells how well they are told apart.
     pub normal: DMatrix<f64>,
-    /// −2 ln L.
-    likelihood: f64,
+    /// −2 ln L, up to a constant of the columns.
+    pub likelihood: f64,
 }
 
 /// The largest correlation looked for.
@@ -123,6 +123,14 @@ impl Moments {
         // Twice the standard error is a likelihood ratio of 4.
         if at_left.likelihood < white.likelihood - 4.0 { at_left } else { white }
     }
+}
+
+/// −2 ln L of what is left at the used points, for normal noise of the deviation and the correlation that make it least,
+/// up to a constant of the number of points.
+#[must_use]
+pub fn deviance(frame: &Frame, rest: &[f64]) -> f64 {
+    let moments = Moments::of(frame, &[], rest);
+    moments.most_likely().likelihood + 2.0 * rest.len() as f64 * moments.scales[0].ln()
 }
 
 /// A normal matrix with ones on its diagonal.

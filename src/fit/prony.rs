@@ -23,7 +23,7 @@
 //! ```
 
 use super::FitError;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 use ndarray::{Array1, Array2};
 use std::f64::consts::TAU;
 
@@ -81,7 +81,8 @@ fn kernel(frequency: f64, time: f64) -> (f64, f64) {
 }
 
 /// A problem of moduli: A x = b with relative residuals, x in units of |G*|.
-struct System {
+#[derive(Clone)]
+pub(super) struct System {
     times: Vec<f64>,
     /// |G*| at the frequency of each unknown, that of equilibrium first.
     sizes: Vec<f64>,
@@ -124,6 +125,12 @@ impl Moduli {
         self.storage[at].hypot(self.loss[at])
     }
 
+    /// What both moduli of a point are multiplied by: relative to themselves, or to a part of |G*| where they are smaller.
+    pub(super) fn weights(&self, at: usize) -> (f64, f64) {
+        let weight = |value: f64| 1.0 / value.max(SMALL * self.size(at));
+        (weight(self.storage[at]), weight(self.loss[at]))
+    }
+
     /// |G*| [Pa] of the point whose frequency is nearest to `frequency` [Hz].
     fn size_near(&self, frequency: f64) -> f64 {
         let far = |at: &usize| (self.frequency[*at] / frequency).ln().abs();
@@ -141,7 +148,7 @@ struct Solved {
 }
 
 impl System {
-    fn of(moduli: &Moduli) -> Self {
+    pub(super) fn of(moduli: &Moduli) -> Self {
         let ends = moduli.frequency.iter().fold((f64::MAX, 0.0f64), |(low, high), &f| (low.min(f), high.max(f)));
         let (first, last) = ((1.0 / (TAU * ends.1)).log10() - BEYOND, (1.0 / (TAU * ends.0)).log10() + BEYOND);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few decades of finite numbers")]
@@ -151,25 +158,64 @@ impl System {
         let sizes: Vec<f64> = std::iter::once(moduli.size_near(ends.0))
             .chain(times.iter().map(|time| moduli.size_near(1.0 / (TAU * time))))
             .collect();
+        Self { times, sizes, matrix: DMatrix::zeros(0, 0), right: Vec::new() }.at(moduli)
+    }
+
+    /// The same times for moduli at other frequencies.
+    pub(super) fn at(&self, moduli: &Moduli) -> Self {
         let points = moduli.frequency.len();
-        let weight = |value: f64, at: usize| 1.0 / value.max(SMALL * moduli.size(at));
-        let matrix = DMatrix::from_fn(2 * points, count + 1, |row, column| {
+        let matrix = self.table(moduli, (1.0, 0.0), kernel);
+        let storage = (0..points).map(|at| moduli.storage[at] * moduli.weights(at).0);
+        let loss = (0..points).map(|at| moduli.loss[at] * moduli.weights(at).1);
+        Self { times: self.times.clone(), sizes: self.sizes.clone(), matrix, right: storage.chain(loss).collect() }
+    }
+
+    /// Slopes of the matrix in ln f.
+    pub(super) fn growth(&self, moduli: &Moduli) -> DMatrix<f64> {
+        self.table(moduli, (0.0, 0.0), |frequency, time| {
+            let (storage, loss) = kernel(frequency, time);
+            (2.0 * loss * loss, loss * (1.0 - 2.0 * storage))
+        })
+    }
+
+    /// What each term gives to both moduli of each point, weighted; that of equilibrium first.
+    fn table(&self, moduli: &Moduli, equilibrium: (f64, f64), of: fn(f64, f64) -> (f64, f64)) -> DMatrix<f64> {
+        let points = moduli.frequency.len();
+        DMatrix::from_fn(2 * points, self.sizes.len(), |row, column| {
             let at = row % points;
-            let (storage, loss) = match column {
-                0 => (1.0, 0.0),
-                _ => kernel(moduli.frequency[at], times[column - 1]),
+            let (storage, loss) = match column.checked_sub(1) {
+                None => equilibrium,
+                Some(term) => of(moduli.frequency[at], self.times[term]),
             };
-            let part = if row < points {
-                storage * weight(moduli.storage[at], at)
-            } else {
-                loss * weight(moduli.loss[at], at)
-            };
-            part * sizes[column]
+            let weights = moduli.weights(at);
+            (if row < points { storage * weights.0 } else { loss * weights.1 }) * self.sizes[column]
+        })
+    }
+
+    /// What the smoothed spectrum leaves, its bends below, and the slopes of that in the shifts of groups of rows, the
+    /// spectrum projected out.
+    pub(super) fn left(
+        &self,
+        smoothing: f64,
+        growth: &DMatrix<f64>,
+        groups: &[Vec<bool>],
+    ) -> (DVector<f64>, DMatrix<f64>) {
+        let x = DVector::from_vec(self.solved(smoothing).x);
+        let (rows, columns) = self.matrix.shape();
+        let bends = columns.saturating_sub(3);
+        let entry = |row: usize, column: usize| {
+            if row < rows { self.matrix[(row, column)] } else { smoothing * self.bend(row - rows, column) }
+        };
+        let whole = DMatrix::from_fn(rows + bends, columns, entry);
+        let right = DVector::from_fn(rows + bends, |row, _| self.right.get(row).copied().unwrap_or(0.0));
+        let kept: Vec<usize> = (0..columns).filter(|&column| x[column] > 0.0).collect();
+        let basis = whole.select_columns(&kept).qr().q();
+        let moved = growth * &x;
+        let mut slopes = DMatrix::from_fn(rows + bends, groups.len(), |row, group| {
+            if row < rows && groups[group][row] { -moved[row] } else { 0.0 }
         });
-        let storage = (0..points).map(|at| moduli.storage[at] * weight(moduli.storage[at], at));
-        let loss = (0..points).map(|at| moduli.loss[at] * weight(moduli.loss[at], at));
-        let right = storage.chain(loss).collect();
-        Self { times, sizes, matrix, right }
+        slopes -= &basis * (basis.transpose() * &slopes);
+        (right - whole * x, slopes)
     }
 
     /// Second differences of the terms; that of equilibrium is free.

@@ -41,8 +41,8 @@ pub struct Task<'t> {
     pub touch: bool,
     /// Steps of natural parameters by which slopes are taken.
     pub step: f64,
-    /// A number of a parameter that is kept, first touch last.
-    pub kept: Option<usize>,
+    /// Numbers of parameters that are kept, first touch last.
+    pub kept: [Option<usize>; 2],
 }
 
 impl Task<'_> {
@@ -134,6 +134,10 @@ impl Task<'_> {
     pub fn solved(&self, start: &Place, tolerance: f64) -> Result<Found, String> {
         let answer = self.answer(start)?;
         let residual = self.residual(&answer);
+        if self.moving() == 0 {
+            let squares = residual.iter().map(|x| x * x).sum();
+            return Ok(Found { place: start.clone(), answer, squares, converged: true });
+        }
         let size = residual.iter().map(|x| x * x).sum::<f64>().sqrt();
         let away = vec![1e3 * size.max(f64::MIN_POSITIVE) / (residual.len() as f64).sqrt(); residual.len()];
         let search =
@@ -157,17 +161,21 @@ impl Task<'_> {
             (2.0 * (free.natural(value) - low) / (high - low) - 1.0).clamp(-INSIDE, INSIDE).asin()
         });
         let all = free.chain(self.touch.then(|| place.contact / self.span()));
-        DVector::from_iterator(self.moving(), all.enumerate().filter(|&(at, _)| Some(at) != self.kept).map(|(_, x)| x))
+        DVector::from_iterator(self.moving(), all.enumerate().filter(|&(at, _)| !self.keeps(at)).map(|(_, x)| x))
+    }
+
+    fn keeps(&self, at: usize) -> bool {
+        self.kept.contains(&Some(at))
     }
 
     fn moving(&self) -> usize {
-        self.count() - usize::from(self.kept.is_some())
+        (0..self.count()).filter(|&at| !self.keeps(at)).count()
     }
 
     /// The place of coordinates; what is kept stays as in `like`.
     fn place(&self, coordinates: &DVector<f64>, like: &Place) -> Place {
         let mut place = like.clone();
-        let moving = (0..self.count()).filter(|&at| Some(at) != self.kept);
+        let moving = (0..self.count()).filter(|&at| !self.keeps(at));
         for (at, &x) in moving.zip(coordinates) {
             match self.model.free.get(at) {
                 Some(free) => {
@@ -222,9 +230,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let Task { frame, model, kept, .. } = self.task;
+        let Task { frame, model, .. } = self.task;
         let slopes = self.task.slopes(&self.place, &self.answer).ok()?;
-        let moving = slopes.into_iter().enumerate().filter(|&(at, _)| Some(at) != kept);
+        let moving = slopes.into_iter().enumerate().filter(|&(at, _)| !self.task.keeps(at));
         let columns = moving.zip(&self.here).map(|((at, slope), x)| {
             let rate = match model.free.get(at) {
                 Some(free) => 0.5 * (free.ends().1 - free.ends().0) * x.cos(),

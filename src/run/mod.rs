@@ -46,6 +46,7 @@ mod viscoelastic;
 pub use crate::contact::error::ContactError;
 pub use compose::{direct, sheared};
 pub use plane::in_pieces;
+pub use warnings::tabor_parameter;
 
 use crate::drive::impact::ImpactError;
 use crate::drive::machine::MachineError;

@@ -210,10 +210,17 @@ fn connected(profile: &dyn Profile, a: f64) -> Option<String> {
     ))
 }
 
-/// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} with an atomic range z₀; JKR needs more than 5.
-fn tabor(plan: &Plan) -> Option<String> {
+/// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} of a round tip under attraction of vanishing range, with an atomic range z₀
+/// of 0.3 nm (Tabor 1977); `None` of others.
+#[must_use]
+pub fn tabor_parameter(plan: &Plan) -> Option<f64> {
     let (work, radius) = (plan.edge_work()?, plan.scene.shape.tip_radius()?);
-    let parameter = (radius * (work / plan.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt();
+    Some((radius * (work / plan.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt())
+}
+
+/// JKR needs more than 5.
+fn tabor(plan: &Plan) -> Option<String> {
+    let parameter = tabor_parameter(plan)?;
     (parameter < 5.0).then(|| {
         format!(
             "Tabor parameter {parameter:.2} (range of attraction 0.3 nm): JKR holds above 5; use Maugis(work: …, stress: …)"

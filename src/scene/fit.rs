@@ -52,6 +52,15 @@ pub struct Measured {
     /// How points far off count.
     #[serde(default)]
     pub loss: Loss,
+    /// Numbers known with a standard error only, each `PATH=SPREAD`, such as `shape.radius=2 %`; `spring` is the cantilever.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub given: Vec<String>,
+    /// Models that are compared, by names or as scene files; the scene as it is written if empty.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub models: Vec<String>,
+    /// Two free parameters of which a map of the confidence is wanted, `PATH,PATH`; none if empty.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub map: String,
 }
 
 /// A line under the response that is no part of the model.

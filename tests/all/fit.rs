@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use springbed::app::data_file::{Data, Wanted};
 use springbed::check::power_law::PowerTriangle;
-use springbed::fit::{Curve, Fit, FitError, Options, Question};
+use springbed::fit::{Candidate, Curve, Fit, FitError, Options, Question, compared};
 use springbed::prelude::*;
 use springbed::run::record::{FORCE, INDENTATION, Record};
 use springbed::scene::Scene;
@@ -374,6 +374,150 @@ fn what_the_data_cannot_tell_is_said() {
     assert!(found.notes.iter().any(|note| note.contains("end of its range")), "{:?}", found.notes);
 }
 
+/// F ∝ E√R: with first touch and baseline kept a radius that is 2 % more takes 1 % off the modulus.
+#[test]
+fn a_radius_known_to_two_per_cent_moves_the_modulus_by_one() {
+    let exact = Options { baseline: Baseline::Absent, ..Options::default() };
+    let free = ["bodies.0.young=10 Pa..1 MPa"];
+    let mut data = hertz(300, 1e-13, Noise::new(3, 0.0));
+    data.force.iter_mut().for_each(|force| *force -= 0.2e-9);
+    let plain = fit(&scene(BALL), &free, &data, exact).unwrap();
+    for given in ["shape.radius=2 %", "shape.radius=0.1 um"] {
+        let question = Question::new(&scene(BALL), &free, exact).unwrap().given(&[given]).unwrap();
+        let found = question.fit(&data, &InMemory::default()).unwrap();
+        let (with, without) = (found.parameter("bodies.0.young").unwrap(), plain.parameter("bodies.0.young").unwrap());
+        assert!((with.value / without.value - 1.0).abs() < 1e-12);
+        // Half of the way from E/√0.98 to E/√1.02 in logarithms, from their geometric mean.
+        let shift = -found.carried[0].shifts[0] / with.value;
+        let right = 0.25 * (1.02f64 / 0.98).ln() / (1.02f64 * 0.98).powf(0.25);
+        assert!((shift / right - 1.0).abs() < 1e-6, "{shift} {right}");
+        let widened = with.standard_error.unwrap() / with.value;
+        assert!((widened / shift.hypot(without.standard_error.unwrap() / without.value) - 1.0).abs() < 1e-6);
+        assert!(((with.high.unwrap() / with.value).ln() / (1.96 * shift) - 1.0).abs() < 1e-2, "{with:?}");
+        assert!(found.notes.iter().any(|note| note.contains("more than the noise does")), "{:?}", found.notes);
+        // First touch does not depend on the radius.
+        assert!(found.carried[0].shifts[1].abs() < 1e-13, "{:?}", found.carried);
+    }
+}
+
+/// A stiffness of the cantilever that is 10 % less takes 10 % off the forces, and moves the depths too.
+#[test]
+fn a_cantilever_known_roughly_moves_forces_and_depths() {
+    let folder = tempfile::tempdir().unwrap();
+    let data = hertz(300, 0.0, Noise::new(3, 0.0));
+    let line = |(depth, force): (&f64, &f64)| format!("{:e},{:e}\n", depth + force / 0.05, force / 0.05);
+    let lines: String = data.depth.iter().zip(&data.force).map(line).collect();
+    std::fs::write(folder.path().join("probe.csv"), format!("piezo [m],deflection [m]\n{lines}")).unwrap();
+    std::fs::write(folder.path().join("gel.ron"), BALL).unwrap();
+    let fitted = |spring: &str, given: &[&str]| {
+        let at = |name: &str| folder.path().join(name).display().to_string();
+        let (scene, data) = (at("gel.ron"), at("probe.csv"));
+        let common = [&scene, &data, "--free", "bodies.0.young=10 Pa..1 MPa", "--json", "--format", "json"];
+        let all: Vec<&str> = common.into_iter().chain(["--spring", spring]).chain(given.iter().copied()).collect();
+        let output = program(&all, folder.path());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        json["fits"][0].clone()
+    };
+    let young = |fit: &serde_json::Value| fit["parameters"][0]["value"].as_f64().unwrap();
+    let given = fitted("0.05 N/m", &["--given", "spring=10 %"]);
+    let (low, high) = (young(&fitted("0.045 N/m", &[])), young(&fitted("0.055 N/m", &[])));
+    let shift = given["given"][0]["moves"][0].as_f64().unwrap();
+    assert!((shift / (0.5 * (high / low).ln() * (high * low).sqrt()) - 1.0).abs() < 1e-5, "{shift} {low} {high}");
+    let error = given["parameters"][0]["standard_error"].as_f64().unwrap();
+    assert!((error / shift - 1.0).abs() < 1e-3, "{error} {shift}");
+}
+
+/// The thickness of a layer, which no factor of the force stands for.
+#[test]
+fn modulus_and_thickness_of_a_layer_are_recovered() {
+    let text = r#"(shape: Paraboloid(radius: "5 um"), bodies: (Layered(layers: [(body: Elastic(young: "2 kPa", poisson: 0.5),
+        thickness: "4 um")], base: Rigid, bond: Bonded), Rigid), history: [Table("drive.csv")])"#;
+    let depth: Vec<f64> = (0..200).map(|k| 1e-8 * f64::from(k) - 5e-7).collect();
+    let time: Vec<f64> = (0..200).map(f64::from).collect();
+    let data = curve(None, depth.clone(), answered(text, ["time_s", "indentation_m"], &time, &depth));
+    let start = scene(
+        &text
+            .replace("2 kPa", "1 kPa")
+            .replace("4 um", "20 um")
+            .replace(r#"Table("drive.csv")"#, r#"Indent(to: "1 um", over: 1)"#),
+    );
+    let layer = "bodies.0.layers.0";
+    let free = [format!("{layer}.body.young=10 Pa..1 MPa"), format!("{layer}.thickness=0.5 um..500 um")];
+    let free: Vec<&str> = free.iter().map(String::as_str).collect();
+    let found = fit(&start, &free, &data, Options::default()).unwrap();
+    near(&found, &format!("{layer}.body.young"), 2e3, 1e-6);
+    near(&found, &format!("{layer}.thickness"), 4e-6, 1e-6);
+    assert!(found.parameters.iter().all(|one| one.standard_error.is_some()), "{:?}", found.notes);
+}
+
+/// What made the data is found among the models, whichever it was.
+#[test]
+fn the_model_that_made_the_data_is_the_best() {
+    let lens = r#"(shape: Paraboloid(radius: "2.5 mm"), bodies: (Elastic(young: "4.8 MPa", poisson: 0.5), Rigid),
+        ADHESION history: [Table("drive.csv")])"#;
+    let depth = triangle(-2e-6, 20e-6, -2e-6, 150);
+    let time: Vec<f64> = (0..depth.len()).map(|k| k as f64).collect();
+    let made = [("hertz", ""), ("jkr", r#"adhesion: Jkr(work: "42 mJ/m^2"),"#), ("layered", "")];
+    for (name, adhesion) in made {
+        let mut text = lens.replace("ADHESION", adhesion);
+        if name == "layered" {
+            let layer = r#"Layered(layers: [(body: Elastic(young: "4.8 MPa", poisson: 0.5), thickness: "0.5 mm")],
+                base: Rigid, bond: Bonded)"#;
+            text = text.replace(r#"Elastic(young: "4.8 MPa", poisson: 0.5)"#, layer);
+        }
+        let mut force = answered(&text, ["time_s", "indentation_m"], &time, &depth);
+        let mut noise = Noise::new(17, 0.0);
+        force.iter_mut().for_each(|force| *force += 2e-5 * noise.next());
+        let data = curve(None, depth.clone(), force);
+        let plain = Candidate {
+            name: String::new(),
+            scene: scene(
+                &lens.replace("ADHESION", "").replace(r#"Table("drive.csv")"#, r#"Indent(to: "1 um", over: 1)"#),
+            ),
+            free: vec!["bodies.0.young=100 kPa..100 MPa".to_owned()],
+            given: Vec::new(),
+        };
+        let asked = |name: &&str| {
+            let Candidate { scene, free, .. } = plain.varied(name).unwrap().unwrap();
+            Question::new(&scene, &free, in_place()).unwrap().fit(&data, &InMemory::default()).unwrap()
+        };
+        let names = ["hertz", "jkr", "layered"];
+        let fits: Vec<Fit> = names.iter().map(asked).collect();
+        let standings = compared(&data, &fits.iter().collect::<Vec<_>>());
+        let best = standings.iter().position(|standing| standing.beyond_best <= 0.0).unwrap();
+        let sum: f64 = standings.iter().map(|standing| standing.weight).sum();
+        assert!((sum - 1.0).abs() < 1e-12);
+        // A model with a parameter more is as near; it costs two.
+        let as_near = standings[names.iter().position(|known| *known == name).unwrap()].beyond_best;
+        assert!(names[best] == name || name == "hertz" && as_near < 2.1, "{name}: {standings:?}");
+    }
+}
+
+/// The rise along the axes of a map is that of the intervals: at the end of a 95 % interval t² of its quantile.
+#[test]
+fn a_map_rises_as_the_intervals_say() {
+    let free = ["bodies.0.young=10 Pa..1 MPa"];
+    let question = Question::new(&scene(BALL), &free, Options::default()).unwrap();
+    let question = question.map("bodies.0.young, contact_point").unwrap();
+    let found = question.fit(&hertz(300, 20e-12, Noise::new(5, 0.0)), &InMemory::default()).unwrap();
+    let map = found.map.as_ref().unwrap();
+    let young = found.parameter("bodies.0.young").unwrap();
+    let least = map.rise.iter().flatten().copied().fold(f64::MAX, f64::min);
+    assert!(least < 1e-6 && map.rise.len() == map.x.len() * map.y.len(), "{least}");
+    // Over all first touches the least rise at four standard errors is sixteen.
+    let side = map.y.len();
+    for column in [0, map.x.len() - 1] {
+        let far = (map.x[column] / young.value).ln().abs() / (young.standard_error.unwrap() / young.value);
+        assert!((far - 4.0).abs() < 1e-6, "{far}");
+        let least = map.rise[column * side..(column + 1) * side].iter().flatten().copied().fold(f64::MAX, f64::min);
+        assert!((least / 16.0 - 1.0).abs() < 0.05, "{least}");
+    }
+    // For many degrees of freedom the region of 95 % ends at a rise of 5.991.
+    assert!((map.confidence(5.991) - 0.95).abs() < 2e-3, "{}", map.confidence(5.991));
+    assert!(Question::new(&scene(BALL), &free, Options::default()).unwrap().map("bodies.0.young").is_err());
+}
+
 #[test]
 fn wrong_questions_are_refused() {
     let refused = |free: &[&str]| {
@@ -475,6 +619,45 @@ fn the_data_that_come_with_it_give_back_what_made_them() {
     }
     let output = program(&["--moduli", "configs/fit/rubber_moduli.csv"], folder.path());
     assert!(output.status.success() && folder.path().join("rubber_moduli.moduli.json").exists());
+}
+
+/// What `springbed fit --moduli` says of a file that comes with it.
+fn spectrum_of(name: &str, more: &[&str]) -> serde_json::Value {
+    let folder = tempfile::tempdir().unwrap();
+    let data = format!("configs/fit/{name}.csv");
+    let output = program(&[&["--moduli", &data, "--json"], more].concat(), folder.path());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// Five terms with a per cent of noise are found as five, a decade apart, to a few per cent.
+#[test]
+fn the_fewest_terms_of_moduli() {
+    let found = spectrum_of("rubber_moduli", &["--terms", "fewest"]);
+    let terms = found["terms"].as_array().unwrap();
+    assert_eq!(terms.len(), 5, "{found}");
+    for (term, (modulus, time)) in
+        terms.iter().zip([(40e6, 1e-4), (20e6, 1e-3), (8e6, 1e-2), (2e6, 1e-1), (0.5e6, 1.0)])
+    {
+        let near = |name: &str, right: f64| (term[name].as_f64().unwrap() / right - 1.0).abs() < 0.05;
+        assert!(near("modulus", modulus) && near("time", time), "{term}");
+    }
+    assert_eq!(spectrum_of("rubber_moduli", &["--terms", "3"])["terms"].as_array().unwrap().len(), 3);
+}
+
+/// At 303.15 K the law of C₁ = 8.86, C₂ = 101.6 K at 300 K has C₂ = 104.75 K and C₁ = 8.86·101.6/104.75.
+#[test]
+fn moduli_of_several_temperatures_make_one_curve() {
+    let found = spectrum_of("polymer_temperatures", &["--reference", "30 degC"]);
+    let master = &found["master"];
+    assert!((master["reference_k"].as_f64().unwrap() - 303.15).abs() < 1e-9);
+    for shift in master["shifts"].as_array().unwrap() {
+        let by = shift["temperature_k"].as_f64().unwrap() - 303.15;
+        let law = -8.86 * 101.6 / 104.75 * by / (104.75 + by);
+        assert!((shift["log10_shift"].as_f64().unwrap() - law).abs() < 0.03, "{shift} {law}");
+    }
+    let (c1, c2) = (master["wlf_c1"].as_f64().unwrap(), master["wlf_c2_k"].as_f64().unwrap());
+    assert!((c1 / (8.86 * 101.6 / 104.75) - 1.0).abs() < 0.1 && (c2 / 104.75 - 1.0).abs() < 0.1, "{c1} {c2}");
 }
 
 #[test]

@@ -8,7 +8,8 @@ use crate::app::export::{self, Fitted};
 use crate::app::fitting::Fitting;
 use crate::app::scene_file::SceneFile;
 use crate::app::table_file::TableFiles;
-use crate::input::quantity::SpringStiffness;
+use crate::fit::{FitError, Terms};
+use crate::input::quantity::{SpringStiffness, Temperature};
 use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Measured, Way};
 use clap::Args;
 use rayon::prelude::*;
@@ -51,9 +52,24 @@ pub struct Arguments {
     /// Points far off count less.
     #[arg(long)]
     robust: bool,
+    /// Number known with a standard error only, such as "shape.radius=2 %" or "spring=10 %"; may be given several times.
+    #[arg(long, value_name = "PATH=SPREAD")]
+    given: Vec<String>,
+    /// Models that are compared: scene, hertz, jkr, maugis, layered, power-law, or scene files beside the scene.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    models: Vec<String>,
+    /// Two free parameters over which the confidence is mapped, such as bodies.0.young,adhesion.work.
+    #[arg(long, value_name = "PATH,PATH")]
+    map: Option<String>,
     /// Relaxation spectrum from storage and loss moduli over frequency, instead of curves.
-    #[arg(long, value_name = "DATA", conflicts_with_all = ["scene", "data", "free"])]
+    #[arg(long, value_name = "DATA", conflicts_with_all = ["scene", "data", "free", "given", "models", "map"])]
     moduli: Option<PathBuf>,
+    /// Terms of the spectrum: fewest, or a number; a smooth spectrum if not given.
+    #[arg(long, value_name = "COUNT", requires = "moduli")]
+    terms: Option<Terms>,
+    /// Reference temperature of moduli at several temperatures, such as "25 degC"; the middle one if not given.
+    #[arg(long, value_name = "TEMPERATURE", requires = "moduli")]
+    reference: Option<Temperature>,
 }
 
 fn baseline(text: &str) -> Result<Baseline, String> {
@@ -107,6 +123,9 @@ impl Arguments {
             way: self.way.unwrap_or(written.way),
             range: self.range.clone().unwrap_or(written.range),
             loss: if self.robust { Loss::Robust } else { written.loss },
+            given: if self.given.is_empty() { written.given } else { self.given.clone() },
+            map: self.map.clone().unwrap_or(written.map),
+            models: if self.models.is_empty() { written.models } else { self.models.clone() },
         }
     }
 }
@@ -129,7 +148,8 @@ pub fn run(arguments: &Arguments, common: &Common, console: &Console) -> Result<
             "there are no data: expected files behind the scene, or fit: (data: [...]) in it".to_owned(),
         ));
     }
-    let fitting = Fitting::new(&measured, &scene.plan.scene).map_err(Failure::Usage)?;
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let fitting = Fitting::new(&measured, &scene.plan.scene, folder).map_err(Failure::Usage)?;
     let stems = stems(&measured.data)?;
     not_over_inputs(&measured.data, &scene, &stems, common)?;
     let progress = console.progress(measured.data.len(), "curves");
@@ -149,7 +169,7 @@ pub fn run(arguments: &Arguments, common: &Common, console: &Console) -> Result<
         }
     }
     let rows: Vec<(String, Result<&Fitted, &str>)> = fits.iter().map(row).collect();
-    findings(&fitting, &rows, &stems)?.deliver(common, console)?;
+    findings(&rows, &stems)?.deliver(common, console)?;
     let bad: Vec<String> =
         fits.iter().filter_map(|fit| fit.as_ref().err()).map(|(path, error)| told(path, error)).collect();
     if bad.is_empty() { Ok(()) } else { Err(Failure::Failed(bad.join("\n"))) }
@@ -203,15 +223,12 @@ fn not_over_inputs(data: &[PathBuf], scene: &SceneFile, stems: &[String], common
     }
 }
 
-const ENDINGS: [&str; 3] = [".fit.csv", ".fit.json", ".fit.svg"];
+const ENDINGS: [&str; 7] =
+    [".fit.csv", ".fit.json", ".fit.svg", ".models.csv", ".models.svg", ".chi2.csv", ".chi2.svg"];
 /// The table of several fits.
 const ALL: &str = "fits.csv";
 
-fn findings(
-    fitting: &Fitting,
-    rows: &[(String, Result<&Fitted, &str>)],
-    stems: &[String],
-) -> Result<Findings, Failure> {
+fn findings(rows: &[(String, Result<&Fitted, &str>)], stems: &[String]) -> Result<Findings, Failure> {
     let mut files = Vec::new();
     for ((_, fit), stem) in rows.iter().zip(stems) {
         let Ok(fit) = fit else { continue };
@@ -219,34 +236,54 @@ fn findings(
         files.push((format!("{stem}.fit.json"), export::fit_json(fit).map_err(Failure::failed)?));
         #[cfg(feature = "plot")]
         files.push((format!("{stem}.fit.svg"), export::fit_figure(fit).svg()));
+        if let Some(map) = &fit.fit.map {
+            files.push((format!("{stem}.chi2.csv"), export::map_table(map).map_err(Failure::failed)?));
+            #[cfg(feature = "plot")]
+            files.push((format!("{stem}.chi2.svg"), export::map_figure(fit, map).svg()));
+        }
+        if !fit.models.is_empty() {
+            files.push((format!("{stem}.models.csv"), export::models_table(fit).map_err(Failure::failed)?));
+            #[cfg(feature = "plot")]
+            files.push((format!("{stem}.models.svg"), export::models_figure(fit).svg()));
+        }
     }
     if rows.len() > 1 {
-        files.push((ALL.to_owned(), export::fits_table(fitting.free(), rows).map_err(Failure::failed)?));
+        files.push((ALL.to_owned(), export::fits_table(rows).map_err(Failure::failed)?));
     }
     let good: Vec<&Fitted> = rows.iter().filter_map(|(_, fit)| fit.ok()).collect();
     let table = good.iter().map(|fit| export::fit_text(fit)).collect::<Vec<_>>().join("\n");
     Ok(Findings { table, json: export::fits_json(&good).map_err(Failure::failed)?, files })
 }
 
-/// A spectrum from moduli over frequency.
+/// A spectrum from moduli over frequency, at one temperature or at several.
 fn moduli(path: &Path, arguments: &Arguments, common: &Common, console: &Console) -> Result<(), Failure> {
     let wanted = Wanted::read(arguments.columns.as_deref().unwrap_or(""), None);
     let wanted = wanted.map_err(|what| Failure::Usage(format!("columns: {what}")))?;
-    let data = Data::load(path, &wanted).and_then(|data| data.moduli().map(|moduli| (moduli, data.notes)));
-    let (moduli, notes) = data.map_err(|fault| Failure::Scene(vec![fault]))?;
-    for note in notes {
+    let faulty = |fault| Failure::Scene(vec![fault]);
+    let data = Data::load(path, &wanted).map_err(faulty)?;
+    for note in &data.notes {
         console.warning(&format!("{}: {note}", path.display()));
     }
     let stem = stems(&[path.to_owned()])?.concat();
-    let spectrum = moduli.spectrum().map_err(|error| Failure::Failed(format!("{}: {error}", path.display())))?;
     let file = path.display().to_string();
-    let files =
-        vec![(format!("{stem}.moduli.csv"), export::spectrum_points(&moduli, &spectrum).map_err(Failure::failed)?)];
+    let failed = |error: FitError| Failure::Failed(format!("{file}: {error}"));
+    let reference = arguments.reference.map(Temperature::si);
+    let master = data.sweeps().map_err(faulty)?.map(|sweeps| sweeps.master(reference)).transpose().map_err(failed)?;
+    let moduli = match &master {
+        Some(master) => master.reduced.clone(),
+        None => data.moduli().map_err(faulty)?,
+    };
+    let spectrum = arguments.terms.map_or_else(|| moduli.spectrum(), |terms| moduli.spectrum_of(terms));
+    let spectrum = spectrum.map_err(failed)?;
+    let points = export::spectrum_points(&moduli, &spectrum).map_err(Failure::failed)?;
+    let mut files = vec![(format!("{stem}.moduli.csv"), points)];
+    if let Some(master) = &master {
+        files.push((format!("{stem}.shifts.csv"), export::shifts_table(master).map_err(Failure::failed)?));
+    }
     #[cfg(feature = "plot")]
-    let files =
-        [files, vec![(format!("{stem}.moduli.svg"), export::spectrum_figure(&moduli, &spectrum).svg())]].concat();
-    let json = export::spectrum_json(&file, &spectrum).map_err(Failure::failed)?;
-    Findings { table: export::spectrum_text(&file, &spectrum), json, files }
+    files.push((format!("{stem}.moduli.svg"), export::spectrum_figure(&moduli, &spectrum, master.as_ref()).svg()));
+    let json = export::spectrum_json(&file, &spectrum, master.as_ref()).map_err(Failure::failed)?;
+    Findings { table: export::spectrum_text(&file, &spectrum, master.as_ref()), json, files }
         .named(&format!("{stem}.moduli"))
         .deliver(common, console)
 }

@@ -24,13 +24,15 @@ pub enum Quantity {
     Storage,
     /// Loss modulus [Pa].
     Loss,
+    /// Temperature [K].
+    Temperature,
 }
 
 /// Size of a unit: numerator and denominator.
 type Size = (f64, f64);
 
 impl Quantity {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::Time,
         Self::Depth,
         Self::Force,
@@ -39,6 +41,7 @@ impl Quantity {
         Self::Frequency,
         Self::Storage,
         Self::Loss,
+        Self::Temperature,
     ];
 
     /// Its name in `--columns`.
@@ -72,6 +75,7 @@ impl Quantity {
             Self::Frequency => &["frequency", "freq", "omega", "ω", "angularfrequency", "frequenz"],
             Self::Storage => &["storage", "storagemodulus", "g'", "e'", "g′", "e′"],
             Self::Loss => &["loss", "lossmodulus", "g''", "e''", "g″", "e″", "g\"", "e\""],
+            Self::Temperature => &["temperature", "temp", "temperatur"],
         }
     }
 
@@ -87,6 +91,7 @@ impl Quantity {
             }
             Self::Frequency => size_of::<Hertz>(unit),
             Self::Storage | Self::Loss => size_of::<Pascal>(unit),
+            Self::Temperature => ["K", "degC", "°C", "C"].contains(&unit).then_some((1.0, 1.0)),
         }
     }
 
@@ -98,9 +103,21 @@ impl Quantity {
             Self::Force => "nN",
             Self::Frequency => "Hz",
             Self::Storage | Self::Loss => "kPa",
+            Self::Temperature => "degC",
+        }
+    }
+
+    /// What is added to a number of a unit: temperatures in degrees Celsius have another zero.
+    fn zero(self, unit: Option<&str>) -> f64 {
+        match self {
+            Self::Temperature if unit.is_some_and(|unit| unit.trim().ends_with('C')) => CELSIUS,
+            _ => 0.0,
         }
     }
 }
+
+/// 0 °C [K].
+const CELSIUS: f64 = 273.15;
 
 /// What is asked of a data file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -163,14 +180,18 @@ pub struct Found {
     pub at: usize,
     /// Size of its unit, with its sign.
     pub size: Size,
+    /// What is added to it in SI units.
+    pub zero: f64,
     /// Its name in messages.
     pub name: String,
 }
 
 /// A column as its heads describe it.
-struct Headed {
-    name: String,
-    unit: Option<String>,
+pub struct Headed {
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: Option<String>,
 }
 
 /// The columns of a table that are wanted, and what was taken for granted of them.
@@ -228,7 +249,7 @@ fn sized(
             (1.0, 1.0)
         }
     };
-    Ok(Found { quantity, at, size: (sign * size.0, size.1), name })
+    Ok(Found { quantity, at, size: (sign * size.0, size.1), zero: quantity.zero(unit), name })
 }
 
 /// Whether a column is called like a quantity and has a unit of it, or none.
@@ -255,12 +276,13 @@ fn place(headed: &[Headed], name: &str) -> Result<usize, String> {
     Err(format!("there is no column \"{name}\": {}", advice(name, &known)))
 }
 
-fn plain(name: &str) -> String {
+/// A name in small letters, without blanks and dashes.
+pub fn plain(name: &str) -> String {
     name.chars().filter(|c| !c.is_whitespace() && !matches!(c, '_' | '-')).flat_map(char::to_lowercase).collect()
 }
 
 /// Name and unit of a column: from the line above the table, or from the two above it, names and units.
-fn headed(grid: &Grid, at: usize) -> Headed {
+pub fn headed(grid: &Grid, at: usize) -> Headed {
     let cell = |line: &Vec<String>| line[at].trim_start_matches('#').trim().trim_matches('"').to_owned();
     let near: Vec<String> = grid.heads.iter().rev().take(2).map(cell).collect();
     match &near[..] {
@@ -277,7 +299,7 @@ fn headed(grid: &Grid, at: usize) -> Headed {
 fn is_unit(text: &str) -> bool {
     let bare = text.trim_matches(['[', ']', '(', ')']);
     let known = Quantity::ALL.into_iter().any(|quantity| quantity.size(bare).is_some());
-    known && !bare.is_empty() && !(["d", "h", "t"].contains(&bare) && bare == text)
+    known && !bare.is_empty() && !(["d", "h", "t", "C", "K"].contains(&bare) && bare == text)
 }
 
 /// `z [nm]`, `z (nm)`, `z/nm`, `z, nm` or `z_nm` as name and unit.
@@ -297,7 +319,7 @@ fn split(head: &str) -> Headed {
 
 /// Units as they end names of columns, in small letters.
 fn spelt(tail: &str) -> Option<&'static str> {
-    const ENDINGS: [(&str, &str); 17] = [
+    const ENDINGS: [(&str, &str); 19] = [
         ("s", "s"),
         ("ms", "ms"),
         ("m", "m"),
@@ -315,6 +337,8 @@ fn spelt(tail: &str) -> Option<&'static str> {
         ("mpa", "MPa"),
         ("gpa", "GPa"),
         ("min", "min"),
+        ("k", "K"),
+        ("degc", "degC"),
     ];
     let tail = tail.trim().to_lowercase();
     ENDINGS.iter().find(|(ending, _)| *ending == tail).map(|(_, unit)| *unit)

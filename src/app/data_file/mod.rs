@@ -14,13 +14,15 @@
 
 mod columns;
 mod grid;
+mod spelt;
 
 pub use columns::{Quantity, Wanted};
+pub use spelt::Spelt;
 
 use super::fault::Fault;
 use super::read::read_bytes;
-use crate::fit::Curve;
 use crate::fit::prony::Moduli;
+use crate::fit::{Curve, Sweeps};
 use columns::{Found, found};
 use grid::Grid;
 use std::path::{Path, PathBuf};
@@ -59,8 +61,8 @@ impl Data {
         let grid = Grid::of(text.trim_start_matches('\u{feff}')).map_err(whole)?;
         let (found, notes) = found(&grid, wanted).map_err(whole)?;
         let mut columns = Vec::new();
-        for Found { quantity, at, size, name } in found {
-            let value = |line: usize| grid.number(line, at).map(|value| value * size.0 / size.1);
+        for Found { quantity, at, size, zero, name } in found {
+            let value = |line: usize| grid.number(line, at).map(|value| value * size.0 / size.1 + zero);
             let column = (0..grid.len())
                 .map(|line| value(line).map_err(|what| whole(format!("row {}: {name}: {what}", grid.row(line)))));
             columns.push((quantity, column.collect::<Result<Vec<f64>, Fault>>()?));
@@ -80,13 +82,21 @@ impl Data {
     /// # Errors
     /// A column is missing, or the times do not rise.
     pub fn curve(&self) -> Result<Curve, Fault> {
+        self.curve_of(self.spring)
+    }
+
+    /// The same with a cantilever of another stiffness [N/m].
+    ///
+    /// # Errors
+    /// As of [`curve`](Self::curve).
+    pub fn curve_of(&self, spring: Option<f64>) -> Result<Curve, Fault> {
         let missing = |what: &str| {
             let names: Vec<&str> = self.columns.iter().map(|(quantity, _)| quantity.name()).collect();
             let found = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
             let right = "name it, as in --columns \"depth=z [nm], force=F [nN]\"";
             Fault::whole(&self.path, format!("has no column of {what} (found: {found}): {right}"))
         };
-        let bent = self.column(Quantity::Deflection).zip(self.spring);
+        let bent = self.column(Quantity::Deflection).zip(spring);
         let force = match (self.column(Quantity::Force), bent) {
             (Some(force), _) => force.to_vec(),
             (None, Some((deflection, stiffness))) => deflection.iter().map(|x| stiffness * x).collect(),
@@ -95,7 +105,7 @@ impl Data {
         let depth = match (self.column(Quantity::Depth), self.column(Quantity::Piezo)) {
             (Some(depth), _) => depth.to_vec(),
             (None, Some(piezo)) => {
-                let stiffness = self.spring.ok_or_else(|| {
+                let stiffness = spring.ok_or_else(|| {
                     Fault::whole(
                         &self.path,
                         "the way of a piezo needs the stiffness of the cantilever: expected --spring \"0.05 N/m\"",
@@ -126,6 +136,16 @@ impl Data {
             })
         };
         Ok(Moduli { frequency: of(Quantity::Frequency)?, storage: of(Quantity::Storage)?, loss: of(Quantity::Loss)? })
+    }
+
+    /// Moduli over frequency at several temperatures; `None` if there is no column of them, or one temperature only.
+    ///
+    /// # Errors
+    /// A column is missing.
+    pub fn sweeps(&self) -> Result<Option<Sweeps>, Fault> {
+        let moduli = self.moduli()?;
+        let sweeps = self.column(Quantity::Temperature).map(|all| Sweeps { moduli, temperature: all.to_vec() });
+        Ok(sweeps.filter(Sweeps::differ))
     }
 
     /// Whether the times rise from row to row.

@@ -3,7 +3,7 @@
 use super::summary::with_prefix;
 use super::tables::{cell, text};
 use crate::contact::adhesion::equilibrium::Control;
-use crate::fit::{Curve, Estimate, Fit, Free, Noise};
+use crate::fit::{Carried, Curve, Estimate, Fit, Given, Map, Noise, Standing};
 use crate::scene::Scene;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -21,6 +21,39 @@ pub struct Fitted {
     pub fit: Fit,
     /// What was taken for granted of the data.
     pub data_notes: Vec<String>,
+    /// All models that were tried, where there were several.
+    pub models: Vec<Tried>,
+}
+
+/// A model that was tried on a curve.
+#[derive(Debug, Clone)]
+pub struct Tried {
+    /// Its name.
+    pub name: String,
+    /// Where it stands among the others; `None` where it has no answer.
+    pub standing: Option<Standing>,
+    /// Its answer, or why it has none.
+    pub answer: Result<Answered, String>,
+}
+
+/// The answer of a model.
+#[derive(Debug, Clone)]
+pub struct Answered {
+    /// The fit.
+    pub fit: Fit,
+    /// The scene at the values found.
+    pub scene: Scene,
+    /// Tabor's parameter, under an attraction of vanishing range.
+    pub tabor: Option<f64>,
+}
+
+impl Tried {
+    /// Why there is no answer, if there is none.
+    #[must_use]
+    pub fn why_not(self) -> Option<String> {
+        let error = self.answer.err()?;
+        Some(if self.name.is_empty() { error } else { format!("{}: {error}", self.name) })
+    }
 }
 
 #[derive(Serialize)]
@@ -40,6 +73,56 @@ struct Summary<'f> {
     residual_correlation: f64,
     noise_before_contact: Option<NoiseRow>,
     aic: f64,
+    /// What is known only roughly, and how far one standard error of it moves each parameter.
+    given: Vec<GivenRow<'f>>,
+    /// The models that were compared.
+    models: Vec<ModelRow<'f>>,
+}
+
+#[derive(Serialize)]
+struct GivenRow<'f> {
+    path: &'f str,
+    value: f64,
+    standard_error: f64,
+    unit: &'f str,
+    moves: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct ModelRow<'f> {
+    model: &'f str,
+    aic_beyond_best: Option<f64>,
+    weight: Option<f64>,
+    chi2: Option<f64>,
+    rejected: Option<bool>,
+    tabor_parameter: Option<f64>,
+    parameters: Vec<Parameter<'f>>,
+    notes: Vec<&'f str>,
+}
+
+impl<'f> ModelRow<'f> {
+    fn of(tried: &'f Tried) -> Self {
+        let answer = tried.answer.as_ref();
+        let fit = answer.ok().map(|answered| &answered.fit);
+        Self {
+            model: &tried.name,
+            aic_beyond_best: tried.standing.map(|standing| standing.beyond_best),
+            weight: tried.standing.map(|standing| standing.weight),
+            chi2: fit.and_then(|fit| fit.chi2),
+            rejected: fit.map(|fit| fit.rejected),
+            tabor_parameter: answer.ok().and_then(|answered| answered.tabor),
+            parameters: fit.iter().flat_map(|fit| &fit.parameters).map(Parameter::of).collect(),
+            notes: answer
+                .map_or_else(|why| vec![why.as_str()], |one| one.fit.notes.iter().map(String::as_str).collect()),
+        }
+    }
+}
+
+impl<'f> GivenRow<'f> {
+    fn of(carried: &'f Carried) -> Self {
+        let Given { path, value, spread, unit } = &carried.given;
+        Self { path, value: *value, standard_error: *spread, unit, moves: carried.shifts.clone() }
+    }
 }
 
 #[derive(Serialize)]
@@ -67,7 +150,7 @@ struct NoiseRow {
 
 impl<'f> Summary<'f> {
     fn of(fitted: &'f Fitted) -> Self {
-        let Fitted { file, scene, fit, data_notes, curve } = fitted;
+        let Fitted { file, scene, fit, data_notes, curve, models } = fitted;
         let noise = |noise: Noise| NoiseRow {
             deviation: noise.deviation,
             correlation: noise.correlation,
@@ -88,6 +171,8 @@ impl<'f> Summary<'f> {
             residual_correlation: fit.correlation,
             noise_before_contact: fit.noise.map(noise),
             aic: fit.aic,
+            given: fit.carried.iter().map(GivenRow::of).collect(),
+            models: models.iter().map(ModelRow::of).collect(),
         }
     }
 }
@@ -163,12 +248,13 @@ pub fn fit_points(fitted: &Fitted) -> Result<String, csv::Error> {
 ///
 /// # Errors
 /// The text cannot be put together.
-pub fn fits_table(free: &[Free], rows: &[(String, Result<&Fitted, &str>)]) -> Result<String, csv::Error> {
-    let mut paths: Vec<&str> = free.iter().map(|free| free.path.as_str()).collect();
-    let found = rows.iter().find_map(|(_, fit)| fit.ok());
-    paths.extend(
-        found.iter().flat_map(|fitted| fitted.fit.parameters[free.len()..].iter()).map(|one| one.path.as_str()),
-    );
+pub fn fits_table(rows: &[(String, Result<&Fitted, &str>)]) -> Result<String, csv::Error> {
+    let mut paths: Vec<&str> = Vec::new();
+    for one in rows.iter().filter_map(|(_, fit)| fit.ok()).flat_map(|fitted| &fitted.fit.parameters) {
+        if !paths.contains(&one.path.as_str()) {
+            paths.push(&one.path);
+        }
+    }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let four = |path: &&str| [path.to_string(), format!("{path}.error"), format!("{path}.low"), format!("{path}.high")];
     let heads = paths.iter().flat_map(four);
@@ -214,7 +300,93 @@ pub fn fit_text(fitted: &Fitted) -> String {
         let _ = write!(lines, "; chi² per degree of freedom {chi2:.3}: {verdict}");
     }
     lines.push('\n');
+    lines.push_str(&models_text(&fitted.models));
     lines
+}
+
+/// The models that were compared, the best first.
+fn models_text(models: &[Tried]) -> String {
+    let mut ranked: Vec<&Tried> = models.iter().collect();
+    let beyond = |one: &Tried| one.standing.map_or(f64::INFINITY, |standing| standing.beyond_best);
+    ranked.sort_by(|a, b| beyond(a).total_cmp(&beyond(b)));
+    let width = models.iter().map(|one| one.name.chars().count()).max().unwrap_or(0);
+    let mut lines = String::new();
+    for Tried { name, standing, answer } in ranked {
+        let told = match (standing, answer) {
+            (Some(standing), Ok(answered)) => {
+                let mut told = format!("ΔAIC {:.1}, weight {:.3}", standing.beyond_best, standing.weight);
+                let tabor = answered.tabor.map(|tabor| format!(", Tabor parameter {tabor:.3}"));
+                told.push_str(&tabor.unwrap_or_default());
+                told.push_str(if answered.fit.rejected { "; the data speak against it" } else { "" });
+                told
+            }
+            (_, Err(why)) => format!("not fitted: {why}"),
+            (None, Ok(_)) => "not compared".to_owned(),
+        };
+        let _ = writeln!(lines, "  model {name:width$}  {told}");
+    }
+    lines
+}
+
+/// The models that were compared on a curve, one row per parameter of each.
+///
+/// # Errors
+/// The text cannot be put together.
+pub fn models_table(fitted: &Fitted) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(MODEL_COLUMNS)?;
+    for model in &fitted.models {
+        let row = ModelRow::of(model);
+        let head = [cell(row.aic_beyond_best), cell(row.weight), cell(row.chi2), cell(row.tabor_parameter)];
+        let rejected = row.rejected.map_or_else(String::new, |rejected| rejected.to_string());
+        let line = |parameter: Option<&Parameter<'_>>| {
+            let of = |of: fn(&Parameter<'_>) -> Option<f64>| cell(parameter.and_then(of));
+            let numbers =
+                [of(|one| Some(one.value)), of(|one| one.standard_error), of(|one| one.low), of(|one| one.high)];
+            let path = parameter.map_or(String::new(), |one| one.path.to_owned());
+            let unit = parameter.map_or(String::new(), |one| one.unit.to_owned());
+            let names = [row.model.to_owned()].into_iter().chain(head.clone()).chain([rejected.clone(), path]);
+            names.chain(numbers).chain([unit, row.notes.join("; ")]).collect::<Vec<String>>()
+        };
+        if row.parameters.is_empty() {
+            writer.write_record(line(None))?;
+        }
+        for parameter in &row.parameters {
+            writer.write_record(line(Some(parameter)))?;
+        }
+    }
+    text(writer)
+}
+
+const MODEL_COLUMNS: [&str; 13] = [
+    "model",
+    "aic_beyond_best",
+    "weight",
+    "chi2",
+    "tabor_parameter",
+    "rejected",
+    "path",
+    "value",
+    "standard_error",
+    "low",
+    "high",
+    "unit",
+    "notes",
+];
+
+/// The confidence over two parameters, one row per pair of values.
+///
+/// # Errors
+/// The text cannot be put together.
+pub fn map_table(map: &Map) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record([&map.paths[0], &map.paths[1], "chi2_rise", "confidence"])?;
+    let pairs = map.x.iter().flat_map(|&x| map.y.iter().map(move |&y| (x, y)));
+    for ((x, y), &rise) in pairs.zip(&map.rise) {
+        let confidence = rise.map(|rise| map.confidence(rise));
+        writer.write_record([cell(Some(x)), cell(Some(y)), cell(rise), cell(confidence)])?;
+    }
+    text(writer)
 }
 
 /// Path, value, error and interval of a parameter.

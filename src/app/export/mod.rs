@@ -28,12 +28,16 @@ pub(crate) mod report_figures;
 
 pub use comparison::{comparison_json, comparison_table, comparison_text};
 #[cfg(feature = "plot")]
-pub use figures::{comparison_figure, figures, fit_figure, overlay_figure, spectrum_figure, sweep_figure};
-pub use fit::{Fitted, fit_json, fit_points, fit_text, fits_json, fits_table};
+pub use figures::{
+    comparison_figure, figures, fit_figure, map_figure, models_figure, overlay_figure, spectrum_figure, sweep_figure,
+};
+pub use fit::{
+    Answered, Fitted, Tried, fit_json, fit_points, fit_text, fits_json, fits_table, map_table, models_table,
+};
 #[cfg(feature = "plot")]
 pub use gallery::{Shown, gallery};
 pub use json::{json, json_of_all};
-pub use moduli::{spectrum_json, spectrum_points, spectrum_text};
+pub use moduli::{shifts_table, spectrum_json, spectrum_points, spectrum_text};
 pub use npy::npy;
 pub use overlay::{OVERLAID, Overlaid, overlay_json, overlay_table, overlay_text};
 pub use summary::{summary, with_prefix};

@@ -25,7 +25,7 @@ use crate::scene::plan::{ImpactPlan, Plan, RoughPlan, RoundPlan};
 use crate::shape::{Cylinder, PlaneWave, PlaneWavy, Rim, Shape};
 pub use comparison::comparison_figure;
 use curve::{against_depth, against_time, axis_of, of_records};
-pub use fit::{fit_figure, spectrum_figure};
+pub use fit::{fit_figure, map_figure, models_figure, spectrum_figure};
 pub use overlay::overlay_figure;
 pub use sweep::sweep_figure;
 
