@@ -144,8 +144,8 @@ fn cuts_of_a_drive_with_rate_and_state_change_no_bit() {
         let outcome = outcome(&text);
         (times(&outcome, "slips", "start_time"), times(&outcome, "slips", "jump"), outcome.records.last().copied())
     };
-    let whole = slips("Drive(speed: \"10 um/s\", over: 128)", 10);
-    let cut = slips("Drive(speed: \"10 um/s\", over: 32), Drive(speed: \"10 um/s\", over: 96)", 64);
+    let whole = slips("Drive(speed: \"10 um/s\", over: 256)", 10);
+    let cut = slips("Drive(speed: \"10 um/s\", over: 64), Drive(speed: \"10 um/s\", over: 192)", 64);
     assert!(whole.0.len() > 1 && (&whole.0, &whole.1) == (&cut.0, &cut.1), "{:?} {:?}", whole.0, cut.0);
     let (one, other) = (whole.2.unwrap(), cut.2.unwrap());
     assert_eq!((one.tangential, one.machine), (other.tangential, other.machine));
@@ -155,24 +155,20 @@ fn cuts_of_a_drive_with_rate_and_state_change_no_bit() {
 #[test]
 fn a_stiff_spring_slides_steadily_and_a_soft_one_does_not() {
     let run = |law: &str, stiffness: &str| {
-        let machine = SOFT.replace("300 kN/m", stiffness).replace("2 kN", "200");
+        let machine = SOFT.replace("300 kN/m", stiffness).replace("2 kN s/m", "200 N s/m");
         outcome(&granite(&format!("{WEAKENS}{law}"), &machine, "Drive(speed: \"10 um/s\", over: 400)"))
     };
     for law in ["", ", law: Slip"] {
-        let (steady, broken) = (run(law, "560 kN/m"), run(law, "440 kN/m"));
+        let (steady, broken) = (run(law, "900 kN/m"), run(law, "440 kN/m"));
         let right = 600.0 - 5.0 * 10f64.ln();
         assert!((steady.number("final_tangential_force_n").unwrap() / right - 1.0).abs() < 1e-6, "{law}");
         let speeds = |outcome: &Outcome| {
             let late = outcome.records.iter().filter(|record| record.time > 300.0);
             late.map(|record| record.machine.unwrap().rated.unwrap().speed).fold(0.0, f64::max)
         };
-        assert!(
-            (speeds(&steady) / 1e-5 - 1.0).abs() < 0.01 && speeds(&broken) > 1.1e-5,
-            "{law}: {:e}",
-            speeds(&broken)
-        );
+        assert!((speeds(&steady) / 1e-5 - 1.0).abs() < 1e-6 && speeds(&broken) > 1e-3, "{law}: {:e}", speeds(&broken));
         let critical = broken.number("critical_stiffness_n_per_m").unwrap();
-        assert!(critical > 500e3 && critical < 503e3, "{critical}");
+        assert!(critical > 500e3 && critical < 501e3, "{critical}");
     }
 }
 
@@ -190,7 +186,7 @@ fn rate_and_state_without_effects_is_coulomb() {
 #[test]
 fn a_contact_that_has_lain_holds_more() {
     let held = |law: &str, hold: &str| {
-        let history = format!("{hold}Drive(speed: \"10 um/s\", over: 100)");
+        let history = format!("{hold}Drive(speed: \"10 um/s\", over: 260)");
         outcome(&granite(&format!("{WEAKENS}{law}"), SOFT, &history)).number("largest_tangential_force_n").unwrap()
     };
     let hold = "HoldForce(over: 10000), ";
