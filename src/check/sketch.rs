@@ -3,7 +3,7 @@
 use super::attempt::{Attempt, Pairs};
 use crate::contact::adhesion::{Adhesion, EdgeRule, Jkr};
 use crate::drive::machine::Machine;
-use crate::friction::{Coulomb, Friction, StaticKinetic};
+use crate::friction::{Coulomb, Friction, RateState, StaticKinetic};
 use crate::input::quantity::{Dimension, Domain, Quantity};
 use crate::input::table::InMemory;
 use crate::material::{Body, Elastic, PowerLaw, Relaxation, Shear, Term, Terms, Viscoelastic};
@@ -278,6 +278,12 @@ impl Sketch {
             si(held)
                 .and_then(|held| Ok(Friction::StaticKinetic(StaticKinetic { r#static: held, kinetic: si(slides)? }))),
         )
+    }
+
+    /// A friction of rate and state.
+    #[must_use]
+    pub fn rate_state(self, law: RateState) -> Self {
+        self.friction(Ok(Friction::RateState(law)))
     }
 
     /// A free impact of 1 kg at a speed [m/s].

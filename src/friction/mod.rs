@@ -25,6 +25,7 @@ pub mod fretting;
 pub mod peeling;
 pub mod viscoelastic;
 pub mod sliding;
+pub mod rate_state;
 pub mod oblique;
 mod load;
 mod slipped;
@@ -35,6 +36,7 @@ pub use crate::contact::error::FrictionError;
 pub use bed::CoulombBed;
 pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
+pub use rate_state::{RateState, SlipRate, StateLaw};
 pub use strength::{Strength, StrengthCurve};
 pub use turning::{Branch, Corner, Grip, Pose, TangentialMemory, TangentialState};
 pub use viscoelastic::ViscoelasticBed;
@@ -49,6 +51,8 @@ pub enum Friction {
     Coulomb(Coulomb),
     /// Coulomb's law with a coefficient that falls as the contact begins to slide as a whole.
     StaticKinetic(StaticKinetic),
+    /// Friction that depends on the rate of slip and on a state of the contact (Dieterich 1979; Ruina 1983).
+    RateState(RateState),
     /// τ = min(μp, τ_max) in gross sliding (Ceglie et al., eq. 6).
     CoulombOrowan(CoulombOrowan),
     /// τ = τ_c + βp in gross sliding (Persson et al. 2008, eq. 3).
@@ -62,6 +66,7 @@ impl Friction {
         match self {
             Self::Coulomb(_) => "Coulomb",
             Self::StaticKinetic(_) => "StaticKinetic",
+            Self::RateState(_) => "RateState",
             Self::CoulombOrowan(_) => "CoulombOrowan",
             Self::Pressure(_) => "Pressure",
         }
@@ -73,6 +78,7 @@ impl Friction {
         match self {
             Self::Coulomb(law) => Slip::Local(law.coefficient.si()),
             Self::StaticKinetic(law) => Slip::Local(law.r#static.si()),
+            Self::RateState(law) => Slip::Local(law.coefficient.si()),
             Self::CoulombOrowan(_) | Self::Pressure(_) => Slip::Gross,
         }
     }

@@ -22,6 +22,7 @@ use super::strength::{Strength, StrengthCurve};
 use super::{Coulomb, CoulombOrowan, Friction, FrictionError};
 use crate::contact::error::OutsideTable;
 use crate::contact::loaded::Loaded;
+use crate::input::quantity::Ratio;
 use crate::numerics::quadrature::panel_with_root_ends;
 use crate::numerics::root::brent;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -91,6 +92,11 @@ impl Friction {
         Ok(match self {
             Self::Coulomb(law) => Box::new(law.clone()),
             Self::StaticKinetic(law) => Box::new(Coulomb { coefficient: law.kinetic }),
+            Self::RateState(law) => {
+                let steady = Ratio::new(law.steady(speed.max(f64::MIN_POSITIVE)));
+                let coefficient = steady.unwrap_or(law.coefficient);
+                Box::new(Coulomb { coefficient })
+            }
             Self::CoulombOrowan(law) => Box::new(law.clone()),
             Self::Pressure(law) => {
                 let strength = match (&law.shear, curve) {

@@ -21,3 +21,4 @@ pub mod quadrature;
 pub mod root;
 pub mod special;
 pub mod stabilized;
+pub mod stiff;

@@ -176,6 +176,11 @@ fn friction(
     wanted: Wanted,
 ) -> Result<Box<dyn TangentialContact>, FrictionError> {
     Ok(match law {
+        // Before the machine draws it a contact carries nothing along the surface.
+        FrictionLaw::RateState(law) => {
+            let grip = plan.grip(law.coefficient.si());
+            Box::new(CoulombMemory::new(plan.profile.clone(), grip, friction_accuracy(plan)).keeping_its_path())
+        }
         FrictionLaw::Memory { coefficient } => {
             let memory = CoulombMemory::new(plan.profile.clone(), plan.grip(*coefficient), friction_accuracy(plan));
             let driven = plan.machine.as_ref().is_some_and(MachineLaw::is_along);
@@ -224,6 +229,7 @@ pub fn sheared(plan: &RoundPlan) -> Option<ShearedAdhesion> {
             FrictionLaw::Memory { .. }
             | FrictionLaw::Springs { .. }
             | FrictionLaw::Viscoelastic { .. }
+            | FrictionLaw::RateState(_)
             | FrictionLaw::Sliding(_),
         )
         | None => None,
@@ -252,6 +258,6 @@ pub fn friction_error(plan: &RoundPlan, law: &FrictionLaw) -> Option<ErrorEstima
                     .to_owned(),
             })
         }
-        FrictionLaw::Sliding(_) | FrictionLaw::Peeling { .. } => None,
+        FrictionLaw::RateState(_) | FrictionLaw::Sliding(_) | FrictionLaw::Peeling { .. } => None,
     }
 }

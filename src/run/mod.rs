@@ -45,6 +45,7 @@ mod viscoelastic;
 
 pub use crate::contact::error::ContactError;
 pub use compose::{direct, sheared};
+pub use machine::steady_sliding;
 pub use plane::in_pieces;
 pub use warnings::tabor_parameter;
 

@@ -23,6 +23,7 @@ use super::unit::Unit;
 use crate::contact::state::Gliding;
 use crate::contact::state::Normal;
 use crate::contact::state::Tangential;
+use crate::drive::machine::RatedState;
 use crate::scene::parts::Parts;
 use crate::shape::Boundary;
 use crate::wear::Worn;
@@ -65,6 +66,8 @@ pub struct MachineState {
     pub spring: f64,
     /// Energy [J] stored in the tangential deformation of the contact.
     pub sheared: Option<f64>,
+    /// Rate and state of the contact, if its friction has them.
+    pub rated: Option<RatedState>,
     /// Work done from outside so far, by the far end of the spring or the weight; before the machine, what led the
     /// contact there [J].
     pub work: f64,
@@ -217,6 +220,14 @@ const MACHINE: &[Column<Record>] = &[
 /// Columns of a machine along the surface.
 const DRIVEN: &[Column<Record>] =
     &[DRAWN, Column::new("tangential_stored", Unit::JOULE, "energy of the shear", |record| record.machine?.sheared)];
+/// Speed of slip of a contact with rate and state.
+pub const SLIP_SPEED: Column<Record> =
+    Column::new("slip_speed", Unit::METRE_PER_SECOND, "speed of slip V", |record| Some(record.machine?.rated?.speed));
+/// Its state.
+pub const STATE: Column<Record> =
+    Column::new("state", Unit::SECOND, "state θ", |record| Some(record.machine?.rated?.state));
+/// Columns of a contact with rate and state.
+const RATED: &[Column<Record>] = &[SLIP_SPEED, STATE];
 /// Columns of a contact on pixels.
 const PIXELS: &[Column<Record>] = &[
     AREA,
@@ -241,7 +252,8 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let pixels = records.iter().any(|record| record.pixels.is_some());
     let driven = records.iter().any(|record| record.machine.is_some());
     let drawn = records.iter().any(|record| record.machine.is_some_and(|machine| machine.drawn.is_some()));
-    let machine = [(MACHINE, driven), (DRIVEN, drawn)];
+    let rated = records.iter().any(|record| record.machine.is_some_and(|machine| machine.rated.is_some()));
+    let machine = [(MACHINE, driven), (DRIVEN, drawn), (RATED, rated)];
     let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
     std::iter::once((NORMAL, true))
         .chain(parts)

@@ -45,6 +45,7 @@ fn capped(friction: &Friction) -> Option<(f64, f64)> {
     match friction {
         Friction::Coulomb(law) => Some((law.coefficient.si(), f64::MAX)),
         Friction::StaticKinetic(law) => Some((law.r#static.si(), f64::MAX)),
+        Friction::RateState(law) => Some((law.coefficient.si(), f64::MAX)),
         Friction::CoulombOrowan(law) => Some((law.coefficient.si(), law.shear_limit.si())),
         Friction::Pressure(_) => None,
     }

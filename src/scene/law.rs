@@ -23,10 +23,11 @@ use crate::contact::plastic::YieldingBall;
 use crate::contact::state::Tangential;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::attraction::Attraction;
+use crate::drive::machine::RatedMass;
 use crate::drive::machine::Suspension;
 pub use crate::friction::contact::Interface;
 use crate::friction::peeling::ShearedAdhesion;
-use crate::friction::{CoulombBed, TangentialMemory};
+use crate::friction::{CoulombBed, RateState, TangentialMemory};
 use crate::material::Relaxation;
 use crate::scene::history::{MachineEntry, MachineMotion, Motion};
 use std::num::NonZeroUsize;
@@ -418,8 +419,10 @@ pub struct MachineLaw {
 
 impl MachineLaw {
     /// What it adds to the reason for a solver.
-    pub(super) fn in_words(&self) -> &'static str {
-        if self.is_along() {
+    pub(super) fn in_words(&self, friction: Option<&FrictionLaw>) -> &'static str {
+        if self.is_along() && friction.and_then(FrictionLaw::rate_state).is_some() {
+            "; the mass of the machine is led by its spring and a contact that gives with the stiffness 2G*a and slips as a whole, with one state: extrapolated implicit steps in the logarithms of speed and state, without events"
+        } else if self.is_along() {
             "; the mass of the machine is led by its spring and the memory of friction: extrapolated steps while the contact sticks, in closed form while it slides as a whole, each end of a slip to rounding"
         } else {
             "; the mass of the machine swings on the contact in extrapolated steps, which end where it touches, parts or turns"
@@ -488,6 +491,8 @@ pub enum FrictionLaw {
         /// E*(t).
         relaxation: Arc<Relaxation>,
     },
+    /// Friction of rate and state of the contact as a whole, in a machine.
+    RateState(RateState),
     /// Gross sliding under a law that acts on the pressure.
     Sliding(Interface),
     /// Sliding of an adhesive contact.
@@ -505,6 +510,7 @@ impl FrictionLaw {
             Self::Memory { .. } => Component::TurningPoints,
             Self::Springs { .. } => Component::FrictionSprings,
             Self::Viscoelastic { .. } => Component::ViscoelasticFriction,
+            Self::RateState(_) => Component::RateState,
             Self::Sliding(_) => Component::Sliding,
             Self::Peeling { .. } => Component::Peeling,
         }
@@ -519,6 +525,7 @@ impl FrictionLaw {
             Self::Springs { count, .. } => size_of::<CoulombBed>() + (16 + 40) * count.get(),
             // Known from the run.
             Self::Viscoelastic { .. } => 0,
+            Self::RateState(_) => size_of::<RatedMass>(),
             Self::Sliding(_) => size_of::<Tangential>(),
             Self::Peeling { .. } => size_of::<ShearedAdhesion>() + size_of::<Tangential>(),
         }
@@ -531,7 +538,20 @@ impl FrictionLaw {
             Self::Memory { coefficient }
             | Self::Springs { coefficient, .. }
             | Self::Viscoelastic { coefficient, .. } => Some(*coefficient),
-            Self::Sliding(_) | Self::Peeling { .. } => None,
+            Self::RateState(_) | Self::Sliding(_) | Self::Peeling { .. } => None,
+        }
+    }
+
+    /// Rate and state of the contact, if they matter.
+    #[must_use]
+    pub fn rate_state(&self) -> Option<&RateState> {
+        match self {
+            Self::RateState(law) => Some(law),
+            Self::Memory { .. }
+            | Self::Springs { .. }
+            | Self::Viscoelastic { .. }
+            | Self::Sliding(_)
+            | Self::Peeling { .. } => None,
         }
     }
 
@@ -539,7 +559,7 @@ impl FrictionLaw {
     #[must_use]
     pub fn interface(&self) -> Option<&Interface> {
         match self {
-            Self::Memory { .. } | Self::Springs { .. } | Self::Viscoelastic { .. } => None,
+            Self::Memory { .. } | Self::Springs { .. } | Self::Viscoelastic { .. } | Self::RateState(_) => None,
             Self::Sliding(interface) | Self::Peeling { interface, .. } => Some(interface),
         }
     }

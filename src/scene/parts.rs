@@ -45,6 +45,7 @@ pub(super) enum Component {
     TurningPoints,
     FrictionSprings,
     ViscoelasticFriction,
+    RateState,
     Sliding,
     Peeling,
     Wear,
@@ -54,7 +55,7 @@ pub(super) enum Component {
 }
 
 impl Component {
-    const ALL: [Self; 13] = [
+    const ALL: [Self; 14] = [
         Self::Profile,
         Self::VanishingRange,
         Self::FiniteRange,
@@ -62,6 +63,7 @@ impl Component {
         Self::TurningPoints,
         Self::FrictionSprings,
         Self::ViscoelasticFriction,
+        Self::RateState,
         Self::Sliding,
         Self::Peeling,
         Self::Wear,
@@ -79,6 +81,7 @@ impl Component {
             Self::TurningPoints => "stick and slip by turning points",
             Self::FrictionSprings => "stick and slip by springs",
             Self::ViscoelasticFriction => "stick and slip by relaxing springs",
+            Self::RateState => "friction of rate and state",
             Self::Sliding => "gross sliding on the pressure",
             Self::Peeling => "peeling under shear",
             Self::Wear => "wear of the profile (Archard)",

@@ -133,7 +133,13 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Option<P
         (Geometry::Rough(surface, base), None) => {
             let coefficient = match &shared.scene.friction {
                 Some(Friction::Coulomb(law)) => Some(law.coefficient.si()),
-                Some(Friction::StaticKinetic(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_)) | None => None,
+                Some(
+                    Friction::StaticKinetic(_)
+                    | Friction::RateState(_)
+                    | Friction::CoulombOrowan(_)
+                    | Friction::Pressure(_),
+                )
+                | None => None,
             };
             Plan::Rough(RoughPlan { coefficient, ..rough(shared, (surface, base.as_ref())) })
         }
@@ -171,11 +177,22 @@ fn machine(shared: &Shared) -> Option<MachineLaw> {
     let steps = scene.steps.map(NonZeroUsize::get);
     let entries = scene.history.iter().enumerate();
     let motions = entries.filter_map(|(number, entry)| entry.traits(number, None, steps).machine).collect();
-    let left = match &scene.friction {
+    Some(MachineLaw { suspension, left: left(scene.friction.as_ref()), motions })
+}
+
+/// What is left of the friction that sets a contact sliding once it slides as a whole.
+fn left(friction: Option<&Friction>) -> f64 {
+    match friction {
         Some(Friction::StaticKinetic(law)) if law.r#static.si() > 0.0 => law.kinetic.si() / law.r#static.si(),
-        Some(_) | None => 1.0,
-    };
-    Some(MachineLaw { suspension, left, motions })
+        Some(
+            Friction::StaticKinetic(_)
+            | Friction::Coulomb(_)
+            | Friction::RateState(_)
+            | Friction::CoulombOrowan(_)
+            | Friction::Pressure(_),
+        )
+        | None => 1.0,
+    }
 }
 
 /// Whether the history leads the body along the surface of a bed that remembers.
@@ -290,6 +307,11 @@ fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
         Slip::Local(coefficient) => coefficient,
         Slip::Gross => return gross(shared, friction),
     };
+    if let Friction::RateState(law) = friction
+        && !law.is_coulomb()
+    {
+        return FrictionLaw::RateState(law.clone());
+    }
     match (shared.read.relaxation.clone(), springs) {
         (None, None) => FrictionLaw::Memory { coefficient },
         (None, Some(count)) => FrictionLaw::Springs { coefficient, count },

@@ -1,6 +1,6 @@
 //! Plans in words.
 
-use super::law::{FrictionLaw, MachineLaw, WearLaw};
+use super::law::{FrictionLaw, WearLaw};
 use super::parts::{Component, Parts, Solver};
 use super::plan::{HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use crate::contact::direct::QuasiStatic;
@@ -34,7 +34,7 @@ impl RoundPlan {
         used.extend(self.machine.as_ref().map(|_| Component::Machine));
         let mut solver = self.solver();
         solver.reason.extend(self.wear.map(WearLaw::in_words));
-        solver.reason.extend(self.machine.as_ref().map(MachineLaw::in_words));
+        solver.reason.extend(self.machine.as_ref().map(|machine| machine.in_words(self.friction.as_ref())));
         let tangential = self.friction.as_ref().map_or(0, FrictionLaw::bytes);
         Parts {
             springs: self.contact.springs(),

@@ -123,3 +123,84 @@ fn a_ball_on_rubber_comes_to_lie() {
     assert!(outcome.number("rest_time_s").unwrap() < 3.0);
     assert!(outcome.number("energy_error").unwrap() < 1e-3 && outcome.error_estimate.relative < 5e-2, "{outcome:?}");
 }
+
+/// A punch of granite under rate and state, with what the friction, the machine and the history say.
+fn granite(friction: &str, machine: &str, history: &str) -> String {
+    format!(
+        "(shape: FlatPunch(radius: \"10 mm\"), bodies: (Elastic(young: \"60 GPa\", poisson: 0.25), Rigid), \
+         friction: RateState(coefficient: 0.6, {friction}, distance: \"10 um\", speed: \"1 um/s\"), \
+         machine: ({machine}), history: [Press(to: \"1 kN\", over: 1), {history}])"
+    )
+}
+
+const WEAKENS: &str = "direct: 0.01, evolution: 0.015";
+const SOFT: &str = "mass: 1, stiffness: \"300 kN/m\", damping: \"2 kN s/m\"";
+
+/// Where a drive of rate and state is cut or recorded changes nothing, to the last bit.
+#[test]
+fn cuts_of_a_drive_with_rate_and_state_change_no_bit() {
+    let slips = |history: &str, steps: usize| {
+        let text = granite(WEAKENS, SOFT, history).replace(")])", &format!(")], steps: {steps})"));
+        let outcome = outcome(&text);
+        (times(&outcome, "slips", "start_time"), times(&outcome, "slips", "jump"), outcome.records.last().copied())
+    };
+    let whole = slips("Drive(speed: \"10 um/s\", over: 256)", 10);
+    let cut = slips("Drive(speed: \"10 um/s\", over: 64), Drive(speed: \"10 um/s\", over: 192)", 64);
+    assert!(whole.0.len() > 1 && (&whole.0, &whole.1) == (&cut.0, &cut.1), "{:?} {:?}", whole.0, cut.0);
+    let (one, other) = (whole.2.unwrap(), cut.2.unwrap());
+    assert_eq!((one.tangential, one.machine), (other.tangential, other.machine));
+}
+
+/// Above the critical stiffness a drive comes to slide steadily, below it never.
+#[test]
+fn a_stiff_spring_slides_steadily_and_a_soft_one_does_not() {
+    let run = |law: &str, stiffness: &str| {
+        let machine = SOFT.replace("300 kN/m", stiffness).replace("2 kN s/m", "200 N s/m");
+        outcome(&granite(&format!("{WEAKENS}{law}"), &machine, "Drive(speed: \"10 um/s\", over: 400)"))
+    };
+    for law in ["", ", law: Slip"] {
+        let (steady, broken) = (run(law, "900 kN/m"), run(law, "440 kN/m"));
+        let right = 600.0 - 5.0 * 10f64.ln();
+        assert!((steady.number("final_tangential_force_n").unwrap() / right - 1.0).abs() < 1e-6, "{law}");
+        let speeds = |outcome: &Outcome| {
+            let late = outcome.records.iter().filter(|record| record.time > 300.0);
+            late.map(|record| record.machine.unwrap().rated.unwrap().speed).fold(0.0, f64::max)
+        };
+        assert!((speeds(&steady) / 1e-5 - 1.0).abs() < 1e-6 && speeds(&broken) > 1e-3, "{law}: {:e}", speeds(&broken));
+        let critical = broken.number("critical_stiffness_n_per_m").unwrap();
+        assert!(critical > 500e3 && critical < 501e3, "{critical}");
+    }
+}
+
+/// Without a direct effect and one of the state the friction is Coulomb's, to the last bit.
+#[test]
+fn rate_and_state_without_effects_is_coulomb() {
+    let rated = granite("direct: 0, evolution: 0", SOFT, "Drive(speed: \"10 um/s\", over: 300)");
+    let begin = rated.find("RateState(").unwrap();
+    let end = rated.find(", machine").unwrap();
+    let coulomb = format!("{}Coulomb(coefficient: 0.6){}", &rated[..begin], &rated[end..]);
+    assert_eq!(outcome(&rated).records, outcome(&coulomb).records);
+}
+
+/// A contact that has lain slips later by the ageing law, and no later by the slip law.
+#[test]
+fn a_contact_that_has_lain_holds_more() {
+    let held = |law: &str, hold: &str| {
+        let history = format!("{hold}Drive(speed: \"10 um/s\", over: 260)");
+        outcome(&granite(&format!("{WEAKENS}{law}"), SOFT, &history)).number("largest_tangential_force_n").unwrap()
+    };
+    let hold = "HoldForce(over: 10000), ";
+    assert!(held("", hold) > held("", "") + 10.0);
+    assert!((held(", law: Slip", hold) - held(", law: Slip", "")).abs() < 1e-9);
+    assert!((held(", law: Slip, state: 10011", hold) - held(", law: Slip, state: 10011", "")).abs() < 1e-9);
+}
+
+/// Friction that grows with the speed has no critical stiffness; a contact that lets go by itself is an error that says so.
+#[test]
+fn contacts_beyond_the_threshold_are_told() {
+    let strengthens = outcome(&granite("direct: 0.015, evolution: 0.01", SOFT, "Drive(speed: \"10 um/s\", over: 100)"));
+    assert!(strengthens.number("critical_stiffness_n_per_m").is_none());
+    let text = granite(WEAKENS, SOFT, "Drive(speed: \"10 um/s\", over: 1000)").replace("60 GPa", "30 MPa");
+    let error = run(&planned(&text), Wanted::NOTHING).unwrap_err().to_string();
+    assert!(error.contains("history[1]") && error.contains("rupture"), "{error}");
+}

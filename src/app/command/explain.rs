@@ -9,6 +9,7 @@ use crate::check::matrix::{self, Cell, Verdict};
 use crate::check::{one_piece, theory};
 use crate::contact::adhesion::{AdhesionTraits, Range};
 use crate::run::record::Outcome;
+use crate::run::steady_sliding;
 use crate::scene::plan::Plan;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -77,6 +78,9 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
     line("accuracy asked", &format!("{:e}", plan.accuracy()));
     let estimate = &outcome.error_estimate;
     line("error expected", &format!("{:.0e} ({})", estimate.relative, estimate.basis));
+    if let Some(words) = steady_sliding(plan, outcome) {
+        line("steady sliding", &words);
+    }
     for words in one_piece::in_words(plan, outcome) {
         line("connectivity", &words);
     }
@@ -147,6 +151,7 @@ fn json(plan: &Plan, outcome: &Outcome) -> Result<String, Failure> {
         "accuracy": plan.accuracy(),
         "error_estimate": outcome.error_estimate,
         "connectivity": one_piece::in_words(plan, outcome),
+        "steady_sliding": steady_sliding(plan, outcome),
         "theories": theories(plan, outcome),
         "warnings": outcome.warnings,
     });

@@ -30,15 +30,20 @@
 
 mod drawn;
 mod mass;
+mod rated;
 mod sliding;
+mod stability;
 mod stepped;
 
 pub use drawn::{Drawn, DrawnMoment, DrawnState, Turnover};
 pub use mass::{Happening, Mass, MassMoment, MassState};
+pub use rated::{RatedMass, RatedState};
+pub use stability::{Carried, Threshold, threshold};
 pub use stepped::SteppedMachine;
 
 use crate::contact::error::ContactError;
 use crate::contact::model::ContactModel;
+use crate::contact::state::Tangential;
 use crate::input::quantity::{self, Damping, Stiffness};
 use serde::{Deserialize, Serialize};
 
@@ -97,6 +102,42 @@ pub trait MovedMass {
     fn step(&mut self, until: f64) -> Result<Option<MassMoment>, MachineError>;
 }
 
+/// A mass that a spring draws along the surface, step by step.
+pub trait DrawnMass {
+    /// Draws on at the speed `speed` [m/s] from now on.
+    fn draw(&mut self, speed: f64);
+
+    /// On to the time `until` [s], or to the next change between stick and slip, which is told.
+    ///
+    /// # Errors
+    /// The contact cannot follow, or the motion is too fast.
+    fn step(&mut self, until: f64) -> Result<Option<DrawnMoment>, MachineError>;
+
+    /// Where it is.
+    fn state(&self) -> DrawnState;
+
+    /// Its mass, spring and damper.
+    fn suspension(&self) -> Suspension;
+
+    /// State of the contact.
+    fn tangential(&self) -> Tangential;
+
+    /// Rate and state of the contact, if its friction has them.
+    fn rated(&self) -> Option<RatedState> {
+        None
+    }
+
+    /// Force of the spring [N].
+    fn pull(&self) -> f64 {
+        self.suspension().stiffness * self.state().extension
+    }
+
+    /// Energy [J] of swings that were left out although they had not died down.
+    fn left_out(&self) -> f64 {
+        0.0
+    }
+}
+
 /// How the far end of a normal spring is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Held {
@@ -134,7 +175,29 @@ pub enum MachineError {
         /// Time since the beginning of the entry [s].
         time: f64,
     },
+    /// The contact lets go by itself.
+    #[error(
+        "at {time:e} s of the entry the contact lets go by itself, however its mass is held: its stiffness of {stiffness:.3e} N/m is no match for a friction that falls by (b - a)F/D_c = {fall:.3e} N/m, and under the slip law for some times that. In truth a rupture would run through it, where one state says nothing: expected a smaller force, a larger contact, a longer distance or a smaller evolution"
+    )]
+    Ruptures {
+        /// Time since the beginning of the entry [s].
+        time: f64,
+        /// Stiffness of the contact along the surface [N/m].
+        stiffness: f64,
+        /// Fall of the friction over the way [N/m].
+        fall: f64,
+    },
     /// The mass moves too fast for the duration.
+    #[error(
+        "the motion takes more than {most} steps: at {time:e} s of the entry it is not at its end; expected a shorter `over`, or a damping in which the swings of the mass on the contact die down"
+    )]
+    TooManySteps {
+        /// Most steps that are taken.
+        most: usize,
+        /// Time since the beginning of the entry [s].
+        time: f64,
+    },
+    /// The mass turns too often for the duration.
     #[error(
         "the mass turns more than {most} times: at {time:e} s of the entry it is not at its end; expected a shorter `over`, a softer spring or a larger mass"
     )]
@@ -146,5 +209,7 @@ pub enum MachineError {
     },
 }
 
+#[cfg(test)]
+mod rated_tests;
 #[cfg(test)]
 mod tests;

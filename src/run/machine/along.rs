@@ -1,9 +1,9 @@
 //! A mass that is drawn along the surface.
 
 use super::slips::{self, SlipEvent};
-use super::{Moved, failed};
+use super::{Moved, failed, rated};
 use crate::contact::error::ContactError;
-use crate::drive::machine::{Drawn, Suspension};
+use crate::drive::machine::{Drawn, DrawnMass, RatedMass};
 use crate::friction::TangentialMemory;
 use crate::run::SimulationError;
 use crate::run::follow::Run;
@@ -17,8 +17,7 @@ const MOST_MOMENTS: usize = 20_000;
 
 /// A motion being recorded.
 struct Motion<'r> {
-    suspension: Suspension,
-    mass: Drawn,
+    mass: Box<dyn DrawnMass>,
     /// Time at which the first entry begins [s].
     begin: f64,
     /// Time since then at which the present one does [s].
@@ -53,23 +52,40 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
         )));
     }
     let memory = memory(plan, before).map_err(|source| failed(first)(source.into()))?;
-    let led = |pieces: usize| -> Result<Motion<'_>, SimulationError> {
-        let mass = Drawn::new(law.suspension, memory.clone(), law.left);
-        let mut motion = Motion::new(law.suspension, mass, &last);
+    let led = |mass: Box<dyn DrawnMass>, pieces: usize| -> Result<Motion<'_>, SimulationError> {
+        let mut motion = Motion::new(mass, &last);
         law.motions.iter().try_for_each(|entry| motion.follow(entry, pieces * entry.records))?;
         Ok(motion)
     };
-    let motion = led(1)?;
-    // What a mass does after a slip depends on how it swung before: other pieces of the same way show how well that is known.
-    let error = if motion.slips.is_empty() { None } else { Some((motion.apart(&led(OTHER_PIECES)?), PIECES)) };
+    let (motion, error, of_friction) = match plan.friction.as_ref().and_then(FrictionLaw::rate_state) {
+        Some(friction) => {
+            let (found, tolerance) = (rated::contact(before, &memory), rated::tolerance(plan.accuracy()));
+            let mass = |tolerance: f64| {
+                Box::new(RatedMass::new(law.suspension, friction, (found.carried, found.age, tolerance)))
+            };
+            let motion = led(mass(tolerance), 1)?;
+            let error = motion.apart(&led(mass(rated::COARSER * tolerance), 1)?);
+            let told = (rated::results(law, friction, found.carried), rated::warnings(friction, found.carried));
+            (motion, Some((error, rated::COARSE)), told)
+        }
+        None => {
+            let mass = || Box::new(Drawn::new(law.suspension, memory.clone(), law.left));
+            let motion = led(mass(), 1)?;
+            // What a mass does after a slip depends on how it swung before: other pieces of the same way show how well that is known.
+            let slipped = !motion.slips.is_empty();
+            let error = if slipped { Some((motion.apart(&led(mass(), OTHER_PIECES)?), PIECES)) } else { None };
+            (motion, error, (Vec::new(), Vec::new()))
+        }
+    };
     let (slips, table) = (slips::results(&motion.slips), slips::table(&motion.slips));
     let tables = if motion.slips.is_empty() { Vec::new() } else { vec![table] };
     let left_out = motion.mass.left_out();
     let warning = (left_out > 0.0).then(|| {
         format!("the mass swings on the sticking contact far faster than the far end is drawn on, and without losses to speak of: {left_out:.2e} J of such swings were left out; expected a damping, or a larger mass, for them to be followed")
     });
-    let warnings = warning.into_iter().collect();
-    Ok(Moved { warnings, records: motion.records, tables, results: slips, moments: Vec::new(), error })
+    let warnings = of_friction.1.into_iter().chain(warning).collect();
+    let results = of_friction.0.into_iter().chain(slips).collect();
+    Ok(Moved { warnings, records: motion.records, tables, results, moments: Vec::new(), error })
 }
 
 /// What the friction remembers of the history before.
@@ -83,22 +99,12 @@ fn memory(plan: &RoundPlan, before: &Run) -> Result<TangentialMemory, ContactErr
 }
 
 impl<'r> Motion<'r> {
-    fn new(suspension: Suspension, mass: Drawn, before: &'r Record) -> Self {
+    fn new(mass: Box<dyn DrawnMass>, before: &'r Record) -> Self {
         let state = mass.state();
         let far_end = state.slide + state.extension;
         let (records, slips) = (Vec::new(), Vec::new());
-        let mut motion = Self {
-            suspension,
-            mass,
-            begin: before.time,
-            since: 0.0,
-            initial: 0.0,
-            far_end,
-            before,
-            records,
-            slips,
-            moments: 0,
-        };
+        let mut motion =
+            Self { mass, begin: before.time, since: 0.0, initial: 0.0, far_end, before, records, slips, moments: 0 };
         let machine = motion.machine();
         let rubbed = motion.mass.tangential().dissipated.unwrap_or(0.0);
         let normal = before.normal.stored.stored() + before.normal.dissipated;
@@ -116,7 +122,8 @@ impl<'r> Motion<'r> {
             let until = self.since + entry.over * k as f64 / records as f64;
             while self.mass.state().time < until {
                 let Some(moment) = self.mass.step(until).map_err(failed(entry.entry))? else { continue };
-                slips::note(&mut self.slips, self.begin, &moment);
+                let speed = self.mass.rated().map(|rated| rated.speed.abs());
+                slips::note(&mut self.slips, self.begin, (&moment, speed));
                 self.moments += 1;
                 if self.moments < MOST_MOMENTS {
                     self.push(entry.entry);
@@ -138,14 +145,15 @@ impl<'r> Motion<'r> {
     }
 
     fn machine(&self) -> MachineState {
-        let state = self.mass.state();
+        let (state, suspension) = (self.mass.state(), self.mass.suspension());
         MachineState {
             speed: state.speed,
             drawn: Some(state.slide + state.extension - self.far_end),
             spring_force: self.mass.pull(),
-            kinetic: self.suspension.kinetic(state.speed),
-            spring: 0.5 * self.suspension.stiffness * state.extension * state.extension,
+            kinetic: suspension.kinetic(state.speed),
+            spring: 0.5 * suspension.stiffness * state.extension * state.extension,
             sheared: self.mass.tangential().stored,
+            rated: self.mass.rated(),
             work: self.initial + state.work,
             damped: state.damped,
         }

@@ -4,7 +4,10 @@ mod along;
 mod bounces;
 mod halved;
 mod normal;
+mod rated;
 mod slips;
+
+pub use rated::steady_sliding;
 
 use super::error;
 use super::follow::{Run, follow};

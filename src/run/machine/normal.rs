@@ -202,7 +202,17 @@ impl<'r> Motion<'r> {
         let spring_force = self.suspension.push(self.held, state.depth);
         let work = self.initial + weight;
         let (speed, damped) = (state.speed, state.damped);
-        let machine = MachineState { speed, drawn: None, spring_force, kinetic, spring, sheared: None, work, damped };
+        let machine = MachineState {
+            speed,
+            drawn: None,
+            spring_force,
+            kinetic,
+            spring,
+            sheared: None,
+            rated: None,
+            work,
+            damped,
+        };
         let (entry, time) = (self.entry.entry, self.begin + state.time);
         self.records.push(Record { entry, time, normal, machine: Some(machine), ..*self.before });
     }

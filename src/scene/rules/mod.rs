@@ -103,7 +103,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 84] = [
+pub const RULES: [Rule; 86] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -151,6 +151,8 @@ pub const RULES: [Rule; 84] = [
     Rule::entry(Friction, machine::friction),
     Rule::once(Friction, History, machine::falling_friction),
     Rule::once(Friction, Friction, machine::kinetic_above_static),
+    Rule::once(Friction, Friction, machine::without_direct_effect),
+    Rule::once(Friction, Friction, machine::large_effects),
     Rule::entry(Friction, machine::slide_before),
     Rule::once(Machine, Wear, machine::with_wear),
     Rule::once(Machine, Springs, machine::on_springs),

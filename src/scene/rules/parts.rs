@@ -146,7 +146,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let known = draft.friction(Look::Whole).is_some();
     let (one, other) = (friction.name(), adhesion.name);
     match (adhesion.range, friction) {
-        (Range::Vanishing(_), Friction::Coulomb(_) | Friction::StaticKinetic(_)) => refused(
+        (Range::Vanishing(_), Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::RateState(_)) => refused(
             "friction",
             format!(
                 "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Pressure(shear: …, slope: 0), or no adhesion"
@@ -168,7 +168,11 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         (Range::Vanishing(_), Friction::Pressure(_)) => None,
         (
             Range::Finite(_),
-            Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
+            Friction::Coulomb(_)
+            | Friction::StaticKinetic(_)
+            | Friction::RateState(_)
+            | Friction::CoulombOrowan(_)
+            | Friction::Pressure(_),
         ) => refused(
             "friction",
             format!(
@@ -262,7 +266,7 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
         (Family::Line(_) | Family::Map(..), Friction::Coulomb(_)) => None,
         (
             Family::Line(_) | Family::Map(..),
-            Friction::StaticKinetic(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
+            Friction::StaticKinetic(_) | Friction::RateState(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
         ) => refused(
             "friction",
             format!(

@@ -39,6 +39,11 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     if matches!(plot, Plot::Stress | Plot::Fretting) && draft.is_driven()? {
         return Some("it is not computed of a contact in a machine: expected Machine, Force, Friction or Energy");
     }
+    if plot == Plot::Stick && matches!(draft.friction(Look::Kind), Some(Friction::RateState(_))) {
+        return Some(
+            "a contact with rate and state slips as a whole, however slowly: expected Machine, Friction or Energy",
+        );
+    }
     if plot == Plot::Stress && yields(draft)? {
         return Some(
             "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",

@@ -25,7 +25,7 @@ pub(super) fn under_friction(draft: &Draft<'_>) -> Option<Problem> {
     let (name, friction) = (draft.wear()?, draft.friction(Look::Kind)?);
     match friction {
         Friction::Coulomb(_) => None,
-        Friction::StaticKinetic(_) => None,
+        Friction::StaticKinetic(_) | Friction::RateState(_) => None,
         Friction::CoulombOrowan(_) | Friction::Pressure(_) => refused(
             "wear",
             format!(

@@ -20,6 +20,8 @@ pub fn suiting(law: &FrictionLaw, outcome: &Outcome) -> Vec<Plot> {
             let fretting = outcome.table("fretting").map(|_| Plot::Fretting);
             [Plot::Friction, Plot::Stick, Plot::Shear].into_iter().chain(fretting).collect()
         }
+        // Only a machine has it, which has figures of its own.
+        FrictionLaw::RateState(_) => Vec::new(),
         FrictionLaw::Peeling { .. } => vec![Plot::Friction, Plot::Area, Plot::Radius, Plot::Pressure],
         FrictionLaw::Sliding(_) => vec![Plot::Friction, Plot::Coefficient, Plot::Shear],
     }

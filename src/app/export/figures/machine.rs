@@ -1,22 +1,49 @@
 //! Figures of a contact in a machine.
 
-use super::curve::{against_time, axis_of, of_records};
+use super::curve::{against_time, axis_of, log, of_records};
 use crate::app::figure::{Axis, Guide, Line, Panel, Points, Series};
-use crate::run::record::{DRAWN, FORCE, INDENTATION, Outcome, Record, SLIDE, SPRING_FORCE, TANGENTIAL_FORCE, TIME};
+use crate::run::record::{
+    DRAWN, FORCE, INDENTATION, Outcome, Record, SLIDE, SLIP_SPEED, SPEED, SPRING_FORCE, STATE, TANGENTIAL_FORCE, TIME,
+};
 use crate::run::table::Column;
 use crate::scene::Plot;
-use crate::scene::law::MachineLaw;
+use crate::scene::law::{FrictionLaw, MachineLaw};
 
-/// What suits a machine.
-pub fn suiting(law: &MachineLaw) -> Vec<Plot> {
-    if law.is_along() { vec![Plot::Machine, Plot::Stick] } else { vec![Plot::Machine] }
+/// What suits a machine; a contact with rate and state never sticks.
+pub fn suiting(law: &MachineLaw, friction: Option<&FrictionLaw>) -> Vec<Plot> {
+    let sticks = law.is_along() && friction.and_then(FrictionLaw::rate_state).is_none();
+    if sticks { vec![Plot::Machine, Plot::Stick] } else { vec![Plot::Machine] }
+}
+
+/// Least speed that is drawn, as a part of the largest.
+const DECADES: f64 = 1e-9;
+
+/// Speed of slip and state of the contact, if it has them, in decades.
+fn rate_and_state(records: &[Record]) -> Vec<Panel> {
+    let over_time = |column: &Column<Record>| -> Points {
+        let sizes = records.iter().filter_map(|record| Some((record.time, (column.of)(record)?.abs())));
+        let largest = sizes.clone().map(|at| at.1).fold(f64::MIN_POSITIVE, f64::max);
+        // A contact at rest has no speed, and one that carries little creeps over dozens of decades.
+        sizes.map(|at| Some(at).filter(|at| at.1 > DECADES * largest)).collect()
+    };
+    let (speeds, states) = (over_time(&SLIP_SPEED), over_time(&STATE));
+    if records.iter().all(|record| (STATE.of)(record).is_none()) {
+        return Vec::new();
+    }
+    let panel = |axis: Axis| Panel::new(axis_of(&TIME), log(axis));
+    let masses = Series::new("mass", over_time(&SPEED)).line(Line::Dashed);
+    vec![
+        panel(Axis::linear("speed", SLIP_SPEED.unit.symbol)).with(Series::new("contact", speeds)).with(masses),
+        panel(axis_of(&STATE)).with(Series::new("", states)),
+    ]
 }
 
 /// Displacement and forces over time.
 pub fn panels(law: &MachineLaw, outcome: &Outcome) -> Vec<Panel> {
     let records = moved(&outcome.records);
     if law.is_along() {
-        return vec![displacements(&records), forces(&records, &TANGENTIAL_FORCE, "friction Fₓ")];
+        let along = [displacements(&records), forces(&records, &TANGENTIAL_FORCE, "friction Fₓ")];
+        return along.into_iter().chain(rate_and_state(&records)).collect();
     }
     let depth = if law.falls() { height(&records) } else { against_time(&records, &INDENTATION) };
     let force = if law.suspension.stiffness > 0.0 {

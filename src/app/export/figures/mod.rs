@@ -46,7 +46,7 @@ pub fn figures(plan: &Plan, outcome: &Outcome) -> Figure {
 fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
     match plan {
         Plan::Round(_) if outcome.table("profiles").is_some() => vec![Plot::Wear, Plot::Stick, Plot::Force],
-        Plan::Round(RoundPlan { machine: Some(law), .. }) => machine::suiting(law),
+        Plan::Round(RoundPlan { machine: Some(law), friction, .. }) => machine::suiting(law, friction.as_ref()),
         Plan::Round(RoundPlan { friction: Some(law), .. }) if slides(outcome) => friction::suiting(law, outcome),
         Plan::Round(RoundPlan { travel: Some(travel), .. }) => gliding::suiting(travel),
         Plan::Round(round) => {

@@ -5,7 +5,7 @@ mod forces;
 mod stuck;
 
 use super::sliding::Slide;
-use super::{MachineError, Suspension};
+use super::{DrawnMass, MachineError, Suspension};
 use crate::contact::error::ContactError;
 use crate::contact::state::Tangential;
 use crate::friction::{Pose, TangentialMemory};
@@ -34,6 +34,8 @@ pub struct DrawnState {
 pub enum Turnover {
     /// It begins to slide as a whole.
     Slips,
+    /// It slips fastest, which is told of a contact with rate and state.
+    Fastest,
     /// It sticks again.
     Sticks,
 }
@@ -116,91 +118,10 @@ impl Drawn {
         }
     }
 
-    /// Draws on at the speed `speed` [m/s] from now on.
-    pub fn draw(&mut self, speed: f64) {
-        self.drawn = speed;
-        match self.phase {
-            Phase::Slides { ahead, .. } => {
-                self.rubbed();
-                self.slides(ahead);
-            }
-            Phase::Creeps(_) => self.phase = Phase::Sticks,
-            Phase::Sticks => {}
-        }
-        self.steps = 0;
-        self.stepper.restart(f64::INFINITY);
-    }
-
-    /// Where it is.
-    #[must_use]
-    pub fn state(&self) -> DrawnState {
-        self.state
-    }
-
-    /// Its mass, spring and damper.
-    #[must_use]
-    pub fn suspension(&self) -> Suspension {
-        self.suspension
-    }
-
-    /// Force of the spring [N].
-    #[must_use]
-    pub fn pull(&self) -> f64 {
-        self.suspension.stiffness * self.state.extension
-    }
-
     /// Whether the contact slides as a whole.
     #[must_use]
     pub fn is_sliding(&self) -> bool {
         matches!(self.phase, Phase::Slides { .. })
-    }
-
-    /// State of the contact.
-    #[must_use]
-    pub fn tangential(&self) -> Tangential {
-        let state = self.memory.state();
-        let rubbed = match &self.phase {
-            Phase::Sticks | Phase::Creeps(_) => 0.0,
-            Phase::Slides { from, .. } => (state.tangential_force * (self.state.slide - from.slide)).abs(),
-        };
-        Tangential {
-            slide: self.state.slide,
-            force: state.tangential_force,
-            stick_radius: if self.is_sliding() { 0.0 } else { state.stick_radius },
-            stiffness: if self.is_sliding() { 0.0 } else { state.stiffness },
-            stored: Some(self.memory.stored()),
-            dissipated: Some(state.dissipated + rubbed),
-            area_ratio: None,
-        }
-    }
-
-    /// Energy [J] of swings that were left out although they had not died down.
-    #[must_use]
-    pub fn left_out(&self) -> f64 {
-        self.left_out
-    }
-
-    /// On to the time `until` [s], or to the next change between stick and slip, which is told.
-    ///
-    /// # Errors
-    /// The contact cannot follow, or the mass turns too often.
-    pub fn step(&mut self, until: f64) -> Result<Option<DrawnMoment>, MachineError> {
-        while self.state.time < until {
-            let moment = match &self.phase {
-                &Phase::Slides { ahead, from, slide, rest } => self.slide_on(until, (ahead, from, slide, rest))?,
-                Phase::Sticks => self.stick_on(until)?,
-                Phase::Creeps(creep) => {
-                    let creep = creep.clone();
-                    self.creep_on(until, &creep)?;
-                    None
-                }
-            };
-            if moment.is_some() {
-                return Ok(moment);
-            }
-        }
-        self.remember()?;
-        Ok(None)
     }
 
     /// Takes the memory to where the mass is.
@@ -273,5 +194,69 @@ impl Drawn {
         self.phase = Phase::Sticks;
         self.stepper.restart(f64::INFINITY);
         Ok(Some(DrawnMoment { what: Turnover::Sticks, state: self.state, force }))
+    }
+}
+
+impl DrawnMass for Drawn {
+    fn draw(&mut self, speed: f64) {
+        self.drawn = speed;
+        match self.phase {
+            Phase::Slides { ahead, .. } => {
+                self.rubbed();
+                self.slides(ahead);
+            }
+            Phase::Creeps(_) => self.phase = Phase::Sticks,
+            Phase::Sticks => {}
+        }
+        self.steps = 0;
+        self.stepper.restart(f64::INFINITY);
+    }
+
+    fn step(&mut self, until: f64) -> Result<Option<DrawnMoment>, MachineError> {
+        while self.state.time < until {
+            let moment = match &self.phase {
+                &Phase::Slides { ahead, from, slide, rest } => self.slide_on(until, (ahead, from, slide, rest))?,
+                Phase::Sticks => self.stick_on(until)?,
+                Phase::Creeps(creep) => {
+                    let creep = creep.clone();
+                    self.creep_on(until, &creep)?;
+                    None
+                }
+            };
+            if moment.is_some() {
+                return Ok(moment);
+            }
+        }
+        self.remember()?;
+        Ok(None)
+    }
+
+    fn state(&self) -> DrawnState {
+        self.state
+    }
+
+    fn suspension(&self) -> Suspension {
+        self.suspension
+    }
+
+    fn tangential(&self) -> Tangential {
+        let state = self.memory.state();
+        let rubbed = match &self.phase {
+            Phase::Sticks | Phase::Creeps(_) => 0.0,
+            Phase::Slides { from, .. } => (state.tangential_force * (self.state.slide - from.slide)).abs(),
+        };
+        Tangential {
+            slide: self.state.slide,
+            force: state.tangential_force,
+            stick_radius: if self.is_sliding() { 0.0 } else { state.stick_radius },
+            stiffness: if self.is_sliding() { 0.0 } else { state.stiffness },
+            stored: Some(self.memory.stored()),
+            dissipated: Some(state.dissipated + rubbed),
+            area_ratio: None,
+        }
+    }
+
+    fn left_out(&self) -> f64 {
+        self.left_out
     }
 }
