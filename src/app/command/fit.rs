@@ -203,7 +203,7 @@ fn not_over_inputs(data: &[PathBuf], scene: &SceneFile, stems: &[String], common
     }
 }
 
-const ENDINGS: [&str; 3] = [".fit.csv", ".fit.json", ".fit.svg"];
+const ENDINGS: [&str; 5] = [".fit.csv", ".fit.json", ".fit.svg", ".fit.png", ".fit.pdf"];
 /// The table of several fits.
 const ALL: &str = "fits.csv";
 
@@ -213,19 +213,28 @@ fn findings(
     stems: &[String],
 ) -> Result<Findings, Failure> {
     let mut files = Vec::new();
+    #[cfg(feature = "plot")]
+    let mut figures = Vec::new();
     for ((_, fit), stem) in rows.iter().zip(stems) {
         let Ok(fit) = fit else { continue };
         files.push((format!("{stem}.fit.csv"), export::fit_points(fit).map_err(Failure::failed)?));
         files.push((format!("{stem}.fit.json"), export::fit_json(fit).map_err(Failure::failed)?));
         #[cfg(feature = "plot")]
-        files.push((format!("{stem}.fit.svg"), export::fit_figure(fit).svg()));
+        figures.push((format!("{stem}.fit"), export::fit_figure(fit)));
     }
     if rows.len() > 1 {
         files.push((ALL.to_owned(), export::fits_table(fitting.free(), rows).map_err(Failure::failed)?));
     }
     let good: Vec<&Fitted> = rows.iter().filter_map(|(_, fit)| fit.ok()).collect();
     let table = good.iter().map(|fit| export::fit_text(fit)).collect::<Vec<_>>().join("\n");
-    Ok(Findings { table, json: export::fits_json(&good).map_err(Failure::failed)?, files })
+    let json = export::fits_json(&good).map_err(Failure::failed)?;
+    Ok(Findings {
+        table,
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures,
+    })
 }
 
 /// A spectrum from moduli over frequency.
@@ -242,11 +251,14 @@ fn moduli(path: &Path, arguments: &Arguments, common: &Common, console: &Console
     let file = path.display().to_string();
     let files =
         vec![(format!("{stem}.moduli.csv"), export::spectrum_points(&moduli, &spectrum).map_err(Failure::failed)?)];
-    #[cfg(feature = "plot")]
-    let files =
-        [files, vec![(format!("{stem}.moduli.svg"), export::spectrum_figure(&moduli, &spectrum).svg())]].concat();
     let json = export::spectrum_json(&file, &spectrum).map_err(Failure::failed)?;
-    Findings { table: export::spectrum_text(&file, &spectrum), json, files }
-        .named(&format!("{stem}.moduli"))
-        .deliver(common, console)
+    let name = format!("{stem}.moduli");
+    let findings = Findings {
+        table: export::spectrum_text(&file, &spectrum),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: vec![(name.clone(), export::spectrum_figure(&moduli, &spectrum))],
+    };
+    findings.named(&name).deliver(common, console)
 }

@@ -31,7 +31,7 @@ pub use comparison::{comparison_json, comparison_table, comparison_text};
 pub use figures::{comparison_figure, figures, fit_figure, overlay_figure, spectrum_figure, sweep_figure};
 pub use fit::{Fitted, fit_json, fit_points, fit_text, fits_json, fits_table};
 #[cfg(feature = "plot")]
-pub use gallery::{Shown, gallery};
+pub use gallery::{Shown, gallery, shown};
 pub use json::{json, json_of_all};
 pub use moduli::{spectrum_json, spectrum_points, spectrum_text};
 pub use npy::npy;
