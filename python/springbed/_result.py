@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
@@ -27,7 +28,7 @@ class ErrorEstimate(NamedTuple):
 
 
 class Figure:
-    """A figure as SVG; it shows itself in a notebook."""
+    """A figure as SVG; it shows itself in a notebook and is saved as SVG, PNG or PDF."""
 
     def __init__(self, svg: str) -> None:
         self.svg = svg
@@ -35,10 +36,12 @@ class Figure:
     def _repr_svg_(self) -> str:
         return self.svg
 
-    def save(self, path: Any) -> None:
-        """Write the SVG to a file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.svg)
+    def save(self, path: Any, dpi: int = 200) -> None:
+        """Write it to a file: SVG, or PNG with ``dpi`` dots per inch, or PDF, by what the name ends with."""
+        ending = os.fspath(path).rpartition(".")[2].lower()
+        kind = ending if ending in ("png", "pdf") else "svg"
+        with open(path, "wb") as file:
+            file.write(_springbed.picture(self.svg, kind, dpi))
 
 
 class Result:
@@ -91,9 +94,10 @@ class Result:
 
         return pandas.DataFrame(self.records if table == "records" else self.tables[table])
 
-    def figure(self) -> Figure:
-        """The figure of the scene, as ``springbed run`` draws it."""
-        return Figure(_springbed.figure(Source(self._scene, True, self._folder)))
+    def figure(self, style: str = "screen") -> Figure:
+        """The figure of the scene, as ``springbed run`` draws it: for a ``screen``, or in the width of one column
+        (``paper``, 85 mm) or two (``paper-wide``, 175 mm) of a journal."""
+        return Figure(_springbed.figure(Source(self._scene, True, self._folder), style))
 
     def _repr_svg_(self) -> str:
         return self.figure().svg

@@ -20,7 +20,7 @@ mod _springbed {
     #[pymodule_export]
     use super::half_space::half_space;
     #[pymodule_export]
-    use super::scene::{check, figure, run};
+    use super::scene::{check, figure, picture, run};
     #[pymodule_export]
     use super::sweep::{rows, sweep};
 

@@ -3,9 +3,12 @@
 use crate::columns::columns;
 use crate::errors::{failed, of_places, of_text};
 use crate::watch::watched;
+use clap::ValueEnum;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 use springbed::app::export;
+use springbed::app::medium::Medium;
+use springbed::app::picture::of_svg;
 use springbed::app::run::{Format, compute};
 use springbed::app::table_file::TableFiles;
 use springbed::input::problem::Problem;
@@ -117,12 +120,29 @@ pub fn run<'py>(py: Python<'py>, source: Source, set: Vec<(String, String)>) -> 
     Ok(parts)
 }
 
+/// A value of an enumeration of the program by its name.
+fn named<E: ValueEnum>(py: Python<'_>, name: &str) -> PyResult<E> {
+    let known = || E::value_variants().iter().filter_map(|kind| Some(kind.to_possible_value()?.get_name().to_owned()));
+    E::from_str(name, true).map_err(|_| {
+        failed(py, format!("{name} is not known: expected one of {}", known().collect::<Vec<_>>().join(", ")))
+    })
+}
+
+/// A figure in SVG as the bytes of a file of another format; a raster of so many dots per inch.
+#[pyfunction]
+pub fn picture<'py>(py: Python<'py>, svg: String, format: &str, dpi: u32) -> PyResult<Bound<'py, PyBytes>> {
+    let format: Format = named(py, format)?;
+    let bytes = py.detach(|| of_svg(svg, format, dpi)).map_err(|error| failed(py, error.to_string()))?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
 /// The figure of a scene as SVG.
 #[pyfunction]
-pub fn figure(py: Python<'_>, source: Source) -> PyResult<String> {
+pub fn figure(py: Python<'_>, source: Source, style: &str) -> PyResult<String> {
+    let medium: Medium = named(py, style)?;
     let drawn = move |_: &_| {
         let Computed { plan, outcome } = computed(&source, &[], &[Format::Csv, Format::Svg])?;
-        Ok(export::figures(&plan, &outcome).svg())
+        Ok(export::figures(&plan, &outcome).drawn(medium))
     };
     watched(py, drawn)?.map_err(|wrong: Wrong| wrong.raised(py))
 }

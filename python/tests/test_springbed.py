@@ -314,3 +314,15 @@ def test_other_threads_run_while_it_computes():
     during = [at for at in ticks if begun < at < begun + over]
     # Half of the ticks there is time for, at least; with the lock held there would be none.
     assert len(during) > 0.1 * over / 0.005
+
+
+def test_a_figure_is_saved_as_svg_png_and_pdf(tmp_path):
+    figure = springbed.run(HERTZ).figure("paper")
+    assert 'width="85mm"' in figure.svg
+    for name, start in [("a.svg", b"<svg"), ("a.png", b"\x89PNG"), ("a.PDF", b"%PDF")]:
+        figure.save(tmp_path / name)
+        assert (tmp_path / name).read_bytes().startswith(start)
+    figure.save(tmp_path / "small.png", dpi=100)
+    assert (tmp_path / "small.png").stat().st_size < (tmp_path / "a.png").stat().st_size
+    with pytest.raises(RuntimeError, match="expected one of screen, paper, paper-wide"):
+        springbed.run(HERTZ).figure("poster")

@@ -26,9 +26,13 @@ mod overwrite;
 mod console;
 mod progress;
 mod machine;
+pub mod medium;
 #[cfg(feature = "plot")]
 pub mod figure;
+pub mod picture;
 pub mod export;
 pub mod run;
+#[cfg(feature = "watch")]
+mod watch;
 mod starters;
 pub mod command;

@@ -7,13 +7,14 @@
 //! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
 //!     history: [Indent(to: 1, over: 1)])"#;
 //! let plan = scene_file::plan("ball.ron".as_ref(), text).map_err(|faults| faults[0].message.clone())?;
-//! let formats = [run::Format::Csv];
-//! let products = run::products(&plan, "ball.ron", &run::compute(&plan, &formats)?, &formats)?;
+//! let asked = run::Asked::of(&[run::Format::Csv]);
+//! let products = run::products(&plan, "ball.ron", &run::compute(&plan, &asked.formats)?, &asked)?;
 //! assert!(products[0].ending == ".csv" && products[0].content.starts_with(b"time_s,"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 use super::export;
+use super::picture::{Drawing, PictureError};
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Plot;
@@ -26,8 +27,12 @@ pub enum Format {
     Csv,
     /// Summary.
     Json,
-    /// Figure.
+    /// Figure for pages and editors.
     Svg,
+    /// Figure as a raster; needs the feature `pictures`.
+    Png,
+    /// Figure for print; needs the feature `pictures`.
+    Pdf,
 }
 
 impl Format {
@@ -38,7 +43,32 @@ impl Format {
             Self::Csv => "csv",
             Self::Json => "json",
             Self::Svg => "svg",
+            Self::Png => "png",
+            Self::Pdf => "pdf",
         }
+    }
+
+    /// Whether it holds a figure.
+    #[must_use]
+    pub fn is_picture(self) -> bool {
+        matches!(self, Self::Svg | Self::Png | Self::Pdf)
+    }
+}
+
+/// Files wanted, and how the figures among them are drawn.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// Their formats.
+    pub formats: Vec<Format>,
+    /// How figures are drawn.
+    pub drawing: Drawing,
+}
+
+impl Asked {
+    /// Files of the `formats`, figures for a screen.
+    #[must_use]
+    pub fn of(formats: &[Format]) -> Self {
+        Self { formats: formats.to_owned(), drawing: Drawing::default() }
     }
 }
 
@@ -63,6 +93,9 @@ pub enum RunError {
     /// The summary could not be put together.
     #[error("the summary could not be written: {0}")]
     Json(#[from] serde_json::Error),
+    /// A figure could not be drawn.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
 }
 
 /// Computes a scene, with what the `formats` need and nothing else.
@@ -79,7 +112,7 @@ pub fn compute(plan: &Plan, formats: &[Format]) -> Result<Outcome, RunError> {
 /// The computation failed.
 pub fn compute_watched(plan: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, RunError> {
     let plotted = |plot| plan.scene.plots.as_ref().is_some_and(|plots| plots.contains(&plot));
-    let figure = formats.contains(&Format::Svg);
+    let figure = formats.iter().any(|format| format.is_picture());
     let wanted = Wanted {
         fields: formats.contains(&Format::Csv)
             || formats.contains(&Format::Json)
@@ -108,7 +141,8 @@ pub fn endings(plan: &Plan, formats: &[Format]) -> Vec<String> {
         }
     }
     endings.extend(formats.contains(&Format::Json).then(|| ".json".to_owned()));
-    endings.extend((cfg!(feature = "plot") && formats.contains(&Format::Svg)).then(|| ".svg".to_owned()));
+    let pictures = formats.iter().filter(|format| cfg!(feature = "plot") && format.is_picture());
+    endings.extend(pictures.map(|format| format!(".{}", format.ending())));
     endings
 }
 
@@ -116,7 +150,8 @@ pub fn endings(plan: &Plan, formats: &[Format]) -> Vec<String> {
 ///
 /// # Errors
 /// A file could not be put together.
-pub fn products(plan: &Plan, file: &str, outcome: &Outcome, formats: &[Format]) -> Result<Vec<Product>, RunError> {
+pub fn products(plan: &Plan, file: &str, outcome: &Outcome, asked: &Asked) -> Result<Vec<Product>, RunError> {
+    let formats = &asked.formats;
     let mut products = Vec::new();
     if formats.contains(&Format::Csv) {
         products
@@ -138,9 +173,12 @@ pub fn products(plan: &Plan, file: &str, outcome: &Outcome, formats: &[Format]) 
         });
     }
     #[cfg(feature = "plot")]
-    if formats.contains(&Format::Svg) {
-        products
-            .push(Product { ending: ".svg".to_owned(), content: export::figures(plan, outcome).svg().into_bytes() });
+    if formats.iter().any(|format| format.is_picture()) {
+        let figure = export::figures(plan, outcome);
+        for &format in formats {
+            let picture = asked.drawing.bytes(&figure, format)?;
+            products.extend(picture.map(|content| Product { ending: format!(".{}", format.ending()), content }));
+        }
     }
     Ok(products)
 }

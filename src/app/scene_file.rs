@@ -43,7 +43,14 @@ impl SceneFile {
     /// Everything that is wrong with it, in the order of the text.
     pub fn load(path: &Path) -> Result<Self, Vec<Fault>> {
         let text = if is_stdin(path) { read_stdin(LARGEST) } else { read_text(path, LARGEST) };
-        let text = text.map_err(|fault| vec![fault])?;
+        Self::of(path, text.map_err(|fault| vec![fault])?)
+    }
+
+    /// The scene in `text`, as if it stood in the file at `path`.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, in the order of the text.
+    pub fn of(path: &Path, text: String) -> Result<Self, Vec<Fault>> {
         let tables = TableFiles::beside(path);
         let plan = read(path, &text, &tables)?;
         if let Some(Err(problem)) = Sweep::written(&plan.scene) {

@@ -24,6 +24,7 @@ mod ron;
 pub mod schema;
 mod standin;
 mod walk;
+pub mod written;
 
 pub use names::{advice, nearest};
 pub use position::Position;

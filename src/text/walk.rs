@@ -4,6 +4,7 @@
 //! commas, colons, text and comments, so it also works on a scene that does not parse, in RON and in JSON.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 /// Byte offsets of the values at the given field paths (`history[3].to`, `bodies.0.young`).
 ///
@@ -25,6 +26,17 @@ pub fn locate(text: &str, paths: &[&str]) -> Vec<usize> {
     let both = |(path, listed)| with_parents(path).zip(with_parents(listed));
     let place = |(one, other)| wanted[one].min(wanted[other]);
     spellings().map(|paths| both(paths).map(place).find(|&at| at < usize::MAX).unwrap_or(0)).collect()
+}
+
+/// The paths of all values in the order of the text, each with the bytes of its first token.
+#[must_use]
+pub fn values(text: &str) -> Vec<(String, Range<usize>)> {
+    let mut walker = Walker::new(text);
+    let mut found = Vec::new();
+    while let Some(start) = walker.next_value() {
+        found.push((walker.path.clone(), start..start + token(text, start).len()));
+    }
+    found
 }
 
 /// The path with the members of pairs counted like those of lists, as JSON has them: `bodies[0]` for `bodies.0`.

@@ -151,7 +151,7 @@ fn wrong_usage() {
     assert!(code(&["new", "hetz"]).contains("unknown kind `hetz`: did you mean `hertz`? Known: hertz, "));
     assert!(code(&["rum", "x.ron"]).contains("unrecognized subcommand 'rum'"));
     assert!(code(&["run"]).contains("SCENE.ron"));
-    assert!(code(&["run", "x.ron", "--format", "pdf"]).contains("invalid value 'pdf'"));
+    assert!(code(&["run", "x.ron", "--format", "doc"]).contains("invalid value 'doc'"));
     assert!(code(&["run", "x.ron", "--threads", "0"]).contains("invalid value '0'"));
     assert!(code(&["run", "x.ron", "--threads", "100000"]).contains("expected at most 4096"));
     let twice = code(&["run", "configs/hertz.ron", "./configs/hertz.ron"]);

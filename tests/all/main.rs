@@ -31,6 +31,8 @@ mod mended;
 #[cfg(feature = "cli")]
 mod overlay;
 #[cfg(feature = "cli")]
+mod pictures;
+#[cfg(feature = "cli")]
 mod program;
 #[cfg(feature = "cli")]
 mod rough;
@@ -47,6 +49,8 @@ mod text;
 #[cfg(feature = "text")]
 mod told;
 mod viscoelastic_scenes;
+#[cfg(feature = "watch")]
+mod watch;
 #[cfg(feature = "text")]
 mod wear;
 mod wavy_jumps;

@@ -3,13 +3,13 @@
 //! A comment `// answer: pull_off_force_n = -494.8008429e-6` holds the result of that name to half a
 //! unit of its last digit. The answers are from the formulas named beside them, computed with 20 digits.
 
-use springbed::app::run::{Format, compute, endings, products};
+use springbed::app::run::{Asked, Format, compute, endings, products};
 use springbed::app::scene_file::SceneFile;
 use springbed::run::named::Finding;
 use springbed::run::record::Outcome;
 use std::path::{Path, PathBuf};
 
-fn scenes() -> Vec<PathBuf> {
+pub(super) fn scenes() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs");
     let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let mut scenes: Vec<PathBuf> =
@@ -48,7 +48,7 @@ fn every_scene_runs_and_gives_the_answers_in_its_comments() {
         let scene = SceneFile::load(&path).unwrap_or_else(|faults| panic!("{faults:?}"));
         let formats = [Format::Csv, Format::Json, Format::Svg];
         let outcome = compute(&scene.plan, &formats).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let files = products(&scene.plan, "scene.ron", &outcome, &formats).unwrap();
+        let files = products(&scene.plan, "scene.ron", &outcome, &Asked::of(&formats)).unwrap();
         assert!(files.len() >= 2 && files.iter().all(|file| !file.content.is_empty()), "{}", path.display());
         let known = endings(&scene.plan, &formats);
         assert!(files.iter().all(|file| known.contains(&file.ending)), "{}: beyond {known:?}", path.display());

@@ -24,8 +24,13 @@ pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failur
     let (title, name) = (&scene.plan.scene.title, format!("{}.compare", scene.stem()));
     let table = export::comparison_table(&comparison).map_err(Failure::failed)?;
     let files = vec![(format!("{name}.csv"), table)];
-    #[cfg(feature = "plot")]
-    let files = [files, vec![(format!("{name}.svg"), export::comparison_figure(title, &comparison).svg())]].concat();
     let json = export::comparison_json(&comparison).map_err(Failure::failed)?;
-    Findings { table: export::comparison_text(title, &comparison), json, files }.named(&name).deliver(common, console)
+    let findings = Findings {
+        table: export::comparison_text(title, &comparison),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: vec![(name.clone(), export::comparison_figure(title, &comparison))],
+    };
+    findings.named(&name).deliver(common, console)
 }

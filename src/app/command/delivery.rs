@@ -2,6 +2,10 @@
 
 use super::Common;
 use crate::app::console::{Console, Failure};
+#[cfg(feature = "plot")]
+use crate::app::figure::Figure;
+#[cfg(feature = "plot")]
+use crate::app::picture::unwritable;
 use crate::app::run::Format;
 use crate::app::write::write_all;
 
@@ -11,8 +15,11 @@ pub struct Findings {
     pub table: String,
     /// As JSON.
     pub json: String,
-    /// Names and contents of the files.
+    /// Names and contents of the tables and summaries.
     pub files: Vec<(String, String)>,
+    /// Figures with their names, without what follows the last dot.
+    #[cfg(feature = "plot")]
+    pub figures: Vec<(String, Figure)>,
 }
 
 impl Findings {
@@ -26,7 +33,7 @@ impl Findings {
     /// Says them on standard output, as a table or as JSON, and writes the files of the formats asked for.
     ///
     /// # Errors
-    /// Standard output is closed; a file cannot be written.
+    /// Standard output is closed; a figure cannot be drawn, a file not be written.
     pub fn deliver(&self, common: &Common, console: &Console) -> Result<(), Failure> {
         if common.json {
             console.result(&self.json)?;
@@ -35,15 +42,38 @@ impl Findings {
         }
         let wanted = |name: &str| {
             let of = |format: Format, ending: &str| common.format.contains(&format) && name.ends_with(ending);
-            of(Format::Csv, ".csv") || of(Format::Json, ".json") || of(Format::Svg, ".svg")
+            of(Format::Csv, ".csv") || of(Format::Json, ".json")
         };
-        let files = self.files.iter().filter(|file| wanted(&file.0));
-        let files: Vec<(String, &[u8])> = files.map(|(name, text)| (name.clone(), text.as_bytes())).collect();
+        let texts = self.files.iter().filter(|file| wanted(&file.0));
+        let texts = texts.map(|(name, text)| (name.clone(), text.clone().into_bytes()));
+        let files: Vec<(String, Vec<u8>)> = texts.chain(self.pictures(common, console)?).collect();
+        let files: Vec<(String, &[u8])> = files.iter().map(|(name, bytes)| (name.clone(), &bytes[..])).collect();
         let written = write_all(&common.out, &files).map_err(Failure::failed)?;
         let written: Vec<String> = written.iter().map(|path| path.display().to_string()).collect();
         if !written.is_empty() {
             console.message(&format!("  wrote {}", written.join(", ")));
         }
         Ok(())
+    }
+
+    /// The figures in the formats asked for.
+    #[cfg(feature = "plot")]
+    fn pictures(&self, common: &Common, console: &Console) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        let mut files = Vec::new();
+        for (name, figure) in &self.figures {
+            if let Some(warning) = unwritable(&figure.svg(), &common.format) {
+                console.warning(&format!("{name}: {warning}"));
+            }
+            for &format in &common.format {
+                let bytes = common.drawing().bytes(figure, format).map_err(Failure::failed)?;
+                files.extend(bytes.map(|bytes| (format!("{name}.{}", format.ending()), bytes)));
+            }
+        }
+        Ok(files)
+    }
+
+    #[cfg(not(feature = "plot"))]
+    fn pictures(&self, _: &Common, _: &Console) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        Ok(Vec::new())
     }
 }

@@ -207,7 +207,8 @@ fn not_over_inputs(data: &[PathBuf], scene: &SceneFile, stems: &[String], common
     let real = |path: &Path| path.canonicalize().ok();
     let read: BTreeSet<PathBuf> =
         data.iter().chain([&scene.path]).chain(&scene.tables).filter_map(|path| real(path)).collect();
-    let names = stems.iter().flat_map(|stem| ENDINGS.map(|ending| format!("{stem}{ending}")));
+    let of = |stem: &String| NAMES.map(|name| FORMATS.map(|format| format!("{stem}{name}{format}"))).concat();
+    let names = stems.iter().flat_map(of);
     let over = names
         .chain([ALL.to_owned()])
         .find(|name| real(&common.out.join(name)).is_some_and(|path| read.contains(&path)));
@@ -223,28 +224,32 @@ fn not_over_inputs(data: &[PathBuf], scene: &SceneFile, stems: &[String], common
     }
 }
 
-const ENDINGS: [&str; 7] =
-    [".fit.csv", ".fit.json", ".fit.svg", ".models.csv", ".models.svg", ".chi2.csv", ".chi2.svg"];
+/// What follows the stem of a data file, but for the formats of figures.
+const NAMES: [&str; 3] = [".fit", ".models", ".chi2"];
+/// Formats of files.
+const FORMATS: [&str; 5] = [".csv", ".json", ".svg", ".png", ".pdf"];
 /// The table of several fits.
 const ALL: &str = "fits.csv";
 
 fn findings(rows: &[(String, Result<&Fitted, &str>)], stems: &[String]) -> Result<Findings, Failure> {
     let mut files = Vec::new();
+    #[cfg(feature = "plot")]
+    let mut figures = Vec::new();
     for ((_, fit), stem) in rows.iter().zip(stems) {
         let Ok(fit) = fit else { continue };
         files.push((format!("{stem}.fit.csv"), export::fit_points(fit).map_err(Failure::failed)?));
         files.push((format!("{stem}.fit.json"), export::fit_json(fit).map_err(Failure::failed)?));
         #[cfg(feature = "plot")]
-        files.push((format!("{stem}.fit.svg"), export::fit_figure(fit).svg()));
+        figures.push((format!("{stem}.fit"), export::fit_figure(fit)));
         if let Some(map) = &fit.fit.map {
             files.push((format!("{stem}.chi2.csv"), export::map_table(map).map_err(Failure::failed)?));
             #[cfg(feature = "plot")]
-            files.push((format!("{stem}.chi2.svg"), export::map_figure(fit, map).svg()));
+            figures.push((format!("{stem}.chi2"), export::map_figure(fit, map)));
         }
         if !fit.models.is_empty() {
             files.push((format!("{stem}.models.csv"), export::models_table(fit).map_err(Failure::failed)?));
             #[cfg(feature = "plot")]
-            files.push((format!("{stem}.models.svg"), export::models_figure(fit).svg()));
+            figures.push((format!("{stem}.models"), export::models_figure(fit)));
         }
     }
     if rows.len() > 1 {
@@ -252,7 +257,14 @@ fn findings(rows: &[(String, Result<&Fitted, &str>)], stems: &[String]) -> Resul
     }
     let good: Vec<&Fitted> = rows.iter().filter_map(|(_, fit)| fit.ok()).collect();
     let table = good.iter().map(|fit| export::fit_text(fit)).collect::<Vec<_>>().join("\n");
-    Ok(Findings { table, json: export::fits_json(&good).map_err(Failure::failed)?, files })
+    let json = export::fits_json(&good).map_err(Failure::failed)?;
+    Ok(Findings {
+        table,
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures,
+    })
 }
 
 /// A spectrum from moduli over frequency, at one temperature or at several.
@@ -280,10 +292,14 @@ fn moduli(path: &Path, arguments: &Arguments, common: &Common, console: &Console
     if let Some(master) = &master {
         files.push((format!("{stem}.shifts.csv"), export::shifts_table(master).map_err(Failure::failed)?));
     }
-    #[cfg(feature = "plot")]
-    files.push((format!("{stem}.moduli.svg"), export::spectrum_figure(&moduli, &spectrum, master.as_ref()).svg()));
     let json = export::spectrum_json(&file, &spectrum, master.as_ref()).map_err(Failure::failed)?;
-    Findings { table: export::spectrum_text(&file, &spectrum, master.as_ref()), json, files }
-        .named(&format!("{stem}.moduli"))
-        .deliver(common, console)
+    let name = format!("{stem}.moduli");
+    let findings = Findings {
+        table: export::spectrum_text(&file, &spectrum, master.as_ref()),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: vec![(name.clone(), export::spectrum_figure(&moduli, &spectrum, master.as_ref()))],
+    };
+    findings.named(&name).deliver(common, console)
 }

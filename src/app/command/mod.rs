@@ -19,9 +19,13 @@ mod run;
 mod shell;
 mod sweep;
 mod verify;
+#[cfg(feature = "watch")]
+mod watch;
 
 use super::console::{Colour, Console, Failure, Voice};
-use super::run::Format;
+use super::medium::Medium;
+use super::picture::{self, Drawing};
+use super::run::{Asked, Format};
 use super::{starters, write};
 use crate::check::study::Thoroughness;
 use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum};
@@ -50,6 +54,12 @@ pub struct Common {
     /// Kinds of files to write.
     #[arg(long, global = true, value_enum, value_delimiter = ',', default_value = "csv,json,svg")]
     pub format: Vec<Format>,
+    /// What figures are drawn for.
+    #[arg(long, global = true, value_enum, default_value = "screen")]
+    pub style: Medium,
+    /// Dots per inch of PNG, 20 to 2400; 200 if not given, 600 on paper.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(20..=2400))]
+    pub dpi: Option<u32>,
     /// Threads to compute on; all cores if not given. The results do not depend on it.
     #[arg(long, global = true, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
@@ -62,6 +72,20 @@ pub struct Common {
     /// Colour in messages.
     #[arg(long, global = true, value_enum, value_name = "WHEN", default_value = "auto")]
     pub color: Colour,
+}
+
+impl Common {
+    /// How figures are drawn.
+    #[must_use]
+    pub fn drawing(&self) -> Drawing {
+        Drawing { medium: self.style, dots: self.dpi }
+    }
+
+    /// The files wanted.
+    #[must_use]
+    pub fn asked(&self) -> Asked {
+        Asked { formats: self.format.clone(), drawing: self.drawing() }
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -122,6 +146,16 @@ enum Command {
         /// Scene files.
         #[arg(required = true, value_name = "SCENE.ron")]
         scenes: Vec<PathBuf>,
+    },
+    /// Serve a page on this machine that follows a scene, with sliders for its numbers.
+    #[cfg(feature = "watch")]
+    Watch {
+        /// Scene file.
+        #[arg(value_name = "SCENE.ron")]
+        scene: PathBuf,
+        /// Port on 127.0.0.1; a free one if 0.
+        #[arg(long, value_name = "PORT", default_value_t = 0)]
+        port: u16,
     },
     /// Compare springs, the direct path and the full half-space on a scene.
     Compare {
@@ -185,8 +219,9 @@ pub fn main() -> ExitCode {
     console.end(prepared(&common).and_then(|()| answer(command, &common, &console)))
 }
 
-/// Threads and the handler of Ctrl-C.
+/// What this program can write, threads and the handler of Ctrl-C.
 fn prepared(common: &Common) -> Result<(), Failure> {
+    picture::available(&common.format).map_err(|error| Failure::Usage(error.to_string()))?;
     write::remove_unfinished_on_interrupt().map_err(Failure::failed)?;
     let Some(threads) = common.threads else { return Ok(()) };
     if threads.get() > 4096 {
@@ -212,6 +247,8 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
         Command::Overlay { curves } => overlay::run(&curves, common, console),
         #[cfg(feature = "plot")]
         Command::Gallery { scenes } => gallery::run(&scenes, common, console),
+        #[cfg(feature = "watch")]
+        Command::Watch { scene, port } => watch::run(&scene, port, console),
         Command::Compare { scene } => compare::run(&scene, common, console),
         Command::Fit(arguments) => fit::run(&arguments, common, console),
         Command::Report { topic, scene, thorough } => {

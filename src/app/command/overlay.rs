@@ -39,9 +39,14 @@ pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), 
     let curves = sources.into_par_iter().map(overlaid).collect::<Result<Vec<_>, Failure>>()?;
     let json = export::overlay_json(&curves).map_err(Failure::failed)?;
     let files = vec![(format!("{NAME}.csv"), export::overlay_table(&curves).map_err(Failure::failed)?)];
-    #[cfg(feature = "plot")]
-    let files = [files, vec![(format!("{NAME}.svg"), export::overlay_figure(&curves).svg())]].concat();
-    Findings { table: export::overlay_text(&curves), json, files }.named(NAME).deliver(common, console)
+    let findings = Findings {
+        table: export::overlay_text(&curves),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: vec![(NAME.to_owned(), export::overlay_figure(&curves))],
+    };
+    findings.named(NAME).deliver(common, console)
 }
 
 fn sources(paths: &[PathBuf]) -> Result<Vec<Source>, Failure> {

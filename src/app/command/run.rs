@@ -6,6 +6,7 @@ use super::sweep::{Job, SweepArgs};
 use crate::app::console::{Console, Failure};
 use crate::app::export;
 use crate::app::overwrite::{self, Outputs};
+use crate::app::picture::unwritable;
 use crate::app::progress::Progress;
 use crate::app::run::{Product, compute_watched, endings, products};
 use crate::app::scene_file::SceneFile;
@@ -86,13 +87,13 @@ fn done(scene: &SceneFile, common: &Common, watch: &(dyn Fn(f64) + Sync)) -> Res
     if let Some(why) = in_pieces(&outcome) {
         return Err(why.to_owned());
     }
-    let products = products(plan, &file, &outcome, &common.format).map_err(|error| error.to_string())?;
+    let products = products(plan, &file, &outcome, &common.asked()).map_err(|error| error.to_string())?;
     let json = if common.json { export::json(&plan.scene, &file, &outcome) } else { Ok(String::new()) };
     Ok(Done {
         summary: export::summary(&plan.scene.title, &outcome),
         json: json.map_err(|error| error.to_string())?,
         written: written(&products, scene, common)?,
-        warnings: outcome.warnings,
+        warnings: outcome.warnings.into_iter().chain(unwritable(&plan.scene.title, &common.format)).collect(),
     })
 }
 

@@ -88,7 +88,9 @@ fn listed(outcome: &Outcome, name: &str) -> Markup {
     html! { td.number data-value=(value) { (found.map(shown).unwrap_or_default()) } }
 }
 
-fn shown(named: &Named) -> String {
+/// A result in words, with a prefix and its unit.
+#[must_use]
+pub fn shown(named: &Named) -> String {
     match named.finding {
         Finding::Number(number) if named.unit.prefixed => with_prefix(number, named.unit.symbol),
         Finding::Number(number) => format!("{number:.6} {}", named.unit.symbol).trim_end().to_owned(),

@@ -35,7 +35,7 @@ pub use fit::{
     Answered, Fitted, Tried, fit_json, fit_points, fit_text, fits_json, fits_table, map_table, models_table,
 };
 #[cfg(feature = "plot")]
-pub use gallery::{Shown, gallery};
+pub use gallery::{Shown, gallery, shown};
 pub use json::{json, json_of_all};
 pub use moduli::{shifts_table, spectrum_json, spectrum_points, spectrum_text};
 pub use npy::npy;

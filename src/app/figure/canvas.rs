@@ -49,26 +49,46 @@ pub(super) struct Canvas<'a> {
     pub(super) origin: Dot,
 }
 
-/// SVG document of `size` px with a title for those who cannot see it.
-pub(super) fn document(size: Dot, title: &str, draw: impl FnOnce(&mut Canvas)) -> String {
+/// A sheet of paper or of a screen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Extent {
+    /// Width and height in px.
+    pub(super) size: Dot,
+    /// Width in mm, if it has one.
+    pub(super) millimetres: Option<f64>,
+}
+
+impl Extent {
+    /// Width and height as SVG has them.
+    fn written(self) -> (String, String) {
+        let (w, h) = self.size;
+        match self.millimetres {
+            Some(wide) => (format!("{wide}mm"), format!("{:.2}mm", wide * h / w)),
+            None => (whole(w).to_string(), whole(h).to_string()),
+        }
+    }
+}
+
+/// SVG document with a title for those who cannot see it.
+pub(super) fn document(sheet: Extent, title: &str, draw: impl FnOnce(&mut Canvas)) -> String {
     let mut svg = String::with_capacity(1 << 15);
-    let extent = (whole(size.0 * FINE).unsigned_abs(), whole(size.1 * FINE).unsigned_abs());
+    let extent = (whole(sheet.size.0 * FINE).unsigned_abs(), whole(sheet.size.1 * FINE).unsigned_abs());
     let mut canvas = Canvas { sheet: SVGBackend::with_string(&mut svg, extent), origin: (0.0, 0.0) };
     draw(&mut canvas);
     drop(canvas);
-    dress(&svg, size, title)
+    dress(&svg, sheet, title)
 }
 
 /// Document with the size shown, what all elements share said once, and a title.
-fn dress(svg: &str, size: Dot, title: &str) -> String {
+fn dress(svg: &str, sheet: Extent, title: &str) -> String {
     let body = svg.split_once('\n').map_or("", |(_, body)| body);
     let body = body
         .replace(" opacity=\"1\"", "")
         .replace(" fill=\"none\"", "")
         .replace(" font-family=\"sans-serif\"", "")
         .replace(" \"/>", "\"/>");
-    let (w, h) = (whole(size.0), whole(size.1));
-    let (fine_w, fine_h) = (whole(size.0 * FINE), whole(size.1 * FINE));
+    let (w, h) = sheet.written();
+    let (fine_w, fine_h) = (whole(sheet.size.0 * FINE), whole(sheet.size.1 * FINE));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{w}\" height=\"{h}\" \
          viewBox=\"0 0 {fine_w} {fine_h}\" fill=\"none\" stroke-linejoin=\"round\" \

@@ -1,8 +1,9 @@
-//! Panels in rows and columns under a title.
+//! Panels in rows and columns: under a title on a screen, with letters on paper.
 
-use super::canvas::{Canvas, Dot, Type, Weight, document};
+use super::canvas::{Canvas, Dot, Extent, Type, Weight, document};
 use super::panel::{Company, Sheet};
 use super::{Figure, Panel, paint, text};
+use crate::app::medium::Medium;
 use plotters::style::text_anchor::HPos;
 use plotters::style::{BLACK, WHITE};
 
@@ -16,15 +17,19 @@ const RIM: f64 = 8.0;
 const BETWEEN: f64 = 10.0;
 /// Width of a figure without panels in px.
 const BARE: f64 = 400.0;
+/// Px in a millimetre of paper: letters of 10 to 12 px are then printed with 6.5 to 7.8 pt, lines of 0.7 to 2.2 px
+/// with 0.5 to 1.4 pt.
+const PX_PER_MM: f64 = 72.0 / 25.4 / 0.65;
 
 /// The figure as SVG.
-pub(super) fn draw(figure: &Figure) -> String {
-    let (columns, size) = grid(figure.panels.len());
-    let company = if figure.panels.len() == 1 { Company::Alone } else { Company::Together };
-    let sheet = |panel: &Panel| Sheet::new(panel, size, company);
-    let sheets: Vec<Sheet> = figure.panels.iter().map(sheet).collect();
-    let plan = PixelPlan::new(&figure.title, &sheets, columns);
-    document(plan.size, &figure.title, |canvas| {
+pub(super) fn draw(figure: &Figure, medium: Medium) -> String {
+    let arranged = match medium.millimetres() {
+        None => on_screen(figure),
+        Some(millimetres) => on_paper(figure, millimetres * PX_PER_MM),
+    };
+    let Arranged { sheets, plan } = arranged;
+    let extent = Extent { size: plan.size, millimetres: medium.millimetres() };
+    document(extent, &figure.title, |canvas| {
         canvas.rectangle((0.0, 0.0), plan.size, WHITE);
         title(canvas, &plan);
         for (sheet, at) in sheets.iter().zip(plan.places()) {
@@ -32,6 +37,83 @@ pub(super) fn draw(figure: &Figure) -> String {
             paint::sheet(canvas, sheet);
         }
     })
+}
+
+/// Panels made ready, and their places.
+struct Arranged {
+    sheets: Vec<Sheet>,
+    plan: PixelPlan,
+}
+
+fn on_screen(figure: &Figure) -> Arranged {
+    let (columns, size) = grid(figure.panels.len());
+    let company = if figure.panels.len() == 1 { Company::Alone } else { Company::Together };
+    let sheets: Vec<Sheet> = figure.panels.iter().map(|panel| Sheet::new(panel, size, company)).collect();
+    let plan = PixelPlan::new(&figure.title, &sheets, columns);
+    Arranged { sheets, plan }
+}
+
+/// Panels over a width given in px; the caption of a figure in print is elsewhere.
+fn on_paper(figure: &Figure, width: f64) -> Arranged {
+    let columns = if width > TWO_COLUMNS { figure.panels.len().clamp(1, 2) } else { 1 };
+    let panels: Vec<Panel> = lettered(&figure.panels);
+    let sheets = fitted(&panels, width, columns);
+    let mut plan = PixelPlan::new("", &sheets, columns);
+    let blank = 0.5 * (width - plan.size.0).max(0.0);
+    plan.columns.iter_mut().for_each(|left| *left += blank);
+    plan.size.0 = width;
+    Arranged { sheets, plan }
+}
+
+/// Px from which two panels stand side by side on paper.
+const TWO_COLUMNS: f64 = 500.0;
+
+/// The panels with (a), (b), … before their headings, if there are several.
+fn lettered(panels: &[Panel]) -> Vec<Panel> {
+    if panels.len() < 2 || panels.len() > 52 {
+        return panels.to_owned();
+    }
+    let lettered = |(letter, panel): (char, &Panel)| {
+        let title = format!("({letter}) {}", panel.title).trim_end().to_owned();
+        Panel { title, ..panel.clone() }
+    };
+    ('a'..='z').chain('A'..='Z').zip(panels).map(lettered).collect()
+}
+
+/// Panels whose frames are as wide as the room beside their labels allows, which itself follows from their width.
+fn fitted(panels: &[Panel], width: f64, columns: usize) -> Vec<Sheet> {
+    let share = width / count(columns);
+    // Four panels below each other are still no higher than a page.
+    let height = match (columns, panels.len()) {
+        (1, _) if width > TWO_COLUMNS => 0.5,
+        (1, 3..) => 0.6,
+        _ => 0.75,
+    };
+    let sheets = |frame: f64| -> Vec<Sheet> {
+        let size = (frame, height * frame);
+        panels.iter().map(|panel| Sheet::new(panel, size, Company::Together)).collect()
+    };
+    let mut frame = share - 90.0;
+    let mut found = sheets(frame);
+    for turn in 0..TURNS {
+        let excess = stack(&column_sizes(&found, columns), RIM).1 - width;
+        if (-1.0..=0.0).contains(&excess) || excess < 0.0 && turn > TURNS / 2 {
+            break;
+        }
+        frame = (frame - excess.ceil() / count(columns)).clamp(NARROWEST, share);
+        found = sheets(frame);
+    }
+    found
+}
+
+/// Turns in which the width of frames is found; in the second half it only shrinks.
+const TURNS: usize = 16;
+/// Narrowest frame on paper in px.
+const NARROWEST: f64 = 60.0;
+
+#[expect(clippy::cast_precision_loss, reason = "one or two")]
+fn count(columns: usize) -> f64 {
+    columns as f64
 }
 
 /// Number of columns and size of a frame in px.

@@ -30,6 +30,7 @@ mod thin;
 mod ticks;
 mod unit;
 
+use super::medium::Medium;
 pub use contour::Contours;
 pub use look::{Hue, Line, Mark, Marks};
 
@@ -57,10 +58,16 @@ impl Figure {
         self
     }
 
-    /// The figure as an SVG document; the same figure gives the same bytes.
+    /// The figure as an SVG document for a screen; the same figure gives the same bytes.
     #[must_use]
     pub fn svg(&self) -> String {
-        layout::draw(self)
+        self.drawn(Medium::Screen)
+    }
+
+    /// The figure as an SVG document for a sheet.
+    #[must_use]
+    pub fn drawn(&self, medium: Medium) -> String {
+        layout::draw(self, medium)
     }
 }
 

@@ -21,6 +21,12 @@ fn coordinates(svg: &str) -> Vec<(f64, f64)> {
     points.collect()
 }
 
+/// All samples on all sheets.
+fn on_all_sheets() -> impl Iterator<Item = (&'static str, Figure, Medium)> {
+    let styles = [Medium::Screen, Medium::Paper, Medium::PaperWide];
+    samples::all().into_iter().flat_map(move |(name, figure)| styles.map(|style| (name, figure.clone(), style)))
+}
+
 #[test]
 #[ignore = "writes pictures to look at into the directory for temporary files"]
 fn write_samples() -> std::io::Result<()> {
@@ -49,17 +55,17 @@ fn write_times() {
 
 #[test]
 fn a_figure_is_the_same_bytes_twice_and_small() {
-    for (name, figure) in samples::all() {
-        let svg = figure.svg();
-        assert_eq!(svg, figure.svg(), "{name}");
+    for (name, figure, style) in on_all_sheets() {
+        let svg = figure.drawn(style);
+        assert_eq!(svg, figure.drawn(style), "{name}");
         assert!(svg.len() < 60_000, "{name}: {} bytes", svg.len());
     }
 }
 
 #[test]
 fn curves_stay_on_the_sheet() {
-    for (name, figure) in samples::all() {
-        let svg = figure.svg();
+    for (name, figure, style) in on_all_sheets() {
+        let svg = figure.drawn(style);
         let sheet: Vec<f64> =
             values(&svg, "viewBox").flat_map(|v| v.split(' ').filter_map(|n| n.parse().ok())).collect();
         let dots = coordinates(&svg);
@@ -122,11 +128,31 @@ fn overlapping(svg: &str) -> Option<(String, String)> {
 
 #[test]
 fn no_text_is_cut_off_or_covered_by_another() {
-    for (name, figure) in samples::all() {
-        let svg = figure.svg();
+    for (name, figure, style) in on_all_sheets() {
+        let svg = figure.drawn(style);
         assert!(boxes(&svg).len() > 10, "{name}");
-        assert_eq!(cut_off(&svg), None, "{name}");
-        assert_eq!(overlapping(&svg), None, "{name}");
+        assert_eq!(cut_off(&svg), None, "{name} {style:?}");
+        assert_eq!(overlapping(&svg), None, "{name} {style:?}");
+    }
+}
+
+/// Journals want letters of at least 5 to 6 pt and lines of at least 0.25 pt.
+#[test]
+fn on_paper_letters_and_lines_are_large_enough_and_the_sheet_as_wide_as_a_column() {
+    const POINTS_PER_MM: f64 = 72.0 / 25.4;
+    for (name, figure, style) in on_all_sheets() {
+        let Some(wide) = style.millimetres() else { continue };
+        let svg = figure.drawn(style);
+        assert!(svg.contains(&format!(" width=\"{wide}mm\" ")), "{name}");
+        let across: f64 = values(&svg, "viewBox").next().and_then(|v| v.split(' ').nth(2)?.parse().ok()).unwrap();
+        let points = |units: &str| units.parse::<f64>().unwrap() * wide * POINTS_PER_MM / across;
+        // A caption that does not fit is shrunk by up to 0.7.
+        let letters: Vec<f64> = values(&svg, "font-size").map(points).collect();
+        assert!(letters.iter().all(|size| (5.4..8.0).contains(size)), "{name} {style:?}: {letters:?}");
+        // What is filled has an outline of one unit in its own colour.
+        let lines: Vec<f64> = values(&svg, "stroke-width").filter(|units| *units != "1").map(points).collect();
+        assert!(lines.iter().all(|width| (0.3..1.6).contains(width)), "{name} {style:?}: {lines:?}");
+        assert_eq!(figure.panels.len() > 1, svg.contains("\n(a)"), "{name}");
     }
 }
 
@@ -220,10 +246,14 @@ proptest! {
 
     #[test]
     fn whatever_the_values_there_is_a_figure(panels in prop::collection::vec(panels(), 0..5), title in ".{0,200}") {
-        let svg = Figure { title, panels }.svg();
+        let figure = Figure { title, panels };
+        let svg = figure.svg();
         prop_assert!(svg.ends_with("</svg>\n"));
         let attributes = svg.split(['<', '>']).skip(1).step_by(2);
         prop_assert!(attributes.into_iter().all(|a| !a.contains("NaN") && !a.contains("inf")));
         prop_assert_eq!(cut_off(&svg), None);
+        for style in [Medium::Paper, Medium::PaperWide] {
+            prop_assert_eq!(cut_off(&figure.drawn(style)), None);
+        }
     }
 }

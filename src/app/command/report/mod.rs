@@ -8,6 +8,8 @@ use crate::app::console::{Console, Failure};
 #[cfg(feature = "plot")]
 use crate::app::export::report_figures;
 use crate::app::export::reports::{self, ACCURACY, SPEED, STABILITY, STATED};
+#[cfg(feature = "plot")]
+use crate::app::figure::Figure;
 use crate::app::machine::Machine;
 use crate::app::overwrite::{self, Outputs};
 use crate::app::progress::Progress;
@@ -63,11 +65,15 @@ fn accuracy(effort: Thoroughness, console: &Console) -> Result<(Findings, Failed
         ("accuracy.csv".to_owned(), reports::csv(ACCURACY, &rows.concat()).map_err(Failure::failed)?),
         ("accuracy.stated.csv".to_owned(), reports::csv(STATED, &stated).map_err(Failure::failed)?),
     ];
-    #[cfg(feature = "plot")]
-    let files = [files, figures(&studies, &rows, &machine)?].concat();
     let json = accuracy_json(&studies, &rows, &stated, &machine)?;
     let table = reports::accuracy_table(&studies, &rows, &machine);
-    let report = Findings { table: format!("{}\n{table}", reports::stated_table(&stated)), json, files };
+    let report = Findings {
+        table: format!("{}\n{table}", reports::stated_table(&stated)),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: figures(&studies, &rows, &machine)?,
+    };
     Ok((report.named("accuracy"), [silent(&rows.concat()), beyond(&stated)].concat()))
 }
 
@@ -92,13 +98,14 @@ fn accuracy_of(
     let machine = Machine::here();
     let name = format!("{}.accuracy", scene.stem());
     let files = vec![(format!("{name}.csv"), reports::csv(ACCURACY, &rows[0]).map_err(Failure::failed)?)];
-    #[cfg(feature = "plot")]
-    let files = {
-        let figure = report_figures::accuracy(&studies[0], &rows[0], &[], &machine);
-        [files, vec![(format!("{name}.svg"), figure.svg())]].concat()
-    };
     let json = accuracy_json(&studies, &rows, &[], &machine)?;
-    let report = Findings { table: reports::accuracy_table(&studies, &rows, &machine), json, files };
+    let report = Findings {
+        table: reports::accuracy_table(&studies, &rows, &machine),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: vec![(name.clone(), report_figures::accuracy(&studies[0], &rows[0], &[], &machine))],
+    };
     // A bed may not be able to follow what the scene's own solver can.
     Ok((report.named(&name), Vec::new()))
 }
@@ -124,13 +131,13 @@ fn accuracy_json(studies: &[Study], rows: &[Vec<Row>], stated: &[Row], machine: 
 }
 
 #[cfg(feature = "plot")]
-fn figures(studies: &[Study], rows: &[Vec<Row>], machine: &Machine) -> Result<Vec<(String, String)>, Failure> {
+fn figures(studies: &[Study], rows: &[Vec<Row>], machine: &Machine) -> Result<Vec<(String, Figure)>, Failure> {
     let peers = peers::all()?;
     let figure = |(study, rows): (&Study, &Vec<Row>)| {
         let same = peers.iter().filter(|peer| peer.case == study.case);
         let others: Vec<_> = same.map(|peer| (peer.code.as_str(), peer.error, peer.time_s)).collect();
         let figure = report_figures::accuracy(study, rows, &others, machine);
-        (format!("accuracy.{}.svg", study.case), figure.svg())
+        (format!("accuracy.{}", study.case), figure)
     };
     Ok(studies.iter().zip(rows).map(figure).collect())
 }
@@ -147,7 +154,13 @@ fn stability(console: &Console) -> Result<(Findings, Failed), Failure> {
     let passed = rows.iter().all(Row::passed);
     let json = text(&json!({ "passed": passed, "rows": reports::objects(STABILITY, &rows), "machine": machine }))?;
     let files = vec![("stability.csv".to_owned(), reports::csv(STABILITY, &rows).map_err(Failure::failed)?)];
-    let report = Findings { table: reports::stability_table(&rows, &machine), json, files };
+    let report = Findings {
+        table: reports::stability_table(&rows, &machine),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: Vec::new(),
+    };
     Ok((report.named("stability"), beyond(&rows)))
 }
 
@@ -171,9 +184,13 @@ fn throughput(effort: Thoroughness, console: &Console) -> Result<(Findings, Fail
     let machine = Machine::here();
     let json = text(&json!({ "rows": reports::objects(SPEED, &rows), "machine": machine }))?;
     let files = vec![("speed.csv".to_owned(), reports::csv(SPEED, &rows).map_err(Failure::failed)?)];
-    #[cfg(feature = "plot")]
-    let files = [files, vec![("speed.svg".to_owned(), report_figures::speed(&rows, &machine).svg())]].concat();
-    let report = Findings { table: reports::speed_table(&rows, &machine), json, files };
+    let report = Findings {
+        table: reports::speed_table(&rows, &machine),
+        json,
+        files,
+        #[cfg(feature = "plot")]
+        figures: vec![("speed".to_owned(), report_figures::speed(&rows, &machine))],
+    };
     Ok((report.named("speed"), silent(&rows)))
 }
 

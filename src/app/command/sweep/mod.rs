@@ -155,16 +155,19 @@ fn finish(head: &Head, sweep: &Sweep, rows: Rows, common: &Common, console: &Con
     let mut contents = Vec::new();
     for (&format, name) in common.format.iter().zip(head.outputs(common)) {
         let content = match format {
-            Format::Csv => export::csv(&table(sweep, &rows)).map_err(Failure::failed)?,
-            Format::Json => json()?,
+            Format::Csv => export::csv(&table(sweep, &rows)).map_err(Failure::failed)?.into_bytes(),
+            Format::Json => json()?.into_bytes(),
             #[cfg(feature = "plot")]
-            Format::Svg => export::sweep_figure(&head.scene.title, sweep, &rows).svg(),
+            Format::Svg | Format::Png | Format::Pdf => {
+                let figure = export::sweep_figure(&head.scene.title, sweep, &rows);
+                common.drawing().bytes(&figure, format).map_err(Failure::failed)?.unwrap_or_default()
+            }
             #[cfg(not(feature = "plot"))]
-            Format::Svg => continue,
+            Format::Svg | Format::Png | Format::Pdf => continue,
         };
         contents.push((name, content));
     }
-    let files: Vec<(String, &[u8])> = contents.iter().map(|(name, text)| (name.clone(), text.as_bytes())).collect();
+    let files: Vec<(String, &[u8])> = contents.iter().map(|(name, bytes)| (name.clone(), &bytes[..])).collect();
     let written = write_all(&common.out, &files).map_err(Failure::failed)?;
     if !common.json {
         console.say(&export::sweep_summary(&head.scene.title, sweep, &rows))?;
