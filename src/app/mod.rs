@@ -26,6 +26,7 @@ mod overwrite;
 mod console;
 mod progress;
 mod machine;
+pub mod format;
 pub mod medium;
 #[cfg(feature = "plot")]
 pub mod figure;

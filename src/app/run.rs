@@ -14,46 +14,12 @@
 //! ```
 
 use super::export;
+pub use super::format::Format;
 use super::picture::{Drawing, PictureError};
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::Plot;
 use crate::scene::plan::Plan;
-
-/// One kind of output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, clap::ValueEnum)]
-pub enum Format {
-    /// Tables of records and fields.
-    Csv,
-    /// Summary.
-    Json,
-    /// Figure for pages and editors.
-    Svg,
-    /// Figure as a raster; needs the feature `pictures`.
-    Png,
-    /// Figure for print; needs the feature `pictures`.
-    Pdf,
-}
-
-impl Format {
-    /// What the names of its files end with, without the dot.
-    #[must_use]
-    pub fn ending(self) -> &'static str {
-        match self {
-            Self::Csv => "csv",
-            Self::Json => "json",
-            Self::Svg => "svg",
-            Self::Png => "png",
-            Self::Pdf => "pdf",
-        }
-    }
-
-    /// Whether it holds a figure.
-    #[must_use]
-    pub fn is_picture(self) -> bool {
-        matches!(self, Self::Svg | Self::Png | Self::Pdf)
-    }
-}
 
 /// Files wanted, and how the figures among them are drawn.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

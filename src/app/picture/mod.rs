@@ -7,7 +7,7 @@
 //! ```
 //! use springbed::app::figure::{Axis, Figure, Panel, Series};
 //! use springbed::app::picture::Drawing;
-//! use springbed::app::run::Format;
+//! use springbed::app::format::Format;
 //!
 //! let panel = Panel::new(Axis::linear("x", "m"), Axis::linear("y", "m"));
 //! let figure = Figure::new("a line").with(panel.with(Series::new("", [(0.0, 0.0), (1.0, 1.0)])));
@@ -24,8 +24,8 @@ mod printed;
 
 #[cfg(feature = "plot")]
 use super::figure::Figure;
+use super::format::Format;
 use super::medium::Medium;
-use super::run::Format;
 
 /// How figures are drawn.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
