@@ -28,7 +28,8 @@
 //!     (_, at) = stepper.step(&Jump, &at, 2.0 - at.state[1]).ok_or("no step")?;
 //!     steps += 1;
 //! }
-//! assert!(steps < 60 && (at.state[0] - (2f64.cos() + 1e-6 * 2f64.sin())).abs() < 1e-9);
+//! // What dies down within a step is known less well than what goes on, for it is forgotten again.
+//! assert!(steps < 60 && (at.state[0] - (2f64.cos() + 1e-6 * 2f64.sin())).abs() < 1e-7);
 //! assert!((at.sums[0] - (2f64.sin() - 1e-6 * 2f64.cos())).abs() < 1e-9);
 //! # Ok::<(), &str>(())
 //! ```
