@@ -132,3 +132,36 @@ fn the_jumps_of_the_wavy_lens() {
         assert!((same_loss.unwrap() / lost.unwrap() - 1.0).abs() < 1e-13, "{steps} records");
     }
 }
+
+/// A history and a profile as instruments write them are those of a scene's own tables.
+#[test]
+fn tables_of_instruments_are_those_of_scenes() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("own.csv", "time_s,indentation_m\n0,0\n0.5,1e-6\n1,2.5e-7\n");
+    write("theirs.txt", "Ramp 12\nNr\tt [s]\tz [µm]\tT [degC]\n1\t0,0\t0,0\t21\n2\t0,5\t1,0\t21\n3\t1,0\t0,25\t22\n");
+    write("own_tip.csv", "radius_m,height_m\n0,0\n1e-6,1e-7\n3e-6,9e-7\n");
+    write("their_tip.txt", "r [um]; z [nm]\n0; 0\n1; 100\n3; 900\n");
+    let force = |history: &str, tip: &str| {
+        let text = format!(
+            r#"(shape: Table("{tip}"), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: "1 kPa",
+                terms: [(modulus: "2 kPa", time: "0.2 s")])), Rigid), history: [Table("{history}")])"#
+        );
+        write("scene.ron", &text);
+        let scene = SceneFile::load(&folder.path().join("scene.ron")).unwrap_or_else(|faults| panic!("{faults:?}"));
+        let outcome = compute(&scene.plan, &[]).unwrap();
+        outcome.records.iter().map(|record| record.normal.force).collect::<Vec<f64>>()
+    };
+    let own = force("own.csv", "own_tip.csv");
+    assert!(own.iter().any(|force| *force > 0.0));
+    let theirs = force("theirs.txt", "their_tip.txt");
+    assert_eq!(own.len(), theirs.len());
+    // 100 nm is not 1e-7 m to the last bit.
+    assert!(own.iter().zip(&theirs).all(|(own, their)| (own - their).abs() <= 1e-12 * own.abs()), "{own:?} {theirs:?}");
+    // Two drives in one file are two questions.
+    write("both.csv", "t [s],z [um],F [mN]\n0,0,0\n1,1,1\n");
+    let text = r#"(shape: Cone(slope: 1), bodies: (Elastic(young: "1 kPa", poisson: 0.5), Rigid), history: [Table("both.csv")])"#;
+    write("scene.ron", text);
+    let faults = SceneFile::load(&folder.path().join("scene.ron")).unwrap_err();
+    assert!(faults[0].message.contains("cannot both be controlled"), "{faults:?}");
+}
