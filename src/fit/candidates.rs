@@ -4,8 +4,7 @@ use super::FitError;
 use crate::contact::adhesion::Adhesion;
 use crate::material::{Body, Elastic};
 use crate::scene::Scene;
-use crate::text::place::{Places, Value};
-use serde_json::json;
+use crate::text::place::{Places, Value, json};
 
 /// A scene and what is free in it, under a name.
 #[derive(Debug, Clone, PartialEq)]

@@ -45,6 +45,7 @@ mod remembering;
 mod solve;
 mod start;
 mod verdict;
+mod widened;
 
 pub use answer::{Estimate, Fit};
 pub use candidates::Candidate;

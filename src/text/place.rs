@@ -23,8 +23,8 @@ use super::names::advice;
 use crate::input::problem::Problem;
 use crate::input::quantity::SI_UNITS;
 use crate::scene::Scene;
-/// A value as a scene in JSON has it.
-pub use serde_json::Value;
+/// A value as a scene in JSON has it, and one as it is written there.
+pub use serde_json::{Value, json};
 
 /// A scene whose values can be read and set by path.
 ///

@@ -159,6 +159,20 @@ fn the_jumps_are_those_of_a_scan_of_its_own() {
     }
 }
 
+/// A fold of a hundredth of a wave, wherever it lies between the places at which the slope is looked at.
+#[test]
+fn a_small_fold_is_found() {
+    for shift in 0..40 {
+        let (radius, wavelength, adhesion) = (1.0, 1e-3, 10f64.powf(-1.8) * (1.0 + 2e-3 * f64::from(shift)));
+        let amplitude = 10f64.sqrt() * (wavelength / TAU).powi(2) / radius;
+        let work = (adhesion * wavelength * wavelength / radius).powi(2) / (TAU * wavelength);
+        let lens = Lens { radius, amplitude, wavelength, modulus: 1.0, work };
+        let to = wavelength * wavelength / radius;
+        let (found, right) = (loop_of(lens, to, 1), lens.jumps_in(to));
+        assert_eq!(found.0.len(), right.len(), "{adhesion}");
+    }
+}
+
 proptest! {
     #![proptest_config(crate::laws::cases(24))]
 

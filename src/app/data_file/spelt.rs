@@ -68,11 +68,11 @@ impl Spelt {
         Some(Self { grid, heads })
     }
 
-    /// The columns of scenes that it has.
+    /// The columns of scenes that it has, each under the first name it may have.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
-        let here = |spelling: &&Spelling| self.heads.iter().any(|head| spelling.fits(head));
-        SPELLINGS.iter().filter(here).map(|spelling| spelling.name.to_owned()).collect()
+        let name = |head: &Headed| SPELLINGS.iter().find(|spelling| spelling.fits(head));
+        self.heads.iter().filter_map(name).map(|spelling| spelling.name.to_owned()).collect()
     }
 
     /// The columns `names` in SI units; `None` if one is not there, or there twice.

@@ -19,7 +19,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::numerics::root;
+use crate::numerics::{extremum, root};
 
 /// What the machine prescribes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -475,15 +475,26 @@ impl Branches {
     }
 }
 
-/// Where a function that keeps its sign at both ends comes nearest to zero between them, by the
-/// parabola through three points; `None` if that is not inside.
+/// Where a function that has the same sign at both ends comes nearest to zero between them, if it may change its sign
+/// there: a parabola through both ends and the middle tells whether to look.
 fn nearest_to_zero((low, a): (f64, f64), f: impl Fn(f64) -> f64, (high, c): (f64, f64)) -> Option<f64> {
     let middle = 0.5 * (low + high);
     let b = f(middle);
-    if b.abs() >= a.abs().min(c.abs()) && (b > 0.0) == (a > 0.0) {
+    if (b > 0.0) != (a > 0.0) {
+        return Some(middle);
+    }
+    let (bend, tilt) = (a - 2.0 * b + c, 0.5 * (a - c));
+    let towards = if a > 0.0 { bend > 0.0 } else { bend < 0.0 };
+    // Beyond an end, in halves of the way, it belongs to the neighbours; a pair at their border to both.
+    if !towards || tilt.abs() > BORDER * bend.abs() {
         return None;
     }
-    let shift = 0.5 * (a - c) / (a - 2.0 * b + c);
-    let at = middle + 0.5 * (high - low) * shift;
-    (at > low && at < high).then_some(at)
+    let nearest = b - 0.5 * tilt * tilt / bend;
+    let away = (nearest > 0.0) == (a > 0.0) && nearest.abs() > BLUR * bend.abs();
+    (!away).then(|| extremum::greatest(|s| if a > 0.0 { -f(s) } else { f(s) }, low, high).place)
 }
+
+/// Halves of the way from the middle up to which the nearest place by a parabola may be inside.
+const BORDER: f64 = 1.25;
+/// Part of its bend by which a parabola over a step of a search may be wrong.
+const BLUR: f64 = 0.25;
