@@ -643,6 +643,9 @@ fn the_fewest_terms_of_moduli() {
         assert!(near("modulus", modulus) && near("time", time), "{term}");
     }
     assert_eq!(spectrum_of("rubber_moduli", &["--terms", "3"])["terms"].as_array().unwrap().len(), 3);
+    // Terms are of moduli, not of curves.
+    let output = program(&["configs/fit/gel_sphere.ron", "--terms", "3"], tempfile::tempdir().unwrap().path());
+    assert_eq!(output.status.code(), Some(2));
 }
 
 /// At 303.15 K the law of C₁ = 8.86, C₂ = 101.6 K at 300 K has C₂ = 104.75 K and C₁ = 8.86·101.6/104.75.

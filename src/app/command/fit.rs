@@ -65,10 +65,10 @@ pub struct Arguments {
     #[arg(long, value_name = "DATA", conflicts_with_all = ["scene", "data", "free", "given", "models", "map"])]
     moduli: Option<PathBuf>,
     /// Terms of the spectrum: fewest, or a number; a smooth spectrum if not given.
-    #[arg(long, value_name = "COUNT", requires = "moduli")]
+    #[arg(long, value_name = "COUNT", requires = "moduli", conflicts_with = "scene")]
     terms: Option<Terms>,
     /// Reference temperature of moduli at several temperatures, such as "25 degC"; the middle one if not given.
-    #[arg(long, value_name = "TEMPERATURE", requires = "moduli")]
+    #[arg(long, value_name = "TEMPERATURE", requires = "moduli", conflicts_with = "scene")]
     reference: Option<Temperature>,
 }
 
