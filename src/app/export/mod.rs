@@ -9,6 +9,8 @@
 
 mod comparison;
 mod fit;
+mod fit_json;
+mod fitted;
 #[cfg(feature = "plot")]
 mod gallery;
 mod json;
@@ -31,9 +33,9 @@ pub use comparison::{comparison_json, comparison_table, comparison_text};
 pub use figures::{
     comparison_figure, figures, fit_figure, map_figure, models_figure, overlay_figure, spectrum_figure, sweep_figure,
 };
-pub use fit::{
-    Answered, Fitted, Tried, fit_json, fit_points, fit_text, fits_json, fits_table, map_table, models_table,
-};
+pub use fit::{fit_points, fit_text, fits_table, map_table, models_table};
+pub use fit_json::{fit_json, fits_json};
+pub use fitted::{Answered, Fitted, Tried};
 #[cfg(feature = "plot")]
 pub use gallery::{Shown, gallery, shown};
 pub use json::{json, json_of_all};
