@@ -1,5 +1,6 @@
 //! Pressure on one grid: preconditioned conjugate gradients on the present contact, which is then
-//! corrected pixel by pixel until no pressure pulls and no gap is closed beyond the tolerance.
+//! corrected pixel by pixel until no pressure pulls, none is above the hardness, and no gap is closed beyond the
+//! tolerance. Under the hardness a pixel yields: its pressure stays, and the surfaces overlap by what is dented.
 
 use std::cmp::Ordering;
 
@@ -29,6 +30,8 @@ pub(super) struct GridContact<'a> {
     pub(super) goal: Goal,
     /// Displacement of a pixel under unit pressure on itself.
     pub(super) compliance: f64,
+    /// Largest pressure; infinite for bodies that do not yield, and under a prescribed sum.
+    pub(super) hardness: f64,
 }
 
 /// Work done so far and where it must stop.
@@ -56,7 +59,7 @@ struct Misfit {
     /// Largest overlap out of contact, and the sum of the squares of those that count.
     overlap: f64,
     overlap_square: f64,
-    /// Sum of the squares of the pulling pressures.
+    /// Sum of the squares of the pressures that pull, or of what is above the hardness.
     pull_square: f64,
     /// Largest displacement in contact, and largest pressure.
     displacement: f64,
@@ -90,6 +93,8 @@ struct Iterate {
     /// Displacement + height, i.e. gap + approach.
     lift: Vec<f64>,
     contact: Vec<bool>,
+    /// Pixels that yield; none at all where nothing does.
+    yields: Vec<bool>,
     residual: Vec<f64>,
     direction: Vec<f64>,
     work: Vec<f64>,
@@ -134,12 +139,13 @@ impl GridContact<'_> {
         }
     }
 
-    fn start(&self, pressure: &[f64], effort: &mut Budget, scratch: &mut Scratch) -> Iterate {
+    fn start(&self, pressure: &mut [f64], effort: &mut Budget, scratch: &mut Scratch) -> Iterate {
         let pixels = pressure.len();
         let prescribed_sum = matches!(self.goal, Goal::Sum(_));
         let mut state = Iterate {
             lift: vec![0.0; pixels],
             contact: pressure.iter().map(|&p| p > 0.0).collect(),
+            yields: if self.hardness.is_finite() { vec![false; pixels] } else { Vec::new() },
             residual: vec![0.0; pixels],
             direction: vec![0.0; pixels],
             work: vec![0.0; pixels],
@@ -148,9 +154,13 @@ impl GridContact<'_> {
             threshold: 0.0,
             settled: SETTLED,
         };
+        self.yield_above(pressure, &mut state);
         self.lift(pressure, &mut state, effort, scratch);
         let approach = self.approach(&state);
-        state.contact.par_iter_mut().zip(&state.lift).for_each(|(contact, lift)| *contact |= *lift < approach);
+        let yields = |index: usize| state.yields.get(index).is_some_and(|&yields| yields);
+        state.contact.par_iter_mut().zip(&state.lift).enumerate().for_each(|(index, (contact, lift))| {
+            *contact |= *lift < approach && !yields(index);
+        });
         self.stiffen(&mut state, scratch);
         state
     }
@@ -170,6 +180,14 @@ impl GridContact<'_> {
         }
     }
 
+    /// Pressures above the hardness are the hardness: their pixels yield.
+    fn yield_above(&self, pressure: &mut [f64], state: &mut Iterate) {
+        let all = pressure.iter_mut().zip(&mut state.contact).zip(&mut state.yields);
+        for ((p, contact), yields) in all.filter(|((p, _), _)| **p >= self.hardness) {
+            (*p, *contact, *yields) = (self.hardness, false, true);
+        }
+    }
+
     fn misfit(&self, pressure: &[f64], state: &Iterate, approach: f64) -> Misfit {
         let piece = |range: std::ops::Range<usize>| {
             let mut misfit = Misfit::default();
@@ -177,6 +195,9 @@ impl GridContact<'_> {
                 let gap = state.lift[index] - approach;
                 if state.contact[index] {
                     misfit.add_contact(gap, pressure[index], state.lift[index] - self.heights[index]);
+                    misfit.pull_square += (pressure[index] - self.hardness).max(0.0).powi(2);
+                } else if state.yields.get(index).is_some_and(|&yields| yields) {
+                    misfit.add_yielding(gap.max(0.0), pressure[index], state.lift[index] - self.heights[index]);
                 } else if -gap > state.threshold {
                     misfit.overlap = misfit.overlap.max(-gap);
                     misfit.overlap_square += gap * gap;
@@ -189,14 +210,29 @@ impl GridContact<'_> {
 
     /// Contact from the present pressure and gap: pulling pixels leave it, overlapping ones join.
     fn correct(&self, pressure: &mut [f64], state: &mut Iterate, approach: f64) {
-        let (lift, threshold) = (&state.lift, state.threshold);
+        self.correct_yielding(pressure, state, approach);
+        let (lift, threshold, yields) = (&state.lift, state.threshold, &state.yields);
         let both = state.contact.par_iter_mut().zip(pressure.par_iter_mut());
         both.enumerate().for_each(|(index, (contact, p))| {
-            *contact = if *contact { *p >= 0.0 } else { lift[index] - approach < -threshold };
-            *p = p.max(0.0);
+            if !yields.get(index).is_some_and(|&yields| yields) {
+                *contact = if *contact { *p >= 0.0 } else { lift[index] - approach < -threshold };
+                *p = p.max(0.0);
+            }
         });
         state.slope = 0.0;
         state.settled *= PATIENCE;
+    }
+
+    /// Pixels above the hardness yield, and those that have been left behind no longer do.
+    fn correct_yielding(&self, pressure: &mut [f64], state: &mut Iterate, approach: f64) {
+        let Iterate { contact, yields, lift, threshold, .. } = state;
+        for (index, yields) in yields.iter_mut().enumerate() {
+            if contact[index] && pressure[index] > self.hardness {
+                (pressure[index], contact[index], *yields) = (self.hardness, false, true);
+            } else if *yields && lift[index] - approach > *threshold {
+                (contact[index], *yields) = (true, false);
+            }
+        }
     }
 
     /// Everything that follows from a pressure whose pulling part was cut off.
@@ -253,6 +289,14 @@ impl GridContact<'_> {
 }
 
 impl Misfit {
+    /// A pixel that yields may overlap; what has been left behind by `gap` counts.
+    fn add_yielding(&mut self, gap: f64, pressure: f64, displacement: f64) {
+        self.overlap = self.overlap.max(gap);
+        self.overlap_square += gap * gap;
+        self.displacement = self.displacement.max(displacement.abs());
+        self.pressure = self.pressure.max(pressure);
+    }
+
     fn add_contact(&mut self, gap: f64, pressure: f64, displacement: f64) {
         self.gap = self.gap.max(gap.abs());
         self.gap_square += gap * gap;

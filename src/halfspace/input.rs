@@ -5,7 +5,7 @@ use ndarray::ArrayView2;
 use super::grid::{Grid, Law};
 use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
-use super::{HalfSpaceError, Prescribed, Settings, Start};
+use super::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
 
 /// A problem without its heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +43,7 @@ impl Input {
         &self,
         height: impl Fn(usize) -> f64,
         start: Start<'_>,
-        settings: &Settings,
+        (settings, response): (&Settings, Option<&SurfaceResponse>),
     ) -> Result<Raw, HalfSpaceError> {
         let bytes = self.check(settings)?;
         let mut heights: Vec<f64> = (0..self.size.pixels()).map(height).collect();
@@ -54,7 +54,16 @@ impl Input {
         heights.iter_mut().for_each(|height| *height = (*height - range.low) / scale);
         let pressure_unit = self.modulus * scale / self.unit();
         let origin = self.origin(start, pressure_unit)?;
-        let answer = self.task(heights, [range.low, scale], settings).run(origin)?;
+        let hardness = match self.control {
+            Prescribed::Indentation(_) => response.map_or(f64::INFINITY, SurfaceResponse::hardness),
+            Prescribed::Force(_) => f64::INFINITY,
+        };
+        let task = Task {
+            whole: response.map(SurfaceResponse::operators),
+            hardness: hardness / pressure_unit,
+            ..self.task(heights, [range.low, scale], settings)
+        };
+        let answer = task.run(origin)?;
         Ok(Raw { bytes, ..self.restore(answer, [range.low, scale], pressure_unit) })
     }
 
@@ -129,7 +138,7 @@ impl Input {
         self.pixel[0].sqrt() * self.pixel[1].sqrt()
     }
 
-    fn task(&self, heights: Vec<f64>, [low, scale]: [f64; 2], settings: &Settings) -> Task {
+    fn task(&self, heights: Vec<f64>, [low, scale]: [f64; 2], settings: &Settings) -> Task<'static> {
         let wanted = match self.control {
             Prescribed::Indentation(depth) => ScaledLoad::Approach((depth - low) / scale),
             Prescribed::Force(force) => ScaledLoad::Force(force / self.force_unit() / scale),
@@ -140,7 +149,8 @@ impl Input {
         };
         let pixel = self.pixel.map(|side| side / self.unit());
         let grid = Grid { size: self.size, pixel, heights };
-        Task { grid, law, wanted, tolerance: settings.tolerance, max_iterations: settings.max_iterations }
+        let Settings { tolerance, max_iterations, .. } = *settings;
+        Task { grid, law, wanted, tolerance, max_iterations, hardness: f64::INFINITY, whole: None }
     }
 
     fn origin(&self, start: Start<'_>, pressure_unit: f64) -> Result<Origin, HalfSpaceError> {

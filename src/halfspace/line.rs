@@ -80,7 +80,8 @@ pub fn solve_plane(
     let size = Size { rows: usize::from(columns > 0), columns };
     let input = Input { size, pixel: [problem.step; 2], modulus: problem.modulus, law, control: problem.control };
     let row = start.map(|pressure| ArrayView1::from(pressure).insert_axis(ndarray::Axis(0)));
-    let raw = input.solve(|index| problem.heights[index], row.map_or(Start::Coarser, Start::Pressure), settings)?;
+    let raw =
+        input.solve(|index| problem.heights[index], row.map_or(Start::Coarser, Start::Pressure), (settings, None))?;
     Ok(solution(problem, raw))
 }
 

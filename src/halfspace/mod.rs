@@ -43,15 +43,18 @@ mod input;
 mod kernel;
 mod line;
 mod pieces;
+mod response;
 mod run;
 mod solution;
 mod transform;
 mod vector;
+mod yielding;
 
 pub use crate::shape::Boundary;
 pub use error::HalfSpaceError;
 pub use line::{PlaneBoundary, PlaneProblem, PlaneSolution, solve_plane};
 pub use pieces::{Pieces, pieces};
+pub use response::SurfaceResponse;
 pub use solution::Solution;
 
 use ndarray::ArrayView2;
@@ -121,6 +124,37 @@ pub enum Start<'a> {
 /// [`HalfSpaceError`] for an empty map, a height that is NaN or −∞, a number out of range, a grid larger than
 /// the memory allowed, an indentation beyond full contact, and an iteration that does not converge.
 pub fn solve(problem: &PressedMap<'_>, start: Start<'_>, settings: &Settings) -> Result<Solution, HalfSpaceError> {
+    solved(problem, start, (settings, None))
+}
+
+/// The same for one of many maps on the same pixels, whose `response` is known; if it yields, the pressures end at its
+/// hardness and the surfaces overlap where they do, by what is dented for good.
+///
+/// # Errors
+/// As [`solve`].
+///
+/// # Panics
+/// The response is that of other pixels.
+pub fn solve_on(
+    response: &SurfaceResponse,
+    problem: &PressedMap<'_>,
+    start: Start<'_>,
+    settings: &Settings,
+) -> Result<Solution, HalfSpaceError> {
+    assert!(response.suits(problem), "the response of other pixels");
+    let Prescribed::Force(force) = problem.control else { return solved(problem, start, (settings, Some(response))) };
+    let elastic = solved(problem, start, (settings, Some(response)))?;
+    if elastic.peak_pressure() <= response.hardness() {
+        return Ok(elastic);
+    }
+    yielding::under_force(response, (problem, force), elastic, settings)
+}
+
+fn solved(
+    problem: &PressedMap<'_>,
+    start: Start<'_>,
+    how: (&Settings, Option<&SurfaceResponse>),
+) -> Result<Solution, HalfSpaceError> {
     let (rows, columns) = problem.heights.dim();
     let law = match problem.boundary {
         Boundary::Free => Law::FreeSpace,
@@ -133,7 +167,7 @@ pub fn solve(problem: &PressedMap<'_>, start: Start<'_>, settings: &Settings) ->
         law,
         control: problem.control,
     };
-    let raw = input.solve(|index| problem.heights[[index / columns, index % columns]], start, settings)?;
+    let raw = input.solve(|index| problem.heights[[index / columns, index % columns]], start, how)?;
     Ok(Solution::new(problem, raw))
 }
 

@@ -1,5 +1,7 @@
 //! From a problem in the solver's units to its solution, coarse grids first.
 
+use std::cell::OnceCell;
+
 use super::HalfSpaceError;
 use super::face::{Budget, Goal, GridContact, GridSolution};
 use super::grid::{Grid, Law, Operators, Window};
@@ -16,12 +18,16 @@ const MOST_ROUNDS: usize = 50;
 const MARGIN: usize = 3;
 
 /// A problem in the solver's units.
-pub(super) struct Task {
+pub(super) struct Task<'o> {
     pub(super) grid: Grid,
     pub(super) law: Law,
     pub(super) wanted: ScaledLoad,
     pub(super) tolerance: f64,
     pub(super) max_iterations: usize,
+    /// Largest pressure.
+    pub(super) hardness: f64,
+    /// The maps of the whole grid, where they are known already.
+    pub(super) whole: Option<&'o Operators>,
 }
 
 /// What is prescribed, whatever the grid.
@@ -52,7 +58,7 @@ pub(super) struct ScaledSolution {
     pub(super) effort: Budget,
 }
 
-impl Task {
+impl Task<'_> {
     pub(super) fn run(&self, origin: Origin) -> Result<ScaledSolution, HalfSpaceError> {
         let mut scratch = Scratch::default();
         let start = match origin {
@@ -69,6 +75,11 @@ impl Task {
             (ScaledLoad::Force(force), Law::FreePlane(_) | Law::PeriodicPlane) => Goal::Sum(force),
             (ScaledLoad::Force(force), _) => Goal::Sum(force / grid.unit()),
         }
+    }
+
+    /// Hardness in the pressures of a grid, which are measured in the side of its pixels.
+    fn hardness_on(&self, grid: &Grid) -> f64 {
+        self.hardness * grid.unit() / self.grid.unit()
     }
 
     /// Nothing for a prescribed approach, a uniform pressure for a prescribed force.
@@ -89,7 +100,8 @@ impl Task {
         let mut effort = Budget { iterations: 0, products: 0, limit: self.max_iterations };
         if let Some(window) = self.window(&coarse, &pressure) {
             let operators = Operators::new(&coarse, window.size, self.law);
-            let part = WindowedGrid { operators: &operators, grid: &coarse, window, goal: self.goal(&coarse) };
+            let (goal, hardness) = (self.goal(&coarse), self.hardness_on(&coarse));
+            let part = WindowedGrid { operators: &operators, grid: &coarse, window, goal, hardness };
             part.solve(&mut pressure, COARSE_TOLERANCE.max(self.tolerance), &mut effort, scratch);
         }
         grid.refine(&pressure, &coarse, self.law)
@@ -112,11 +124,18 @@ impl Task {
         let mut effort = Budget { iterations: 0, products: 0, limit: self.max_iterations };
         let mut rounds = 0;
         let mut window = self.window(grid, &pressure).unwrap_or(grid.whole());
+        let made = OnceCell::new();
+        let whole = || self.whole.unwrap_or_else(|| made.get_or_init(|| Operators::new(grid, grid.size, self.law)));
         loop {
-            let operators = Operators::new(grid, window.size, self.law);
-            let part = WindowedGrid { operators: &operators, grid, window, goal: self.goal(grid) };
+            let small = (window != grid.whole()).then(|| Operators::new(grid, window.size, self.law));
+            let operators = match &small {
+                Some(small) => small,
+                None => whole(),
+            };
+            let (goal, hardness) = (self.goal(grid), self.hardness_on(grid));
+            let part = WindowedGrid { operators, grid, window, goal, hardness };
             let outcome = part.solve(&mut pressure, self.tolerance, &mut effort, scratch);
-            let whole = if window == grid.whole() { operators } else { Operators::new(grid, grid.size, self.law) };
+            let whole = whole();
             let mut displacement = vec![0.0; pressure.len()];
             whole.influence.apply(&pressure, &mut displacement, scratch);
             effort.products += 1;
@@ -144,10 +163,11 @@ impl Task {
             return f64::INFINITY;
         }
         let (mut misfit, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
+        let hardness = self.hardness_on(&self.grid);
         for ((&p, &u), &height) in pressure.iter().zip(displacement).zip(&self.grid.heights) {
             let gap = u + height - approach;
             if p > 0.0 {
-                misfit = misfit.max(gap.abs());
+                misfit = misfit.max(if p < hardness { gap.abs() } else { gap.max(0.0) });
                 scale = scale.max(u.abs()).max(compliance * p);
             } else {
                 misfit = misfit.max(-gap);
@@ -163,6 +183,7 @@ struct WindowedGrid<'a> {
     grid: &'a Grid,
     window: Window,
     goal: Goal,
+    hardness: f64,
 }
 
 impl WindowedGrid<'_> {
@@ -195,6 +216,7 @@ impl WindowedGrid<'_> {
             compliance: self.operators.compliance,
             heights: &heights,
             goal: self.goal,
+            hardness: self.hardness,
         };
         let outcome = contact.solve(&mut part, tolerance, effort, scratch);
         update(&mut part, &heights, |p, _| *p = p.max(0.0));

@@ -380,3 +380,40 @@ proptest! {
         obeys_the_laws(&PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Periodic, control })?;
     }
 }
+
+/// A response made before, and a hardness that is never reached, change nothing; one that is reached caps the pressure,
+/// and what presses with less neither overlaps nor is apart.
+#[test]
+fn pressures_end_at_the_hardness() {
+    let heights = sample(33, 0.01, 0.0, |x, y| (x * x + y * y) / 2.0);
+    let problem = free(&heights, 0.01, Prescribed::Indentation(2e-3));
+    let (settings, elastic) = (Settings::default(), solved(&problem));
+    let response = || SurfaceResponse::new([33, 33], [0.01; 2], Boundary::Free);
+    let same = solve_on(&response(), &problem, Start::Coarser, &settings).unwrap();
+    assert_eq!(same.pressure, elastic.pressure);
+    let hard =
+        solve_on(&response().yielding_under(1.01 * elastic.peak_pressure()), &problem, Start::Coarser, &settings);
+    let apart = (&hard.unwrap().pressure - &elastic.pressure).iter().fold(0.0, |most: f64, p| most.max(p.abs()));
+    assert!(apart < 1e-6 * elastic.peak_pressure(), "{apart:e}");
+    let hardness = 0.6 * elastic.peak_pressure();
+    let soft = solve_on(&response().yielding_under(hardness), &problem, Start::Coarser, &settings).unwrap();
+    assert!(soft.force() < elastic.force() && soft.peak_pressure() <= hardness);
+    for ((&p, &u), &height) in soft.pressure.iter().zip(&soft.displacement).zip(&heights) {
+        let gap = u + height - soft.indentation;
+        let wrong = if p >= hardness {
+            gap.max(0.0)
+        } else if p > 0.0 {
+            gap.abs()
+        } else {
+            (-gap).max(0.0)
+        };
+        assert!(wrong < 1e-8 * 2e-3, "{p:e} {gap:e}");
+    }
+    // The same force, by a greater depth; more than the window can bear is refused.
+    let forced = free(&heights, 0.01, Prescribed::Force(elastic.force()));
+    let deeper = solve_on(&response().yielding_under(hardness), &forced, Start::Coarser, &settings).unwrap();
+    assert!((deeper.force() / elastic.force() - 1.0).abs() < 1e-9 && deeper.indentation > elastic.indentation);
+    let too_much = free(&heights, 0.01, Prescribed::Force(2.0 * hardness * 0.33 * 0.33));
+    let refused = solve_on(&response().yielding_under(hardness), &too_much, Start::Coarser, &settings).unwrap_err();
+    assert!(refused.to_string().contains("the hardness times the area"), "{refused}");
+}

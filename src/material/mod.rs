@@ -27,7 +27,8 @@ use crate::input::quantity::{
     Duration, Modulus, Poisson, Positive, QuantityError, Stress, Temperature, TemperatureDifference, Viscosity,
 };
 use crate::input::table::{TableError, Tables};
-use serde::{Deserialize, Deserializer, Serialize, de};
+use serde::ser::SerializeStruct;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::{
     fmt,
     path::{Path, PathBuf},
@@ -93,11 +94,11 @@ impl Body {
         }
     }
 
-    /// Yield stress Y [Pa] of a body whose yielding is followed.
+    /// Largest pressure [Pa] that a body bears whose yielding is followed.
     #[must_use]
-    pub fn yields_at(&self) -> Option<f64> {
+    pub fn hardness(&self) -> Option<f64> {
         match self {
-            Self::Plastic(plastic) => Some(plastic.yield_stress.si()),
+            Self::Plastic(plastic) => Some(plastic.greatest_pressure()),
             Self::Rigid
             | Self::Elastic(_)
             | Self::Viscoelastic(_)
@@ -180,16 +181,64 @@ fn young_of_shear(shear: Modulus, poisson: Poisson) -> Result<Modulus, QuantityE
     Modulus::new(2.0 * shear.si() * (1.0 + poisson.si()))
 }
 
-/// Isotropic material, linearly elastic until it yields and perfectly plastic from then on.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+/// Isotropic material, linearly elastic until it yields and perfectly plastic from then on; a scene gives the yield stress
+/// or the hardness.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Plastic {
     /// Young's modulus E [Pa].
     pub young: Modulus,
     /// Poisson's ratio ν.
     pub poisson: Poisson,
-    /// Yield stress Y [Pa] in uniaxial tension.
-    pub yield_stress: Modulus,
+    /// What it bears.
+    pub limit: PlasticLimit,
+}
+
+/// What a body that yields bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PlasticLimit {
+    /// Yield stress Y [Pa] in uniaxial tension: it yields under 1.6 Y.
+    YieldStress(Modulus),
+    /// Largest pressure H [Pa] itself, some 2.8 Y where all of a contact yields (Tabor 1951).
+    Hardness(Modulus),
+}
+
+impl Serialize for Plastic {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut written = serializer.serialize_struct("Plastic", 3)?;
+        written.serialize_field("young", &self.young)?;
+        written.serialize_field("poisson", &self.poisson)?;
+        match &self.limit {
+            PlasticLimit::YieldStress(stress) => written.serialize_field("yield_stress", stress)?,
+            PlasticLimit::Hardness(hardness) => written.serialize_field("hardness", hardness)?,
+        }
+        written.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for Plastic {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        /// As a scene writes it, with one of two limits.
+        #[derive(Deserialize)]
+        #[serde(rename = "Plastic", deny_unknown_fields)]
+        struct Written {
+            young: Modulus,
+            poisson: Poisson,
+            yield_stress: Option<Modulus>,
+            hardness: Option<Modulus>,
+        }
+        let Written { young, poisson, yield_stress, hardness } = Written::deserialize(deserializer)?;
+        let limit = match (yield_stress, hardness) {
+            (Some(stress), None) => PlasticLimit::YieldStress(stress),
+            (None, Some(hardness)) => PlasticLimit::Hardness(hardness),
+            (None, None) => return Err(de::Error::missing_field("yield_stress")),
+            (Some(_), Some(_)) => {
+                return Err(de::Error::custom(
+                    "a Plastic body has both `yield_stress` and `hardness`: expected one of the two",
+                ));
+            }
+        };
+        Ok(Self { young, poisson, limit })
+    }
 }
 
 /// Isotropic, linearly viscoelastic material with a constant Poisson's ratio.
@@ -389,7 +438,19 @@ impl Elastic {
     }
 }
 
+/// Limiting pressure over yield stress: that of first yield below a ball of ν ≈ 0.3 (Johnson 1985, §6.1).
+pub const YIELD_PRESSURE: f64 = 1.6;
+
 impl Plastic {
+    /// Largest pressure [Pa].
+    #[must_use]
+    pub fn greatest_pressure(&self) -> f64 {
+        match self.limit {
+            PlasticLimit::YieldStress(stress) => YIELD_PRESSURE * stress.si(),
+            PlasticLimit::Hardness(hardness) => hardness.si(),
+        }
+    }
+
     /// As it is before it yields.
     fn elastic(&self) -> Elastic {
         Elastic { young: self.young, poisson: self.poisson, yield_stress: None }

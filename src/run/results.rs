@@ -58,7 +58,7 @@ fn jump_in(records: &[Record]) -> Option<f64> {
 
 /// The least force [N] on the way out, if it is a pull and has been passed: the bodies have parted, or are drawn
 /// further apart under a weaker one.
-fn pull_off(records: &[Record]) -> Option<f64> {
+pub(super) fn pull_off(records: &[Record]) -> Option<f64> {
     let depth = |record: &Record| record.normal.indentation.unwrap_or(f64::NEG_INFINITY);
     let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
     let passed = |pair: &&[Record]| {

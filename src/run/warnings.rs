@@ -176,7 +176,7 @@ fn not_a_ball(shared: &Shared, a: f64) -> Option<String> {
     let Shape::Paraboloid(paraboloid) = &shared.scene.shape else { return None };
     let part = a / paraboloid.radius.si();
     let (one, other) = &shared.scene.bodies;
-    let yields = one.yields_at().or(other.yields_at()).is_some();
+    let yields = one.hardness().or(other.hardness()).is_some();
     if part >= 1.0 {
         return Some(format!(
             "the contact radius is {part:.2} times the radius of curvature: no ball has such a contact"

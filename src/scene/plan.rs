@@ -179,6 +179,12 @@ pub struct HalfSpacePlan {
     pub size: [usize; 2],
     /// Side of the window [m]; that of the surface, or found from the contact, if absent.
     pub window: Option<f64>,
+    /// E*(t) of bodies that relax.
+    pub relaxation: Option<Arc<Relaxation>>,
+    /// What pulls across the gap.
+    pub attraction: ElasticAdhesion,
+    /// Largest pressure [Pa] of a body that yields.
+    pub hardness: Option<f64>,
 }
 
 impl HalfSpacePlan {

@@ -15,7 +15,7 @@ use super::solver::{HalfSpace, SolverChoice};
 use super::surface::Surface;
 use super::{Scene, limits, pixelled, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
-use crate::contact::plastic::{YIELD_PRESSURE, YieldingBall};
+use crate::contact::plastic::YieldingBall;
 use crate::contact::rough::EdgeWorks;
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
@@ -156,7 +156,10 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
     let window = asked.window.map(|window| window.si());
     let boundary = asked.boundary.unwrap_or_else(|| pixelled::suiting(&indenter));
     let size = pixelled::size(&indenter, asked.grid, window);
-    HalfSpacePlan { shared, indenter, boundary, size, window }
+    let (relaxation, attraction) = (shared.read.relaxation.clone(), elastic(shared.scene.adhesion.as_ref()));
+    let (one, other) = &shared.scene.bodies;
+    let hardness = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min);
+    HalfSpacePlan { shared, indenter, boundary, size, window, relaxation, attraction, hardness }
 }
 
 fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
@@ -237,9 +240,9 @@ fn resting(shared: &Shared) -> ContactLaw {
 /// The ball of bodies that yield, the softer one first.
 fn yielding(shared: &Shared) -> Option<YieldingBall> {
     let (one, other) = &shared.scene.bodies;
-    let weaker = [one, other].into_iter().filter_map(Body::yields_at).reduce(f64::min)?;
+    let weaker = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min)?;
     let radius = shared.scene.shape.tip_radius()?;
-    Some(YieldingBall { radius, modulus: shared.pair.normal, limit: YIELD_PRESSURE * weaker })
+    Some(YieldingBall { radius, modulus: shared.pair.normal, limit: weaker })
 }
 
 /// A rough contact without friction.

@@ -27,7 +27,7 @@ pub enum SolverChoice {
     HalfSpace(HalfSpace),
 }
 
-/// The frictionless elastic contact on the pixels of a half-space.
+/// The frictionless contact on the pixels of a half-space: elastic, viscoelastic, plastic, attracted across the gap.
 ///
 /// Force and indentation of a smooth shape are right to about (pixel/contact radius)²/8; areas to the first order in
 /// the pixel, less what counting adds along the edges.

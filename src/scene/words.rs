@@ -1,6 +1,6 @@
 //! Plans in words.
 
-use super::law::{FrictionLaw, WearLaw};
+use super::law::{ElasticAdhesion, FrictionLaw, WearLaw};
 use super::parts::{Component, Parts, Solver};
 use super::plan::{HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use crate::contact::direct::QuasiStatic;
@@ -137,13 +137,38 @@ impl HalfSpacePlan {
         let solver = Solver::new(
             "half-space",
             format!(
-                "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms; elastic, without friction"
+                "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms{}, without friction",
+                self.bodies_in_words()
             ),
         );
         let (mut used, mut left_out) = (vec!["pixels of a half-space"], vec!["springs"]);
+        (if self.relaxation.is_some() { &mut used } else { &mut left_out }).push("relaxation");
+        let pulls = self.attraction != ElasticAdhesion::None;
+        (if pulls { &mut used } else { &mut left_out }).push("attraction across the gap");
+        (if self.hardness.is_some() { &mut used } else { &mut left_out }).push("hardness");
         (if self.profile().is_some() { &mut used } else { &mut left_out }).push("smooth shape");
         (if self.surface().is_some() { &mut used } else { &mut left_out }).push("rough surface");
         Parts { state_bytes: self.bytes(), ..Parts::new(solver, used, left_out) }
+    }
+
+    /// What the bodies are, in words.
+    fn bodies_in_words(&self) -> &'static str {
+        let pulls = self.attraction != ElasticAdhesion::None;
+        match (self.relaxation.is_some(), pulls) {
+            (false, false) if self.hardness.is_some() => {
+                "; elastic up to the hardness, under which each pixel is dented for good"
+            }
+            (false, false) => "; elastic",
+            (false, true) => {
+                "; elastic, with a constant attraction across the gap up to its range, contact and attraction in turns until they agree"
+            }
+            (true, false) => {
+                "; each pixel remembers by Maxwell elements that are exact in time, steps halved until they agree"
+            }
+            (true, true) => {
+                "; each pixel remembers by Maxwell elements that are exact in time, with a constant attraction across the gap up to its range"
+            }
+        }
     }
 
     /// Bytes of the largest solution.

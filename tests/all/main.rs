@@ -20,6 +20,8 @@ mod gliding;
 mod ground;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space;
+#[cfg(all(feature = "text", feature = "half-space"))]
+mod half_space_past;
 mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;

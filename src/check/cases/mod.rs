@@ -17,6 +17,8 @@ mod friction;
 mod gliding;
 #[cfg(feature = "half-space")]
 mod half_space;
+#[cfg(feature = "half-space")]
+mod half_space_past;
 mod impact;
 mod ground;
 mod lying;
@@ -39,9 +41,9 @@ pub const USUAL: Case = extremes::EXPLICIT_EULER;
 #[must_use]
 pub fn all() -> Vec<Case> {
     #[cfg(feature = "half-space")]
-    let half_space = half_space::CASES;
+    let half_space = [half_space::CASES, half_space_past::CASES].concat();
     #[cfg(not(feature = "half-space"))]
-    let half_space: &[Case] = &[];
+    let half_space: Vec<Case> = Vec::new();
     let held = [
         elastic::CASES,
         shapes::CASES,
@@ -58,7 +60,7 @@ pub fn all() -> Vec<Case> {
         gliding::CASES,
         machine::CASES,
         rough::CASES,
-        half_space,
+        &half_space,
         estimates::CASES,
     ];
     [held.concat(), extremes::all()].concat()

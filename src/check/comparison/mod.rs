@@ -40,6 +40,8 @@ use crate::shape::Boundary;
 /// Pixels on the side of the half-space grid.
 #[cfg(feature = "half-space")]
 const GRIDS: [usize; 6] = [32, 64, 128, 256, 512, 1024];
+/// The same of contacts with a past, whose whole history is followed.
+const PAST_GRIDS: [usize; 3] = [32, 64, 128];
 /// What is said where the solver is left out.
 const WITHOUT: Option<&str> = match cfg!(feature = "half-space") {
     true => None,

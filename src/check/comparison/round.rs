@@ -13,6 +13,7 @@ use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{Plan, SceneSettings};
+use crate::scene::solver::{HalfSpace, SolverChoice};
 use crate::shape::Shape;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -54,6 +55,8 @@ pub(super) fn contest(plan: Plan, most: &Record) -> Contest {
         candidates.insert(0, Candidate { at: methods.len(), name });
         methods.push(method);
     }
+    // Pixels with a past are held against the direct path, and do not judge it.
+    methods.extend(scenario.histories());
     let exact = exact.map(|(name, state)| Known { name: name.to_owned(), state });
     let pressure = Some(Candidate { at: 0, name: "direct path".to_owned() });
     Contest { compared: Compared::Round, methods, exact, candidates, pressure, members: 1, notes }
@@ -79,16 +82,8 @@ impl Scenario {
     /// What is left out of the scene.
     fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
-        let mut left_out = |what: &str| {
-            notes.push(format!(
-                "{what}: the half-space solver computes the frictionless elastic contact only and is left out"
-            ));
-        };
-        if self.plan.adheres() {
-            left_out("adhesion");
-        }
-        if self.plan.relaxation().is_some() {
-            left_out("viscoelastic bodies");
+        if self.has_past() {
+            notes.extend(self.on_pixels(super::PAST_GRIDS[0]).err().map(|why| format!("half-space: {why}")));
         }
         if self.plan.has_friction() {
             notes.push("friction: compared is the normal contact, which friction does not change here".to_owned());
@@ -147,6 +142,32 @@ impl Scenario {
     /// The scene on a number of springs.
     fn on_springs(&self, springs: usize) -> Result<Plan, SimulationError> {
         Ok(self.plan.with(SceneSettings { springs: NonZeroUsize::new(springs), ..self.plan.settings() })?)
+    }
+
+    /// Whether the half-space must go through the whole history.
+    fn has_past(&self) -> bool {
+        self.plan.adheres() || self.plan.relaxation().is_some()
+    }
+
+    /// The scene on the pixels of the half-space.
+    fn on_pixels(&self, grid: usize) -> Result<Plan, SimulationError> {
+        let asked = HalfSpace { grid: NonZeroUsize::new(grid), ..HalfSpace::default() };
+        let solver = Some(SolverChoice::HalfSpace(asked));
+        Ok(self.plan.with(SceneSettings { springs: None, solver, ..self.plan.settings() })?)
+    }
+
+    /// The history on the half-space, where it depends on the past and pixels can follow it.
+    fn histories(self: &Arc<Self>) -> Vec<Method> {
+        if !self.has_past() || self.on_pixels(super::PAST_GRIDS[0]).is_err() {
+            return Vec::new();
+        }
+        let history = |own: &Self, grid| {
+            let found = most_pressed(&own.on_pixels(grid)?)?;
+            Ok(Computed { found, ..Computed::default() })
+        };
+        super::PAST_GRIDS
+            .map(|grid| Method::of("half-space", Setting::grid(grid), self, move |own| history(own, grid)))
+            .into()
     }
 
     #[cfg(not(feature = "half-space"))]

@@ -24,8 +24,7 @@ pub use contact::PlasticContact;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Limiting pressure over yield stress: that of first yield below a ball of ν ≈ 0.3 (Johnson 1985, §6.1).
-pub const YIELD_PRESSURE: f64 = 1.6;
+pub use crate::material::YIELD_PRESSURE;
 
 /// A ball on a flat, one of which yields.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,8 @@
 //! How often a pressure and a gap occur.
 
-use crate::halfspace::Solution;
+use super::pressed::Pressed;
 use crate::run::table::{Column, Table};
 use crate::run::unit::Unit;
-use ndarray::Array2;
 
 /// Classes of the pressure and of the gap.
 const CLASSES: usize = 48;
@@ -38,10 +37,10 @@ const COLUMNS: [Column<Class>; 5] = [
 impl Distribution {
     /// Of the pixels in contact the pressure, of the others the gap; both densities together have the integral one,
     /// but for pixels without material.
-    pub(super) fn of(solution: &Solution, gap: &Array2<f64>, force: f64) -> Self {
-        let touching = solution.pressure.iter().copied().filter(|&pressure| pressure > 0.0);
-        let apart =
-            gap.iter().zip(&solution.pressure).filter(|(gap, p)| **p <= 0.0 && gap.is_finite()).map(|(g, _)| *g);
+    pub(super) fn of(pressed: &Pressed, force: f64) -> Self {
+        let (gap, pushes, pressure) = (&pressed.gap, &pressed.contact.pressure, pressed.pressure());
+        let touching = pressure.iter().zip(pushes).filter(|(_, pushes)| **pushes > 0.0).map(|(pressure, _)| *pressure);
+        let apart = gap.iter().zip(pushes).filter(|(gap, pushes)| **pushes <= 0.0 && gap.is_finite()).map(|(g, _)| *g);
         let pixels = gap.len();
         let (pressures, gaps) = (classes(touching, pixels), classes(apart, pixels));
         let class = |((pressure, of_pressure), (gap, of_gap))| Class { force, pressure, of_pressure, gap, of_gap };
@@ -49,15 +48,16 @@ impl Distribution {
     }
 }
 
-/// Middles and densities of equal classes from zero to the largest value, of `pixels` in all.
+/// Middles and densities of equal classes from zero, or the least value below it, to the largest, of `pixels` in all.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to the classes")]
 fn classes(values: impl Iterator<Item = f64> + Clone, pixels: usize) -> Vec<(f64, f64)> {
     let largest = values.clone().fold(0.0, f64::max);
-    let width = if largest > 0.0 { largest / CLASSES as f64 } else { 1.0 };
+    let least = values.clone().fold(0.0, f64::min);
+    let width = if largest > least { (largest - least) / CLASSES as f64 } else { 1.0 };
     let mut counts = [0usize; CLASSES];
-    values.for_each(|value| counts[((value / width) as usize).min(CLASSES - 1)] += 1);
+    values.for_each(|value| counts[(((value - least) / width) as usize).min(CLASSES - 1)] += 1);
     let share = |count: usize| count as f64 / (pixels as f64 * width);
-    counts.iter().enumerate().map(|(k, &count)| ((k as f64 + 0.5) * width, share(count))).collect()
+    counts.iter().enumerate().map(|(k, &count)| (least + (k as f64 + 0.5) * width, share(count))).collect()
 }
 
 /// Distributions under the largest force and about halves of it, the least first.

@@ -20,7 +20,9 @@ struct Apart {
 /// pixels adds along the edges, although that is taken off, or the difference if that is more.
 pub(super) fn estimate(pressing: &Pressing<'_>, series: &Series<'_>) -> ErrorEstimate {
     let tolerance = pressing.settings.tolerance;
-    let Some((prescribed, solution)) = &series.largest else {
+    let Some((prescribed, solution)) =
+        series.largest.as_ref().map(|(prescribed, pressed)| (prescribed, &pressed.contact))
+    else {
         return ErrorEstimate { relative: tolerance, basis: "the bodies never press on each other".to_owned() };
     };
     let (rows, columns) = solution.pressure.dim();

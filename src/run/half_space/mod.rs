@@ -1,11 +1,20 @@
 //! Scenes on the pixels of a half-space.
 
+mod attraction;
+mod dent;
 mod distribution;
 mod error;
 mod heights;
+mod ledger;
+mod memory;
+mod mixed;
+mod pixels;
+mod pressed;
+mod rehearsed;
 mod series;
 mod state;
 mod told;
+mod way;
 mod window;
 
 pub use heights::{Heights, ellipsoid, material};
@@ -17,6 +26,8 @@ use crate::contact::state::Normal;
 use crate::halfspace::{HalfSpaceError, Prescribed, Settings, Start};
 use crate::scene::parts::Parts;
 use crate::scene::plan::HalfSpacePlan;
+use pressed::Pressed;
+use rehearsed::Rehearsed;
 use series::{Depth, Series};
 use state::{Pressing, State};
 
@@ -39,20 +50,25 @@ pub(super) fn run(
     let heights = heights(plan)?;
     let (touch, modulus) = (heights.touch_of(&plan.indenter), plan.pair.normal);
     let pressing = Pressing { heights: &heights, touch, modulus, boundary: plan.boundary, settings: settings(plan) };
-    let mut series = Series::new(plan, pressing, Depth::Whole);
+    let rehearsed = Rehearsed::of(plan, &pressing);
+    let mut series = Series::new(plan, pressing, Depth::Whole, rehearsed.as_ref().map_or(1, |coarse| coarse.steps));
     let records = series.follow(done)?;
-    let map = series.largest.as_ref().filter(|_| wanted.fields).map(|(_, solution)| ContactMap {
-        pressure: solution.pressure.clone(),
-        gap: pressing.gap(solution),
+    let map = series.largest.as_ref().filter(|_| wanted.fields).map(|(_, pressed)| ContactMap {
+        pressure: pressed.pressure(),
+        gap: pressed.gap.clone(),
         pixel: heights.pixel,
         boundary: plan.boundary,
-        force: solution.force(),
+        force: pressed.force(),
     });
+    let estimate = match &rehearsed {
+        Some(coarse) => coarse.estimate(&records, heights.values.dim()),
+        None => error::estimate(&pressing, &series),
+    };
     Ok(Outcome {
         results: told::results(plan, &records, &series),
         fields: Vec::new(),
         tables: distribution::table(&series.distributions).into_iter().collect(),
-        error_estimate: error::estimate(&pressing, &series),
+        error_estimate: estimate,
         warnings: told::warnings(plan, &heights, &series),
         plan: parts(plan, &heights, &series),
         records,
@@ -83,8 +99,11 @@ pub fn under(plan: &HalfSpacePlan, force: f64) -> Result<Solved, SimulationError
     let pressing = Pressing { heights: &heights, touch, modulus, boundary: plan.boundary, settings: settings(plan) };
     let refused = |error: HalfSpaceError| SimulationError::Refused(error.to_string());
     let solution = pressing.solve(Prescribed::Force(force), Start::Coarser).map_err(refused)?;
-    let State { normal, pixels, .. } = pressing.told(&solution, pressing.stiffness(&solution).map_err(refused)?);
-    Ok(Solved { normal, pixels, bytes: solution.bytes, iterations: solution.iterations })
+    let (bytes, iterations) = (solution.bytes, solution.iterations);
+    let stiffness = pressing.stiffness(&solution).map_err(refused)?;
+    let gap = pressing.gap(&solution);
+    let State { normal, pixels, .. } = pressing.told(&Pressed::elastic(solution, gap), stiffness);
+    Ok(Solved { normal, pixels, bytes, iterations })
 }
 
 /// The heights of a plan: those of its surface, or of its tip in a window wide enough.
@@ -102,7 +121,8 @@ fn heights(plan: &HalfSpacePlan) -> Result<Heights, SimulationError> {
 fn parts(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Parts {
     let [x, y] = heights.sides();
     let parts = plan.parts();
-    let bytes = series.largest.as_ref().map(|(_, solution)| solution.bytes);
+    let bytes = series.largest.as_ref().map(|(_, pressed)| pressed.contact.bytes);
     let state_bytes = bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(parts.state_bytes);
+    let state_bytes = state_bytes.saturating_add(series.pixels().bytes());
     Parts { reason: format!("{}; the window is {x:.4e} m × {y:.4e} m", parts.reason), state_bytes, ..parts }
 }

@@ -1,9 +1,13 @@
 //! A history on pixels: states one after the other, each starting from the pressure of the last.
 
 use super::distribution::Distribution;
+use super::ledger::Ledger;
+use super::pixels::Pixels;
+use super::pressed::Pressed;
 use super::state::{Pressing, State, of_disc};
+use super::way::Way;
 use crate::contact::adhesion::equilibrium::Control;
-use crate::halfspace::{HalfSpaceError, Prescribed, Solution, Start};
+use crate::halfspace::{HalfSpaceError, Prescribed};
 use crate::run::SimulationError;
 use crate::run::record::Record;
 use crate::scene::plan::HalfSpacePlan;
@@ -19,15 +23,19 @@ pub(super) enum Depth {
     Outline,
 }
 
-/// States solved so far. Elastic bodies have no past: what was solved once need not be solved again.
+/// States solved so far.
 pub(super) struct Series<'p> {
     plan: &'p HalfSpacePlan,
     pressing: Pressing<'p>,
     depth: Depth,
+    /// Steps of the time from record to record, of bodies that remember.
+    steps: u32,
+    /// Elastic bodies have no past: what was solved once need not be solved again.
     known: HashMap<(bool, u64), State>,
-    last: Option<Solution>,
-    /// The largest force of all, with what was prescribed.
-    pub(super) largest: Option<(Prescribed, Solution)>,
+    pixels: Pixels<'p>,
+    ledger: Ledger,
+    /// The largest force of all, or area under an attraction, with what was prescribed.
+    pub(super) largest: Option<(Prescribed, Pressed)>,
     pub(super) states: Vec<State>,
     pub(super) distributions: Vec<Distribution>,
 }
@@ -39,32 +47,101 @@ fn key(control: Control, value: f64) -> (bool, u64) {
     (control == Control::Force, value.to_bits().wrapping_add(1 << (ROUNDING - 1)) >> ROUNDING)
 }
 
+/// Steps in which bodies that attract each other come from out of reach to their touch.
+const APPROACH: u32 = 16;
+/// Fewest records of a pull over the range of the attraction.
+const EIGHTH: f64 = 8.0;
+/// Most records of a pull, in records of its entry.
+const PULLED: usize = 100;
+
+/// What is prescribed at the end of a step: where, and how long it takes [s].
+#[derive(Debug, Clone, Copy)]
+struct Goal {
+    control: Control,
+    value: f64,
+    over: f64,
+    entry: usize,
+}
+
 impl<'p> Series<'p> {
-    pub(super) fn new(plan: &'p HalfSpacePlan, pressing: Pressing<'p>, depth: Depth) -> Self {
+    pub(super) fn new(plan: &'p HalfSpacePlan, pressing: Pressing<'p>, depth: Depth, steps: u32) -> Self {
         let (known, states, distributions) = (HashMap::new(), Vec::new(), Vec::new());
-        Self { plan, pressing, depth, known, last: None, largest: None, states, distributions }
+        let (pixels, ledger) = (Pixels::new(plan, pressing), Ledger::default());
+        Self { plan, pressing, depth, steps, known, pixels, ledger, largest: None, states, distributions }
+    }
+
+    pub(super) fn pixels(&self) -> &Pixels<'p> {
+        &self.pixels
     }
 
     /// The records of the history; `done` is told the share of it that is behind.
     pub(super) fn follow(&mut self, done: &(dyn Fn(f64) + Sync)) -> Result<Vec<Record>, SimulationError> {
         let total = self.plan.stages.iter().map(|stage| stage.parts().len()).sum::<usize>() as f64;
         let (mut records, mut control) = (Vec::new(), Control::Indentation);
-        let mut time = 0.0;
-        self.push(&mut records, (0, 0.0), self.pressing.apart(0.0));
-        let mut behind = 0.0;
+        let (mut time, mut behind, mut asked) = (0.0, 0.0, None);
+        let first = self.touched()?;
+        self.push(&mut records, (0, 0.0), first);
         for stage in &self.plan.stages {
             control = stage.control.unwrap_or(control);
             let Some(present) = records.last() else { continue };
-            let (path, from, over) = way(stage, control, present);
+            let way = Way::of(stage, control, (present, asked));
+            if let (Path::UntilParted { speed }, Some(_)) = (stage.normal, self.pixels.attraction()) {
+                time = self.pull_off(&mut records, (stage, speed), (time, way.from))?;
+                continue;
+            }
+            let mut reached = 0.0;
             for part in stage.parts() {
-                let state = self.at(control, path.at(from, part, over), stage.entry)?;
-                self.push(&mut records, (stage.entry, time + part * over), state);
+                let goal = |part: f64, over| Goal { control, value: way.at(part), over, entry: stage.entry };
+                let steps = f64::from(self.steps);
+                for step in 1..self.steps {
+                    let between = reached + (part - reached) * f64::from(step) / steps;
+                    self.pass(goal(between, (part - reached) * way.over / steps))?;
+                }
+                let state = self.at(goal(part, (part - reached) * way.over / steps))?;
+                asked = (control == Control::Force && state.parted).then(|| way.at(part));
+                reached = part;
+                self.push(&mut records, (stage.entry, time + part * way.over), state);
                 behind += 1.0;
                 done(behind / total);
             }
-            time += over;
+            time += way.over;
         }
         Ok(records)
+    }
+
+    /// The state at touch; bodies that attract each other have come there from out of reach.
+    fn touched(&mut self) -> Result<State, SimulationError> {
+        let mut state = self.pressing.apart(0.0);
+        let Some(attraction) = self.pixels.attraction() else { return Ok(state) };
+        for step in 0..=APPROACH {
+            let value = -attraction.range() * f64::from(APPROACH - step) / f64::from(APPROACH);
+            state = self.at(Goal { control: Control::Indentation, value, over: 0.0, entry: 0 })?;
+        }
+        Ok(state)
+    }
+
+    /// Withdraws the indenter until nothing holds it.
+    fn pull_off(
+        &mut self,
+        records: &mut Vec<Record>,
+        (stage, speed): (&Stage, f64),
+        (start, from): (f64, f64),
+    ) -> Result<f64, SimulationError> {
+        let range = self.pixels.attraction().map_or(0.0, super::attraction::Attraction::range);
+        let step = (from / stage.records as f64).max(range / EIGHTH);
+        let mut time = start;
+        for number in 1..=PULLED * stage.records {
+            let way = step * number as f64;
+            time = start + way / speed;
+            let goal =
+                Goal { control: Control::Indentation, value: from - way, over: step / speed, entry: stage.entry };
+            let state = self.at(goal)?;
+            self.push(records, (stage.entry, time), state);
+            if state.parted {
+                break;
+            }
+        }
+        Ok(time)
     }
 
     fn push(&mut self, records: &mut Vec<Record>, (entry, time): (usize, f64), mut state: State) {
@@ -88,49 +165,89 @@ impl<'p> Series<'p> {
         self.states.push(state);
     }
 
-    /// The state at a depth [m] from first touch or under a force [N].
-    fn at(&mut self, control: Control, value: f64, entry: usize) -> Result<State, SimulationError> {
-        if value <= 0.0 {
-            return Ok(self.pressing.apart(if control == Control::Force { 0.0 } else { value }));
+    fn prescribed(&self, goal: Goal) -> Prescribed {
+        match goal.control {
+            Control::Indentation => Prescribed::Indentation(self.pressing.touch + goal.value),
+            Control::Force => Prescribed::Force(goal.value),
         }
-        let key = key(control, value);
-        let mut state = match self.known.get(&key) {
-            Some(state) => *state,
-            None => {
-                let state = self.solved(control, value).map_err(|error| self.refused(entry, &error))?;
-                self.known.insert(key, state);
-                state
+    }
+
+    /// A step between two records.
+    fn pass(&mut self, goal: Goal) -> Result<(), SimulationError> {
+        let advanced = self.pixels.advance(self.prescribed(goal), goal.over);
+        advanced.map(drop).map_err(|error| self.refused(goal.entry, &error))
+    }
+
+    /// The state at a depth [m] from first touch or under a force [N].
+    fn at(&mut self, goal: Goal) -> Result<State, SimulationError> {
+        let Goal { control, value, .. } = goal;
+        let mut state = if self.pixels.has_past() {
+            self.solved(goal)?
+        } else if value <= 0.0 {
+            return Ok(self.pressing.apart(if control == Control::Force { 0.0 } else { value }));
+        } else {
+            match self.known.get(&key(control, value)) {
+                Some(state) => *state,
+                None => {
+                    let state = self.solved(goal)?;
+                    self.known.insert(key(control, value), state);
+                    state
+                }
             }
         };
         // The last digits are those prescribed.
         match control {
             Control::Indentation => state.normal.indentation = Some(value),
+            Control::Force if state.parted => {}
             Control::Force => state.normal.force = value,
         }
         Ok(state)
     }
 
-    fn solved(&mut self, control: Control, value: f64) -> Result<State, HalfSpaceError> {
-        let prescribed = match control {
-            Control::Indentation => Prescribed::Indentation(self.pressing.touch + value),
-            Control::Force => Prescribed::Force(value),
+    fn solved(&mut self, goal: Goal) -> Result<State, SimulationError> {
+        let prescribed = self.prescribed(goal);
+        let advanced = self.pixels.advance(prescribed, goal.over).map_err(|error| self.refused(goal.entry, &error))?;
+        let Some(pressed) = advanced else {
+            return Ok(self.torn_off());
         };
-        let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.pressure.view()));
-        let solution = self.pressing.solve(prescribed, start)?;
-        let stiffness = if self.depth == Depth::Whole { self.pressing.stiffness(&solution)? } else { 0.0 };
-        let mut state = self.pressing.told(&solution, stiffness);
+        let stiffness = match self.depth {
+            Depth::Whole => {
+                self.pressing.stiffness(&pressed.contact).map_err(|error| self.refused(goal.entry, &error))?
+            }
+            Depth::Outline => 0.0,
+        };
+        let mut state = self.pressing.told(&pressed, stiffness);
+        if self.pixels.attraction().is_some() {
+            let normal = &mut state.normal;
+            normal.dissipated = self.ledger.lost(normal.force, normal.indentation, normal.stored.stored());
+        }
         if self.plan.profile().is_some() && self.plan.surface().is_none() {
-            state.normal.contact_radius = of_disc(&self.plan.scene.shape, &solution, &state.pixels);
+            state.normal.contact_radius = self.radius(&pressed, &state);
         }
         if self.depth == Depth::Whole {
-            self.distributions.push(Distribution::of(&solution, &self.pressing.gap(&solution), state.normal.force));
+            self.distributions.push(Distribution::of(&pressed, state.normal.force));
         }
-        let force = |kept: &(Prescribed, Solution)| kept.1.force();
-        if self.largest.as_ref().is_none_or(|kept| solution.force() > force(kept)) {
-            self.largest = Some((prescribed, solution.clone()));
+        let attracts = self.pixels.attraction().is_some();
+        let size = |pressed: &Pressed| if attracts { pressed.contact.contact_area() } else { pressed.force() };
+        if self.largest.as_ref().is_none_or(|kept| size(&pressed) > size(&kept.1)) {
+            self.largest = Some((prescribed, pressed));
         }
-        self.last = Some(solution);
         Ok(state)
+    }
+
+    /// Radius of one disc [m]; Hertz' pressures have second moments that those of other contacts have not.
+    fn radius(&self, pressed: &Pressed, state: &State) -> Option<f64> {
+        let hertzian = !self.pixels.has_past();
+        of_disc(hertzian.then_some(&self.plan.scene.shape), &pressed.contact, &state.pixels)
+    }
+
+    /// Bodies that the force has torn apart.
+    fn torn_off(&mut self) -> State {
+        let mut state = self.pressing.apart(0.0);
+        state.normal.indentation = None;
+        state.pixels.mean_gap = None;
+        state.normal.dissipated = self.ledger.lost(0.0, None, 0.0);
+        state
     }
 
     fn refused(&self, entry: usize, error: &HalfSpaceError) -> SimulationError {
@@ -145,18 +262,5 @@ impl<'p> Series<'p> {
             }
             other => format!("history[{entry}]: {other}"),
         })
-    }
-}
-
-/// How a stage goes: its path, where it begins, and how long it takes [s].
-fn way(stage: &Stage, control: Control, present: &Record) -> (Path, f64, f64) {
-    let depth = present.normal.indentation.unwrap_or(0.0);
-    let from = match control {
-        Control::Indentation => depth,
-        Control::Force => present.normal.force,
-    };
-    match stage.normal {
-        Path::UntilParted { speed } => (Path::To(0.0), from, depth.max(0.0) / speed),
-        path @ (Path::To(_) | Path::Stay | Path::Steady { .. } | Path::Wave(_)) => (path, from, stage.over),
     }
 }

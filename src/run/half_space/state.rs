@@ -1,7 +1,7 @@
 //! One solved state of a contact on pixels.
 
 use super::heights::Heights;
-use crate::contact::adhesion::line::Energy;
+use super::pressed::Pressed;
 use crate::contact::state::Normal;
 use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, pieces, solve};
 use crate::run::record::PixelContact;
@@ -21,6 +21,8 @@ pub(super) struct State {
     /// Number of pixels in contact, and whether that is all of them.
     pub(super) count: usize,
     pub(super) full: bool,
+    /// Whether nothing presses and nothing pulls.
+    pub(super) parted: bool,
 }
 
 /// A surface to be pressed.
@@ -41,7 +43,7 @@ impl Pressing<'_> {
         self.pressed(&self.heights.values, control, start)
     }
 
-    fn pressed(
+    pub(super) fn pressed(
         &self,
         heights: &Array2<f64>,
         control: Prescribed,
@@ -87,11 +89,18 @@ impl Pressing<'_> {
             meets_border: false,
             count: 0,
             full: false,
+            parted: true,
         }
     }
 
+    /// Elastic energy [J] of pressures and the displacements under them.
+    pub(super) fn elastic(&self, pressure: &Array2<f64>, displacement: &Array2<f64>) -> f64 {
+        0.5 * self.heights.pixel[0] * self.heights.pixel[1] * (pressure * displacement).sum()
+    }
+
     /// What a solution tells; `stiffness` [N/m] is known already.
-    pub(super) fn told(&self, solution: &Solution, stiffness: f64) -> State {
+    pub(super) fn told(&self, pressed: &Pressed, stiffness: f64) -> State {
+        let solution = &pressed.contact;
         let contact = solution.pressure.mapv(|pressure| pressure > 0.0);
         let (patches, gap) =
             (pieces(&contact, self.boundary), pieces(&contact.mapv(|touches| !touches), self.boundary));
@@ -99,31 +108,34 @@ impl Pressing<'_> {
         let full = count == contact.len();
         let sides = self.heights.sides();
         let area = if full { sides[0] * sides[1] } else { solution.corrected_area().max(0.0) };
-        let mean_gap = self.gap(solution).mean().filter(|gap| gap.is_finite());
-        let pixel_area = self.heights.pixel[0] * self.heights.pixel[1];
-        let elastic = 0.5 * pixel_area * (&solution.pressure * &solution.displacement).sum();
+        let mean_gap = pressed.gap.mean().filter(|gap| gap.is_finite());
+        let held = match &pressed.pull {
+            Some(pull) => pull.mapv(|pull| pull > 0.0),
+            None => contact.clone(),
+        };
         State {
             normal: Normal {
                 indentation: Some(solution.indentation - self.touch),
-                force: solution.force(),
+                force: pressed.force(),
                 contact_radius: None,
                 stiffness,
-                stored: Energy { elastic, surface: 0.0 },
-                dissipated: 0.0,
+                stored: pressed.stored,
+                dissipated: pressed.dissipated,
             },
             pixels: PixelContact {
                 area,
                 area_fraction: area / (sides[0] * sides[1]),
                 mean_gap,
-                peak_pressure: solution.peak_pressure(),
+                peak_pressure: pressed.peak_pressure(),
                 patches: patches.count,
                 percolates: patches.percolates,
                 gap_percolates: gap.percolates,
             },
-            extent: self.extent(&contact),
-            meets_border: meets_border(&contact),
+            extent: self.extent(&held),
+            meets_border: meets_border(&held),
             count,
             full,
+            parted: pressed.parted(),
         }
     }
 
@@ -152,13 +164,17 @@ pub fn radius_of(shape: &Shape, solution: &Solution) -> f64 {
             (a * b).sqrt()
         }
         Shape::FlatPunch(_) => solution.contact_radius(),
-        _ => (solution.corrected_area().max(0.0) / PI).sqrt(),
+        _ => radius_of_area(solution),
     }
 }
 
-/// The same, where the contact is one disc about the tip.
-pub(super) fn of_disc(shape: &Shape, solution: &Solution, pixels: &PixelContact) -> Option<f64> {
+fn radius_of_area(solution: &Solution) -> f64 {
+    (solution.corrected_area().max(0.0) / PI).sqrt()
+}
+
+/// The same, where the contact is one disc about the tip; that of its area, if the pressures are not those of `shape`.
+pub(super) fn of_disc(shape: Option<&Shape>, solution: &Solution, pixels: &PixelContact) -> Option<f64> {
     let (rows, columns) = solution.pressure.dim();
     let disc = pixels.patches == 1 && solution.pressure[[rows / 2, columns / 2]] > 0.0;
-    disc.then(|| radius_of(shape, solution))
+    disc.then(|| shape.map_or_else(|| radius_of_area(solution), |shape| radius_of(shape, solution)))
 }

@@ -5,14 +5,18 @@ use super::series::Series;
 use super::state::State;
 use crate::run::named::Named;
 use crate::run::record::Record;
+use crate::run::results::pull_off;
 use crate::run::rough::of_surface;
 use crate::run::unit::Unit;
+use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::HalfSpacePlan;
 use crate::scene::surface::Source;
 use crate::shape::Boundary;
 
 /// Fewest pixels of a patch that show its area to some ten per cent.
 const FEW: f64 = 12.0;
+/// Fewest pixels along the ring of an attraction.
+const IN_RING: f64 = 2.0;
 /// Fewest pixels on the shortest wave of a spectrum that show its summits.
 const PER_WAVE: f64 = 4.0;
 
@@ -20,14 +24,36 @@ const PER_WAVE: f64 = 4.0;
 pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) -> Vec<Named> {
     let mut results = loads(records);
     results.extend(at_largest(plan, records));
-    results
-        .extend(series.largest.iter().map(|(_, solution)| Named::count("contact_pixels", solution.contact_pixels())));
+    results.extend(
+        series.largest.iter().map(|(_, pressed)| Named::count("contact_pixels", pressed.contact.contact_pixels())),
+    );
     if let Some(surface) = plan.surface() {
         let (squares, peak_to_valley) = of_surface(surface);
         results.extend(squares.into_iter().chain(peak_to_valley));
     }
+    if series.pixels().has_past() {
+        results.extend(of_past(records).into_iter().flatten());
+        results.extend(known(&[("residual_depth", Unit::METRE, series.pixels().deepest())]));
+    } else {
+        results.extend(known(&[("work", Unit::JOULE, records.last().map(|last| last.normal.stored.elastic))]));
+    }
     results.extend(records.last().iter().flat_map(|last| at_end(last)));
     results
+}
+
+/// What is left of the past, and what it has cost.
+fn of_past(records: &[Record]) -> Option<Vec<Named>> {
+    let (first, last) = (records.first()?.normal, records.last()?.normal);
+    Some(known(&[
+        ("pull_off_force", Unit::NEWTON, pull_off(records)),
+        ("dissipated", Unit::JOULE, Some(last.dissipated)),
+        (
+            "work",
+            Unit::JOULE,
+            Some(last.stored.stored() - first.stored.stored() + (last.dissipated - first.dissipated)),
+        ),
+        ("final_stored_elastic", Unit::JOULE, Some(last.stored.elastic)),
+    ]))
 }
 
 fn loads(records: &[Record]) -> Vec<Named> {
@@ -43,10 +69,15 @@ fn loads(records: &[Record]) -> Vec<Named> {
     ])
 }
 
-/// The contact under the largest force.
+/// The contact under the largest force, or of the largest area under an attraction.
 fn at_largest(plan: &HalfSpacePlan, records: &[Record]) -> Vec<Named> {
-    let by_force = |one: &&Record, other: &&Record| one.normal.force.total_cmp(&other.normal.force);
-    let Some(contact) = records.iter().max_by(by_force).and_then(|record| record.pixels) else { return Vec::new() };
+    let attracts = plan.attraction != ElasticAdhesion::None;
+    let size = |record: &Record| match record.pixels {
+        Some(pixels) if attracts => pixels.area,
+        Some(_) | None => record.normal.force,
+    };
+    let most = records.iter().max_by(|one, other| size(one).total_cmp(&size(other)));
+    let Some(contact) = most.and_then(|record| record.pixels) else { return Vec::new() };
     let rough = plan.surface().is_some();
     let mut results = known(&[
         ("peak_pressure", Unit::PASCAL, Some(contact.peak_pressure)),
@@ -64,7 +95,6 @@ fn at_largest(plan: &HalfSpacePlan, records: &[Record]) -> Vec<Named> {
 
 fn at_end(last: &Record) -> Vec<Named> {
     known(&[
-        ("work", Unit::JOULE, Some(last.normal.stored.elastic)),
         ("final_time", Unit::SECOND, Some(last.time)),
         ("final_indentation", Unit::METRE, last.normal.indentation),
         ("final_force", Unit::NEWTON, Some(last.normal.force)),
@@ -80,8 +110,14 @@ fn known(found: &[(&'static str, Unit, Option<f64>)]) -> Vec<Named> {
 pub(super) fn warnings(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Vec<String> {
     let states = || series.states.iter();
     let most = states().max_by(|one, other| one.normal.force.total_cmp(&other.normal.force));
-    let found =
-        [full(states()), narrow(plan, states()), border(plan), most.and_then(|most| coarse(plan, heights, most))];
+    let found = [
+        full(states()),
+        narrow(plan, states()),
+        border(plan),
+        most.and_then(|most| coarse(plan, heights, most)),
+        ring(plan, heights, series),
+        torn(series),
+    ];
     found.into_iter().flatten().collect()
 }
 
@@ -109,6 +145,26 @@ fn border(plan: &HalfSpacePlan) -> Option<String> {
     let rough = plan.surface()?;
     let (Boundary::Free, None, Source::Map(_)) = (plan.boundary, plan.profile(), &rough.source) else { return None };
     Some("the map ends at its border, where its pressures rise as at the edge of a punch; boundary: Periodic lets it go on instead, with a step where its opposite sides do not meet".to_owned())
+}
+
+/// A force beyond what the attraction bears.
+fn torn(series: &Series<'_>) -> Option<String> {
+    let attracts = series.pixels().attraction().is_some();
+    let torn = attracts && series.states.iter().any(|state| state.parted && state.normal.indentation.is_none());
+    torn.then(|| {
+        "the prescribed force passes pull-off: the bodies part, and stay apart while they are pulled".to_owned()
+    })
+}
+
+/// An attraction that ends within few pixels: between two of them it holds an edge that nothing else would.
+fn ring(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Option<String> {
+    let modulus = plan.relaxation.as_ref().map_or(plan.pair.normal, |relaxation| relaxation.equilibrium);
+    let ring = series.pixels().attraction()?.ring(modulus) / heights.pixel[0].max(heights.pixel[1]);
+    (ring < IN_RING).then(|| {
+        format!(
+            "the ring outside the contact in which the attraction acts is {ring:.1} pixels long: the edge is held from pixel to pixel and forces are too large, expected {IN_RING} and more (a finer solver.grid, or less stress)"
+        )
+    })
 }
 
 /// Patches, or waves, of few pixels.

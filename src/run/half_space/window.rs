@@ -54,7 +54,7 @@ fn tried(plan: &HalfSpacePlan, heights: &Heights) -> Result<Vec<State>, Simulati
         boundary: plan.boundary,
         settings: settings(plan),
     };
-    let mut series = Series::new(plan, pressing, Depth::Outline);
+    let mut series = Series::new(plan, pressing, Depth::Outline, 1);
     series.follow(&|_| ())?;
     Ok(series.states)
 }

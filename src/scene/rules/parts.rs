@@ -26,7 +26,16 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
     if super::power_law::relaxes_by_power(draft)? {
         return None;
     }
+    let on_pixels = draft.chooses_solver()?;
     match (adhesion.range, relaxes) {
+        (Range::Vanishing(None), true) if on_pixels => refused(
+            "adhesion",
+            format!(
+                "{} with a Viscoelastic body and the solver HalfSpace cannot be computed, for how much a crack through such a body takes depends on the range of what holds it: expected Maugis(work: …, stress: …)",
+                adhesion.name
+            ),
+        ),
+        (Range::Finite(_), true) if on_pixels && adhesion.work > 0.0 => None,
         (Range::Vanishing(None), false) => None,
         (Range::Vanishing(Some(_)), false) => {
             refused("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
@@ -39,7 +48,7 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
             ),
         ),
         (Range::Vanishing(Some(edge)), true) => edge_that_holds_nothing(edge, draft.relaxation()?),
-        (Range::Finite(_), false) if adhesion.work <= 0.0 => refused(
+        (Range::Finite(_), _) if adhesion.work <= 0.0 => refused(
             "adhesion.work",
             "a work of zero gives the attraction no range: expected one above zero, or no adhesion",
         ),
@@ -97,6 +106,9 @@ fn edge_that_holds_nothing(edge: &EdgeRule, relaxation: &Relaxation) -> Option<P
 pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (adhesion, profile) = (draft.adhesion(Look::Kind)?.traits(), draft.profile()?);
     let Range::Finite(_) = adhesion.range else { return None };
+    if draft.chooses_solver()? {
+        return None;
+    }
     let why = if let Rim::Wall(_) = profile.rim() {
         "the side of the punch leaves the attraction no gap of growing width"
     } else if profile.is_plane() {
@@ -241,6 +253,9 @@ pub(super) fn cannot_be_on(draft: &Draft<'_>, path: &str, part: &str) -> Option<
 /// On a rough line patches of elastic bodies are held by their edges.
 pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (adhesion, shape) = (draft.adhesion(Look::Kind)?.traits(), draft.shape()?);
+    if draft.chooses_solver()? && !shape.is_plane() {
+        return None;
+    }
     let of = match (shape.family(), &adhesion.range) {
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => " of Viscoelastic bodies",

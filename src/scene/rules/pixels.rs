@@ -1,8 +1,8 @@
 //! The half-space solver against the other parts: it presses shapes on pixels, elastic and without friction.
 
 use super::draft::Draft;
+use crate::contact::adhesion::{AdhesionTraits, Range};
 use crate::input::problem::Problem;
-use crate::material::Body;
 use crate::scene::history::EntryTraits;
 use crate::scene::mended::Look;
 use crate::scene::solver::HalfSpace;
@@ -31,31 +31,29 @@ pub(super) fn grid(draft: &Draft<'_>) -> Option<Problem> {
     (grid > most).then(|| Problem::new("solver.grid", what))
 }
 
-/// Of the bodies a half-space knows one modulus E*.
+/// Of the bodies a half-space knows one modulus E*(t).
 pub(super) fn bodies(draft: &Draft<'_>) -> Option<Problem> {
     draft.half_space(Look::Kind)?;
     let (one, two) = draft.bodies(Look::Kind)?;
-    let strange = |body: &&Body| body.relaxes() || body.is_uneven() || body.yields_at().is_some();
-    let body = [one, two].into_iter().find(strange)?;
-    let why = if body.relaxes() {
-        "a pressure on pixels has no memory"
-    } else if body.is_uneven() {
-        "its pixels press on a half-space that is alike at all depths"
-    } else {
-        "its pixels do not yield"
-    };
+    let body = [one, two].into_iter().find(|body| body.is_uneven())?;
     let what = format!(
-        "{} under the solver HalfSpace cannot be computed, for {why}: expected Elastic(…) or Rigid, or no solver",
+        "{} under the solver HalfSpace cannot be computed, for its pixels press on a half-space that is alike at all depths: expected Elastic(…), Viscoelastic(…), Plastic(…) or Rigid, or no solver",
         body.name()
     );
     refused("bodies", what)
 }
 
+/// On pixels an attraction acts across the gap, and at no edge.
 pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
     draft.half_space(Look::Kind)?;
-    let name = draft.adhesion(Look::Kind)?.traits().name;
+    let AdhesionTraits { name, closing, range, .. } = draft.adhesion(Look::Whole)?.traits();
+    let why = match (closing, range) {
+        (Some(_), _) => "closing: … of an edge",
+        (None, Range::Vanishing(Some(_))) => "edge: … of a body that relaxes",
+        (None, Range::Vanishing(None) | Range::Finite(_)) => return None,
+    };
     let what = format!(
-        "{name} with the solver HalfSpace cannot be computed, for its pixels press and do not pull: expected no adhesion, or no solver"
+        "{name} with {why} and the solver HalfSpace cannot be computed, for its pixels pull across the gap and have no edge of their own: expected Maugis(work, stress), or no solver"
     );
     refused("adhesion", what)
 }

@@ -1,4 +1,4 @@
-//! Bodies that yield against the other parts: of them the pressed ball is known.
+//! Bodies that yield against the other parts: of them the pressed ball is known, and what pixels bear.
 
 use super::draft::Draft;
 use super::parts::not_round;
@@ -9,7 +9,7 @@ use crate::shape::Shape;
 /// Whether a body yields; `None` where that is not known.
 pub(super) fn yields(draft: &Draft<'_>) -> Option<bool> {
     let (one, two) = draft.bodies(Look::Kind)?;
-    Some([one, two].into_iter().any(|body| body.yields_at().is_some()))
+    Some([one, two].into_iter().any(|body| body.hardness().is_some()))
 }
 
 fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
@@ -26,7 +26,7 @@ pub(super) fn on_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
 
 /// Thornton's solution is that of a ball.
 pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
-    yields(draft)?.then_some(())?;
+    (yields(draft)? && !draft.chooses_solver()?).then_some(())?;
     let shape = draft.shape()?;
     if let Shape::Paraboloid(_) | Shape::Sphere(_) | Shape::Spheres(_) = shape {
         return None;

@@ -42,7 +42,7 @@ pub(super) fn of_bodies(draft: &Draft<'_>) -> Option<Problem> {
     let body = [one, two].into_iter().find(beyond)?;
     let why = if body.relaxes() {
         "a body that relaxes remembers a profile that is no longer there"
-    } else if body.yields_at().is_some() {
+    } else if body.hardness().is_some() {
         "a dent that yields and wears at once is not known in closed form"
     } else {
         "what is worn off changes the bed of a half-space that is alike at all depths, and of no other"

@@ -105,10 +105,14 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Fretting => friction::fretting(outcome).into_iter().collect(),
         Plot::Wear => wear::panels(outcome),
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
-        Plot::Area if matches!(plan, Plan::HalfSpace(_)) => vec![pixels::area(outcome)],
         Plot::Contact => pixels::contact(outcome).into_iter().collect(),
         Plot::Distribution => pixels::distribution(outcome),
-        Plot::Area => friction::area(plan, outcome).into_iter().collect(),
+        Plot::Area => match plan {
+            Plan::HalfSpace(plan) => vec![pixels::area(plan, outcome)],
+            Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => {
+                friction::area(plan, outcome).into_iter().collect()
+            }
+        },
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
         Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
         Plot::Machine => plan

@@ -3,9 +3,10 @@
 use super::curve::{axis_of, of_records};
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Cells, Hue, Line, Panel, Points, Series};
-use crate::run::record::{AREA, ContactMap, FORCE, Outcome};
+use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, Outcome, TIME};
 use crate::run::table::Table;
 use crate::scene::Plot;
+use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::HalfSpacePlan;
 use ndarray::{Array2, s};
 
@@ -19,10 +20,17 @@ pub fn suiting(plan: &HalfSpacePlan, outcome: &Outcome) -> Vec<Plot> {
     [Plot::Force, Plot::Area].into_iter().chain(map).chain(rough).collect()
 }
 
-/// Area of contact over the force.
-pub fn area(outcome: &Outcome) -> Panel {
-    let series = Series::new("", of_records(&outcome.records, &FORCE, &AREA));
-    Panel::new(axis_of(&FORCE).from(0.0), axis_of(&AREA).from(0.0)).with(series)
+/// Area of contact over the force; over the time where bodies remember, over the depth where they attract each other.
+pub fn area(plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
+    let (across, axis) = match (&plan.relaxation, plan.attraction) {
+        (Some(_), _) => (TIME, axis_of(&TIME).from(0.0)),
+        (None, ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. }) => {
+            (INDENTATION, axis_of(&INDENTATION))
+        }
+        (None, ElasticAdhesion::None) => (FORCE, axis_of(&FORCE).from(0.0)),
+    };
+    let series = Series::new("", of_records(&outcome.records, &across, &AREA));
+    Panel::new(axis, axis_of(&AREA).from(0.0)).with(series)
 }
 
 /// The pressure where the bodies touch, with the outline of the contact.
@@ -38,7 +46,11 @@ pub fn contact(outcome: &Outcome) -> Option<Panel> {
             .flat_map(|column| (0..rows).map(move |row| (row, column)))
             .map(|at| shown.value(at))
             .collect(),
-        of: Axis::linear("pressure p", "Pa").from(0.0),
+        of: if map.pressure.iter().any(|&pressure| pressure < 0.0) {
+            Axis::linear("pressure p", "Pa")
+        } else {
+            Axis::linear("pressure p", "Pa").from(0.0)
+        },
     };
     let panel = Panel::new(Axis::linear("x", "m"), Axis::linear("y", "m"))
         .titled(format!("contact under {}", with_prefix(map.force, "N")))
@@ -51,8 +63,10 @@ pub fn contact(outcome: &Outcome) -> Option<Panel> {
 
 /// A map of few enough cells to be drawn.
 struct Shown {
-    /// Mean pressure [Pa]; zero where less than half of a cell touches.
+    /// Mean pressure [Pa]; zero where less than half of a cell touches and nothing pulls.
     pressure: Array2<f64>,
+    /// Whether half of a cell touches.
+    touching: Array2<bool>,
     /// Width and height of a cell [m].
     side: [f64; 2],
     /// Pixels along a cell.
@@ -63,23 +77,29 @@ impl Shown {
     fn of(map: &ContactMap) -> Self {
         let (rows, columns) = map.pressure.dim();
         let block = rows.max(columns).div_ceil(SHOWN);
-        let cell = |(row, column): (usize, usize)| {
+        let inside = |(row, column): (usize, usize)| {
             let (top, left) = (row * block, column * block);
-            let inside = map.pressure.slice(s![top..(top + block).min(rows), left..(left + block).min(columns)]);
-            let touching = inside.iter().filter(|&&pressure| pressure > 0.0).count();
-            if 2 * touching >= inside.len() { inside.sum() / inside.len() as f64 } else { 0.0 }
+            s![top..(top + block).min(rows), left..(left + block).min(columns)]
         };
-        let pressure = Array2::from_shape_fn((rows.div_ceil(block), columns.div_ceil(block)), cell);
-        Self { pressure, side: map.pixel.map(|side| side * block as f64), block }
+        let cells = (rows.div_ceil(block), columns.div_ceil(block));
+        let touching = Array2::from_shape_fn(cells, |at| {
+            let gap = map.gap.slice(inside(at));
+            2 * gap.iter().filter(|&&gap| gap <= 0.0).count() >= gap.len()
+        });
+        let pressure = Array2::from_shape_fn(cells, |at| {
+            let mean = map.pressure.slice(inside(at)).mean().unwrap_or(0.0);
+            if touching[at] { mean } else { mean.min(0.0) }
+        });
+        Self { pressure, touching, side: map.pixel.map(|side| side * block as f64), block }
     }
 
     fn value(&self, at: (usize, usize)) -> Option<f64> {
-        Some(self.pressure[at]).filter(|&pressure| pressure > 0.0)
+        Some(self.pressure[at]).filter(|&pressure| self.touching[at] || pressure < 0.0)
     }
 
     /// Whether a cell touches; beyond the border nothing does.
     fn touches(&self, row: Option<usize>, column: Option<usize>) -> bool {
-        row.zip(column).and_then(|at| self.pressure.get(at)).is_some_and(|&pressure| pressure > 0.0)
+        row.zip(column).and_then(|at| self.touching.get(at)).is_some_and(|&touching| touching)
     }
 
     /// Sides between cells that touch and cells that do not, neighbours in a line as one.
@@ -148,7 +168,8 @@ mod tests {
     fn map(side: usize, touching: impl Fn(usize, usize) -> bool) -> ContactMap {
         let at = |(row, column): (usize, usize)| if touching(row, column) { 2.0 } else { 0.0 };
         let pressure = Array2::from_shape_fn((side, side), at);
-        ContactMap { gap: pressure.clone(), pressure, pixel: [1.0; 2], boundary: Boundary::Free, force: 1.0 }
+        let gap = pressure.mapv(|pressure| if pressure > 0.0 { 0.0 } else { 1.0 });
+        ContactMap { gap, pressure, pixel: [1.0; 2], boundary: Boundary::Free, force: 1.0 }
     }
 
     /// Two pixels beside each other have six sides in four lines, one of them at the border.

@@ -1,0 +1,72 @@
+//! Pixels that remember, attract each other or yield, beside the beds that know the answer.
+
+use crate::check::case::{Attempt, Case, Pairs, Proof};
+use crate::check::sketch::{Sketch, ball, relaxing, si};
+use crate::contact::adhesion::{Adhesion, Maugis};
+use crate::material::{Body, Plastic, PlasticLimit, Relaxation};
+use crate::run::record::{Outcome, Record};
+
+/// Pixels along the window; from the tip to the edge of the contact it holds sixteen.
+const GRID: usize = 48;
+/// (Δ/a)²/8: every solver of pixels of constant pressure misses the force of a ball by at most so much.
+const SQUARE: f64 = 1.0 / 2048.0;
+/// What the steps of the time may miss.
+const OF_TIME: f64 = 1e-4;
+
+pub(super) const CASES: &[Case] = &[
+    Case::new("half-space/Ting's history on pixels", Proof::Order, 1.0, "pressed, held and half withdrawn: beside the bed within (Δ/a)²/8 in the force, four times that in stored and lost energy, each with the 1e-4 that time steps may miss; of the largest, printed as the part of the bound used").weak("one ball and two relaxation times").by(ting),
+    Case::new("half-space/creep on pixels", Proof::Order, 1.0, "the depth under a dead load, beside the bed, within (Δ/a)²/8 and 1e-4; of the largest, printed as the part of the bound used").weak("one ball and two relaxation times").by(creep),
+    Case::new("half-space/Maugis on pixels", Proof::Other, 5e-3, "forces on the way in and out, of the largest, beside his closed form: the end of the attraction lies between pixels").weak("λ near 1; one grid").by(maugis),
+    Case::new("half-space/a body too hard to yield", Proof::Rounding, 1e-7, "is elastic, to the residual of the solver").weak("one ball").by(hard),
+];
+
+/// E*(t) = 1 + 2e^(−10t) + e^(−t/3) of a ball of R = 1.
+fn gel() -> Attempt<Body> {
+    relaxing(&Relaxation { equilibrium: 1.0, terms: vec![(2.0, 0.1), (1.0, 3.0)], viscosity: 0.0 })
+}
+
+/// The same scene on pixels and on the bed.
+fn both(scene: impl Fn() -> Sketch) -> Attempt<[Outcome; 2]> {
+    Ok([scene().pixels(GRID).run()?, scene().run()?])
+}
+
+/// What `of` tells of all records of the same instants, as parts of `bound` times the largest.
+fn parts(outcomes: &[Outcome; 2], bound: f64, of: fn(&Record) -> f64) -> Pairs {
+    let [pixels, bed] = outcomes;
+    let largest = bed.records.iter().map(|record| of(record).abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let part = |found: &Record, right: &Record| ((of(found) - of(right)) / (largest * bound), 0.0);
+    let same = |found: &Record| bed.records.iter().find(|right| (right.time - found.time).abs() < 1e-12);
+    pixels.records.iter().filter_map(|found| Some(part(found, same(found)?))).collect()
+}
+
+fn force(record: &Record) -> f64 {
+    record.normal.force
+}
+
+fn ting() -> Attempt<Pairs> {
+    let outcomes = both(|| Sketch::of(ball(1.0)).body(gel()).steps(5).indent(0.01, 1.0).hold(1.0).indent(0.004, 1.0))?;
+    let energy = 4.0 * SQUARE + OF_TIME;
+    let mut pairs = parts(&outcomes, SQUARE + OF_TIME, force);
+    pairs.extend(parts(&outcomes, energy, |record| record.normal.stored.stored()));
+    pairs.extend(parts(&outcomes, energy, |record| record.normal.dissipated));
+    Ok(pairs)
+}
+
+fn creep() -> Attempt<Pairs> {
+    let outcomes = both(|| Sketch::of(ball(1.0)).body(gel()).steps(5).press(1e-3, 0.5).hold_force(5.0))?;
+    Ok(parts(&outcomes, SQUARE + OF_TIME, |record| record.normal.indentation.unwrap_or(0.0)))
+}
+
+fn maugis() -> Attempt<Pairs> {
+    let law = || Ok(Adhesion::Maugis(Maugis { work: si(1e-4)?, stress: si(0.03)? }));
+    let outcomes = both(|| Sketch::of(ball(1.0)).adhesion(law()).steps(4).indent(0.01, 1.0).indent(0.0, 1.0))?;
+    Ok(parts(&outcomes, 1.0, force))
+}
+
+fn hard() -> Attempt<Pairs> {
+    let body =
+        || Ok(Body::Plastic(Plastic { young: si(0.75)?, poisson: si(0.5)?, limit: PlasticLimit::Hardness(si(1e6)?) }));
+    let pressed = |scene: Sketch| scene.pixels(GRID).steps(3).press(1e-3, 1.0).press(0.0, 1.0).run();
+    let outcomes = [pressed(Sketch::of(ball(1.0)).body(body()))?, pressed(Sketch::of(ball(1.0)))?];
+    Ok(parts(&outcomes, 1.0, |record| record.normal.indentation.unwrap_or(0.0)))
+}

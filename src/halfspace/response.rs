@@ -1,0 +1,88 @@
+//! The surface under pressures that are given.
+
+use super::grid::{Grid, Law, Operators};
+use super::transform::{Scratch, Size};
+use super::{Boundary, PressedMap};
+use ndarray::{Array2, ArrayView2};
+
+/// What pressures do to the pixels of a half-space, whatever lies on it: u = G p.
+///
+/// Made once for many pressures. G is that of [`solve`](super::solve): free, Love's uniformly loaded rectangles (Johnson
+/// 1985, eq. 3.25); periodic, 2/(E*|q|) on every wave (Johnson, eq. 13.7), the mean displacement being zero.
+///
+/// # Examples
+/// ```
+/// use ndarray::Array2;
+/// use springbed::halfspace::{Boundary, SurfaceResponse};
+///
+/// // A wave of the wavelength λ under the pressure p cos(2πx/λ): u = pλ/(πE*) cos(2πx/λ).
+/// let wave = Array2::from_shape_fn((8, 64), |(_, j)| (std::f64::consts::TAU * j as f64 / 64.0).cos());
+/// let response = SurfaceResponse::new([8, 64], [1.0 / 64.0; 2], Boundary::Periodic);
+/// let displacement = response.displacement(wave.view(), 2.0);
+/// assert!((displacement[[3, 0]] * std::f64::consts::TAU - 1.0).abs() < 1e-14);
+/// ```
+pub struct SurfaceResponse {
+    operators: Operators,
+    /// Rows and columns, width and height of a pixel \[m\], and what is beyond the border.
+    pixels: ([usize; 2], [f64; 2], Boundary),
+    /// Mean side of a pixel \[m\].
+    unit: f64,
+    /// Largest pressure \[Pa\].
+    hardness: f64,
+}
+
+impl SurfaceResponse {
+    /// Of `[rows, columns]` pixels of the width and height `pixel` \[m\].
+    #[must_use]
+    pub fn new([rows, columns]: [usize; 2], pixel: [f64; 2], boundary: Boundary) -> Self {
+        let size = Size { rows, columns };
+        let unit = pixel[0].sqrt() * pixel[1].sqrt();
+        let grid = Grid { size, pixel: pixel.map(|side| side / unit), heights: Vec::new() };
+        let law = match boundary {
+            Boundary::Free => Law::FreeSpace,
+            Boundary::Periodic => Law::PeriodicSpace,
+        };
+        Self {
+            operators: Operators::new(&grid, size, law),
+            pixels: ([rows, columns], pixel, boundary),
+            unit,
+            hardness: f64::INFINITY,
+        }
+    }
+
+    /// The same surface, which yields under the pressure `hardness` \[Pa\]: no pixel carries more (Persson 2001;
+    /// Almqvist et al. 2007). Above zero.
+    #[must_use]
+    pub fn yielding_under(self, hardness: f64) -> Self {
+        Self { hardness, ..self }
+    }
+
+    /// Largest pressure \[Pa\]; infinite for a surface that does not yield.
+    #[must_use]
+    pub fn hardness(&self) -> f64 {
+        self.hardness
+    }
+
+    /// Whether the map has the same pixels.
+    pub(super) fn suits(&self, map: &PressedMap<'_>) -> bool {
+        self.pixels == (map.heights.dim().into(), map.pixel, map.boundary)
+    }
+
+    pub(super) fn operators(&self) -> &Operators {
+        &self.operators
+    }
+
+    /// Displacement into the half-space \[m\] under `pressure` \[Pa\], pressing or pulling, with the modulus E* \[Pa\].
+    ///
+    /// # Panics
+    /// The pressure has other pixels than the response.
+    #[must_use]
+    pub fn displacement(&self, pressure: ArrayView2<'_, f64>, modulus: f64) -> Array2<f64> {
+        let given: Vec<f64> = pressure.iter().copied().collect();
+        let mut displacement = vec![0.0; given.len()];
+        self.operators.influence.apply(&given, &mut displacement, &mut Scratch::default());
+        let scale = self.unit / modulus;
+        let columns = pressure.ncols();
+        Array2::from_shape_fn(pressure.dim(), |(row, column)| scale * displacement[row * columns + column])
+    }
+}

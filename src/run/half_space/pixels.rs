@@ -1,0 +1,222 @@
+//! Pixels under way: what they remember, what pulls them, and what presses them next.
+
+use super::attraction::{Attraction, half_differences};
+use super::dent::Dent;
+use super::memory::{Memory, Step};
+use super::mixed::Mixed;
+use super::pressed::{Pressed, area};
+use super::state::Pressing;
+use crate::contact::adhesion::line::Energy;
+use crate::halfspace::{HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, SurfaceResponse, solve_on};
+use crate::scene::plan::HalfSpacePlan;
+use ndarray::{Array2, Zip};
+use std::sync::Arc;
+
+/// Rounds in which gap and attraction may find each other.
+const ROUNDS: usize = 2000;
+/// Least residual to which a contact is solved that an attraction changes again.
+const LOOSE: f64 = 1e-7;
+/// Rounds after which the slopes of the gap are taken as they are: pixels that touch and part in turns change them.
+const FLEXIBLE: usize = 40;
+/// Change of the attraction, as part of its stress, at which they have.
+const SETTLED: f64 = 1e-5;
+
+/// Pixels on their way through a history.
+pub(super) struct Pixels<'p> {
+    pressing: Pressing<'p>,
+    memory: Option<Memory>,
+    attraction: Option<Attraction>,
+    /// What pressures do to the surface; needed where something acts beside the contact.
+    response: Option<Arc<SurfaceResponse>>,
+    pull: Option<Array2<f64>>,
+    /// What has been dented, of bodies that yield.
+    dent: Option<Dent>,
+    /// Contact pressures of the last state.
+    last: Option<Array2<f64>>,
+}
+
+impl<'p> Pixels<'p> {
+    pub(super) fn new(plan: &HalfSpacePlan, pressing: Pressing<'p>) -> Self {
+        let (pixels, side) = (pressing.heights.values.dim(), area(pressing.heights.pixel).sqrt());
+        let memory = plan.relaxation.clone().map(|relaxation| Memory::new(relaxation, pixels));
+        let attraction = Attraction::of(plan.attraction, side, pressing.modulus);
+        let dent = plan.hardness.map(|hardness| Dent { hardness, depth: Array2::zeros(pixels), dissipated: 0.0 });
+        let response = (memory.is_some() || attraction.is_some() || dent.is_some()).then(|| {
+            let response = SurfaceResponse::new(pixels.into(), pressing.heights.pixel, pressing.boundary);
+            Arc::new(response.yielding_under(plan.hardness.unwrap_or(f64::INFINITY)))
+        });
+        Self {
+            pressing,
+            memory,
+            dent,
+            pull: attraction.map(|_| Array2::zeros(pixels)),
+            attraction,
+            response,
+            last: None,
+        }
+    }
+
+    pub(super) fn attraction(&self) -> Option<Attraction> {
+        self.attraction
+    }
+
+    /// Bytes of what is kept from state to state.
+    pub(super) fn bytes(&self) -> usize {
+        let remembered = self.memory.as_ref().map_or(0, Memory::fields);
+        let kept =
+            usize::from(self.pull.is_some()) + usize::from(self.dent.is_some()) + usize::from(self.last.is_some());
+        8 * self.pressing.heights.values.len() * (remembered + kept)
+    }
+
+    /// Whether a state depends on those before it.
+    pub(super) fn has_past(&self) -> bool {
+        self.response.is_some()
+    }
+
+    /// Leads the pixels on for `over` \[s\]; `None` where the force pulls more than they do.
+    pub(super) fn advance(&mut self, prescribed: Prescribed, over: f64) -> Result<Option<Pressed>, HalfSpaceError> {
+        let Some(response) = self.response.clone() else { return self.elastic(prescribed).map(Some) };
+        let step = self.memory.as_ref().map(|memory| memory.step(over));
+        let Some(contact) = self.settled(prescribed, step.as_ref(), &response)? else {
+            self.part();
+            return Ok(None);
+        };
+        self.last = Some(contact.pressure.clone());
+        if let Some(dent) = &mut self.dent {
+            dent.deepen(&contact, &self.pressing.heights.values);
+        }
+        let gap = self.gap(&contact);
+        let pull = self.pull.clone();
+        let mut pressed = Pressed { contact, pull, gap, stored: Energy::default(), dissipated: 0.0 };
+        let pressure = pressed.pressure();
+        if let (Some(memory), Some(step)) = (&mut self.memory, &step) {
+            memory.take(step, &pressure, &response);
+        }
+        self.tell(&mut pressed, &pressure);
+        Ok(Some(pressed))
+    }
+
+    /// Without a past: what is prescribed decides.
+    fn elastic(&mut self, prescribed: Prescribed) -> Result<Pressed, HalfSpaceError> {
+        let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
+        let contact = self.pressing.solve(prescribed, start)?;
+        self.last = Some(contact.pressure.clone());
+        let gap = self.pressing.gap(&contact);
+        Ok(Pressed::elastic(contact, gap))
+    }
+
+    /// Rounds of contact and attraction until neither changes the other.
+    ///
+    /// A stronger attraction narrows every gap, and a narrower gap is attracted no less: from an attraction that is too
+    /// weak the rounds go up to the weakest equilibrium above it, from one too strong down to the strongest below. So a
+    /// contact that approaches snaps in where its own branch ends, and one that is withdrawn snaps off where its does.
+    fn settled(
+        &mut self,
+        prescribed: Prescribed,
+        step: Option<&Step>,
+        response: &SurfaceResponse,
+    ) -> Result<Option<Solution>, HalfSpaceError> {
+        let (mut mixed, mut half) = (Mixed::default(), None);
+        for round in 0..ROUNDS {
+            let (heights, beside) = self.lifted(step, response);
+            let Some(control) = self.control(prescribed) else { return Ok(None) };
+            let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
+            let Pressing { boundary, settings, .. } = self.pressing;
+            let settings =
+                Settings { tolerance: settings.tolerance.max(self.attraction.map_or(0.0, |_| LOOSE)), ..settings };
+            let pixel = self.pressing.heights.pixel;
+            let modulus = step.map_or(self.pressing.modulus, |step| step.modulus);
+            let map = PressedMap { heights: heights.view(), pixel, modulus, boundary, control };
+            let mut contact = solve_on(response, &map, start, &settings)?;
+            contact.displacement += &beside;
+            let Some(attraction) = self.attraction else { return Ok(Some(contact)) };
+            let gap = self.gap(&contact);
+            let half = match &mut half {
+                Some(half) if round > FLEXIBLE => half,
+                last => last.insert(half_differences(&gap, boundary)),
+            };
+            let pull = attraction.pull(&gap, half);
+            let before = self.pull.take().unwrap_or_else(|| Array2::zeros(pull.dim()));
+            let change = most_apart(&before, &pull) / attraction.stress;
+            self.last = Some(contact.pressure.clone());
+            if change <= SETTLED {
+                self.pull = Some(before);
+                return Ok(Some(contact));
+            }
+            self.pull = Some(mixed.next(&before, pull, change, attraction.stress));
+        }
+        Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: f64::NAN, tolerance: SETTLED })
+    }
+
+    /// The heights over the surface that memory and attraction make without any contact, and its displacement.
+    fn lifted(&self, step: Option<&Step>, response: &SurfaceResponse) -> (Array2<f64>, Array2<f64>) {
+        let beside = match (step, &self.pull) {
+            (Some(step), Some(pull)) => &step.kept + pull,
+            (Some(step), None) => step.kept.clone(),
+            (None, Some(pull)) => pull.clone(),
+            (None, None) => Array2::zeros(self.pressing.heights.values.dim()),
+        };
+        let modulus = step.map_or(self.pressing.modulus, |step| step.modulus);
+        let displacement = -response.displacement(beside.view(), modulus);
+        let mut heights = &self.pressing.heights.values + &displacement;
+        if let Some(dent) = &self.dent {
+            heights += &dent.depth;
+        }
+        (heights, displacement)
+    }
+
+    /// Gap \[m\] over what has been dented.
+    fn gap(&self, contact: &Solution) -> Array2<f64> {
+        let gap = self.pressing.gap(contact);
+        let Some(dent) = &self.dent else { return gap };
+        let touching = contact.pressure.mapv(|pressure| pressure > 0.0);
+        let over = |(height, depth): (f64, f64), displacement: f64| {
+            (displacement + (height + depth - contact.indentation)).max(0.0)
+        };
+        let heights = &self.pressing.heights.values;
+        Array2::from_shape_fn(gap.dim(), |at| {
+            if touching[at] { 0.0 } else { over((heights[at], dent.depth[at]), contact.displacement[at]) }
+        })
+    }
+
+    /// Deepest dent \[m\] so far, of bodies that yield.
+    pub(super) fn deepest(&self) -> Option<f64> {
+        Some(self.dent.as_ref()?.depth.iter().copied().fold(0.0, f64::max))
+    }
+
+    /// What is prescribed of the pressures that push.
+    fn control(&self, prescribed: Prescribed) -> Option<Prescribed> {
+        let pulls = self.pull.as_ref().map_or(0.0, |pull| pull.sum() * area(self.pressing.heights.pixel));
+        match prescribed {
+            Prescribed::Indentation(_) => Some(prescribed),
+            Prescribed::Force(force) if force + pulls < 0.0 => None,
+            Prescribed::Force(force) => Some(Prescribed::Force(force + pulls)),
+        }
+    }
+
+    /// Far apart nothing pulls.
+    fn part(&mut self) {
+        self.last = None;
+        if let Some(pull) = &mut self.pull {
+            pull.fill(0.0);
+        }
+    }
+
+    fn tell(&self, pressed: &mut Pressed, pressure: &Array2<f64>) {
+        let (area, displacement) = (area(self.pressing.heights.pixel), &pressed.contact.displacement);
+        let elastic = match &self.memory {
+            Some(memory) => area * memory.stored(displacement),
+            None => self.pressing.elastic(pressure, displacement),
+        };
+        let surface = self.attraction.map_or(0.0, |attraction| {
+            area * attraction.energy(&pressed.gap, &half_differences(&pressed.gap, self.pressing.boundary))
+        });
+        pressed.stored = Energy { elastic, surface };
+        let remembered = self.memory.as_ref().map_or(0.0, Memory::dissipated);
+        pressed.dissipated = area * (remembered + self.dent.as_ref().map_or(0.0, |dent| dent.dissipated));
+    }
+}
+
+fn most_apart(one: &Array2<f64>, other: &Array2<f64>) -> f64 {
+    Zip::from(one).and(other).fold(0.0, |most: f64, one, other| most.max((one - other).abs()))
+}

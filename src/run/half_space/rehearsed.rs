@@ -1,0 +1,98 @@
+//! The history of bodies with a past, gone through on fewer pixels first: how many steps it takes, and what pixels cost.
+
+use super::series::{Depth, Series};
+use super::state::Pressing;
+use crate::contact::state::Normal;
+use crate::run::SimulationError;
+use crate::run::record::{ErrorEstimate, Record};
+use crate::scene::plan::HalfSpacePlan;
+
+/// Error of the time steps, relative, that is aimed at where less is asked for: pixels have more.
+const OF_TIME: f64 = 1e-4;
+/// Most doublings of the steps between two records.
+const DOUBLINGS: u32 = 5;
+
+/// A history on every second pixel.
+pub(super) struct Rehearsed {
+    records: Result<Vec<Record>, SimulationError>,
+    /// Steps from record to record.
+    pub(super) steps: u32,
+    /// Error that they leave, relative, of bodies that remember.
+    of_time: Option<f64>,
+}
+
+impl Rehearsed {
+    /// Of bodies with a past; that of bodies which remember with twice as many steps again and again, until force and
+    /// depth no longer change.
+    pub(super) fn of(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> Option<Self> {
+        let thinned = pressing.heights.thinned();
+        let pressing = Pressing { heights: &thinned, ..*pressing };
+        let follow = |steps: u32| {
+            let mut series = Series::new(plan, pressing, Depth::Outline, steps);
+            series.pixels().has_past().then(|| series.follow(&|_| ()))
+        };
+        let first = Self { records: follow(1)?, steps: 1, of_time: None };
+        Some(if plan.relaxation.is_some() { first.refined(plan, follow) } else { first })
+    }
+
+    fn refined(
+        mut self,
+        plan: &HalfSpacePlan,
+        follow: impl Fn(u32) -> Option<Result<Vec<Record>, SimulationError>>,
+    ) -> Self {
+        for doubling in 1..=DOUBLINGS {
+            let (Ok(coarse), Some(Ok(finer))) = (&self.records, follow(1 << doubling)) else { break };
+            // Of the second order: the finer one is wrong by a third of what they are apart.
+            let of_time = apart(coarse, &finer) / 3.0;
+            self = Self { records: Ok(finer), steps: 1 << doubling, of_time: Some(of_time) };
+            if of_time <= plan.accuracy().max(OF_TIME) {
+                break;
+            }
+        }
+        self
+    }
+
+    /// The error of the records on all of `rows` × `columns` pixels.
+    pub(super) fn estimate(&self, records: &[Record], (rows, columns): (usize, usize)) -> ErrorEstimate {
+        match &self.records {
+            Ok(coarse) => {
+                let of_pixels = apart(coarse, records);
+                let of_time = self.of_time.unwrap_or(0.0);
+                let in_words =
+                    self.of_time.map_or_else(String::new, |of| format!("; the steps of the time leave {of:.0e}"));
+                let basis = format!(
+                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{in_words}"
+                );
+                ErrorEstimate { relative: of_pixels + of_time, basis }
+            }
+            Err(error) => ErrorEstimate {
+                relative: 1.0,
+                basis: format!("not known: on every second of {columns} × {rows} pixels there is no answer ({error})"),
+            },
+        }
+    }
+}
+
+/// How far two histories are apart at the times that both have, in force and in indentation, of the largest of each.
+fn apart(one: &[Record], other: &[Record]) -> f64 {
+    let of = |value: fn(&Normal) -> Option<f64>| {
+        let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
+        for (one, other) in shared(one, other) {
+            if let (Some(one), Some(other)) = (value(&one.normal), value(&other.normal)) {
+                apart = apart.max((one - other).abs());
+                largest = largest.max(one.abs()).max(other.abs());
+            }
+        }
+        if largest > 0.0 { apart / largest } else { 0.0 }
+    };
+    of(|normal| Some(normal.force)).max(of(|normal| normal.indentation))
+}
+
+/// Records of the same instants.
+fn shared<'r>(one: &'r [Record], other: &'r [Record]) -> impl Iterator<Item = (&'r Record, &'r Record)> {
+    let mut rest = other.iter().peekable();
+    one.iter().filter_map(move |record| {
+        while rest.next_if(|next| (next.entry, next.time) < (record.entry, record.time)).is_some() {}
+        rest.next_if(|next| (next.entry, next.time) == (record.entry, record.time)).map(|other| (record, other))
+    })
+}
