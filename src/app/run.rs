@@ -79,13 +79,16 @@ pub fn compute(plan: &Plan, formats: &[Format]) -> Result<Outcome, RunError> {
 pub fn compute_watched(plan: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, RunError> {
     let plotted = |plot| plan.scene.plots.as_ref().is_some_and(|plots| plots.contains(&plot));
     let figure = formats.iter().any(|format| format.is_picture());
+    let drawn = figure || formats.contains(&Format::Csv);
     let wanted = Wanted {
         fields: formats.contains(&Format::Csv)
             || formats.contains(&Format::Json)
             || figure
                 && (plan.scene.plots.is_none()
                     || [Plot::Pressure, Plot::Shear, Plot::Contact].into_iter().any(plotted)),
-        stresses: (figure || formats.contains(&Format::Csv)) && plotted(Plot::Stress),
+        stresses: drawn && (plotted(Plot::Stress) || plotted(Plot::Field)),
+        bed: drawn && plotted(Plot::Bed),
+        surface: drawn && plotted(Plot::Surface),
         fretting: formats.contains(&Format::Csv) || figure,
         instants: true,
     };

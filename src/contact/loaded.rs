@@ -137,6 +137,52 @@ impl Loaded {
         self.edge_load
     }
 
+    /// Indentation d [m].
+    #[must_use]
+    pub fn indentation(&self) -> f64 {
+        self.indentation
+    }
+
+    /// Place [m] in the bed beyond which no spring is displaced: the edge, or where springs let go still recover.
+    #[must_use]
+    pub fn displaced_to(&self) -> f64 {
+        match &self.bed {
+            Bed::Elastic(..) => self.contact_radius,
+            Bed::Remembered(_, displacement) => {
+                displacement.ends.last().copied().unwrap_or(0.0).max(self.contact_radius)
+            }
+        }
+    }
+
+    /// Line load q(x) [N/m] of the springs at the place `x` [m], compression positive; at the edge that of the last spring
+    /// that is held, and zero beyond.
+    ///
+    /// An attraction of finite range, which acts beyond the edge, is not told.
+    #[must_use]
+    pub fn line_load(&self, x: f64) -> f64 {
+        match &self.bed {
+            _ if x > self.contact_radius || self.contact_radius <= 0.0 => 0.0,
+            Bed::Elastic(ground, _) => {
+                ground.modulus() * (self.profile.reduced(self.contact_radius) - self.profile.reduced(x))
+                    + self.edge_load
+            }
+            Bed::Remembered(..) if x >= self.contact_radius => self.edge_load,
+            Bed::Remembered(load, _) => load.at(x),
+        }
+    }
+
+    /// Displacement [m] of the springs at the place `x` [m] into the body: d − g(x) in the contact, and beyond it what those
+    /// let go have not yet recovered.
+    #[must_use]
+    pub fn displacement(&self, x: f64) -> f64 {
+        match &self.bed {
+            _ if x <= self.contact_radius && self.contact_radius > 0.0 => self.indentation - self.profile.reduced(x),
+            Bed::Elastic(..) => 0.0,
+            Bed::Remembered(_, displacement) if x <= self.displaced_to() => displacement.at(x),
+            Bed::Remembered(..) => 0.0,
+        }
+    }
+
     /// Profile of the indenter.
     #[must_use]
     pub fn profile(&self) -> &dyn Profile {

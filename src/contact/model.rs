@@ -188,6 +188,12 @@ pub trait ContactModel: Send {
     /// The load of the contact as it is now, to be looked at; `None` where the bodies are apart.
     fn loading(&self) -> Option<Box<dyn Loading + '_>>;
 
+    /// The springs as they are now, those that have been let go included; `None` where the bodies are apart and no spring
+    /// remembers, or where there is no bed.
+    fn bed(&self) -> Option<Loaded> {
+        self.loading()?.loaded()
+    }
+
     /// The contact as it is, on its own.
     fn copy(&self) -> Box<dyn ContactModel>;
 

@@ -14,11 +14,13 @@
 mod layered;
 mod power_law;
 mod secular;
+mod shares;
 mod shear;
 mod spectrum;
 
 pub use layered::{Graded, Joint, Layer, Layered, Sheet, Stack, Under, Winkler};
 pub use power_law::{PowerLaw, Series, Times};
+pub use shares::Shares;
 pub use spectrum::Element;
 pub use spectrum::{Mode, Spectrum};
 

@@ -1,7 +1,7 @@
 //! A history followed stage by stage, record by record.
 
 use super::record::{Field, Record};
-use super::stresses::Carried;
+use super::stresses::{Carried, SAME};
 use super::{SimulationError, Wanted, fields};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::error::ContactError;
@@ -26,6 +26,8 @@ pub(super) struct Run {
     deepest: Option<Kept>,
     /// The contact that remembers at its greatest force, if fields are wanted.
     strongest: Option<Kept>,
+    /// The contact at its greatest force, if it is to be drawn.
+    pressed: Option<Kept>,
     wanted: Wanted,
     jumps: Vec<(Normal, Normal)>,
     pub(super) notes: Vec<String>,
@@ -82,6 +84,7 @@ impl Run {
             fields: Vec::new(),
             deepest: None,
             strongest: None,
+            pressed: None,
             wanted,
             jumps: Vec::new(),
             notes: Vec::new(),
@@ -192,6 +195,7 @@ impl Run {
         if self.wanted.fields && !falls && self.contact.memory().is_some() {
             self.strongest = Some(self.kept(state.force));
         }
+        self.look_strongest(&state);
         if self.wanted.stresses && self.carried.as_ref().is_none_or(|carried| carried.is_below(&state, tangential)) {
             let loaded = self.contact.loading().and_then(|loading| loading.loaded());
             let carried = loaded.map(|loaded| Carried::new(loaded, &state, tangential));
@@ -215,6 +219,31 @@ impl Run {
 
     fn kept(&self, most: f64) -> Kept {
         Kept { most, contact: self.contact.copy(), entry: self.entry, time: self.time }
+    }
+
+    /// Keeps the present state to be drawn if it is joined and none before carried as much, to rounding: a force that is
+    /// held is drawn as it is when it is reached.
+    fn look_strongest(&mut self, state: &Normal) {
+        let exceeds = |kept: &Kept| state.force > kept.most + SAME * kept.most.abs();
+        let drawn = self.wanted.bed || self.wanted.surface;
+        if drawn && self.contact.joined() && self.pressed.as_ref().is_none_or(exceeds) {
+            self.pressed = Some(self.kept(state.force));
+        }
+    }
+
+    /// The contact at its greatest force and the time [s] of that, if it was to be drawn.
+    pub(super) fn at_greatest_force(&self) -> Option<(&dyn ContactModel, f64)> {
+        self.pressed.as_ref().map(|kept| (kept.contact.as_ref(), kept.time))
+    }
+
+    /// What is wanted beside records.
+    pub(super) fn wanted(&self) -> Wanted {
+        self.wanted
+    }
+
+    /// The present time [s].
+    pub(super) fn time(&self) -> f64 {
+        self.time
     }
 
     /// Keeps the present state if none before was as deep.

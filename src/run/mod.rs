@@ -16,6 +16,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod bed;
 mod conditioning;
 mod compose;
 pub mod curves;
@@ -34,6 +35,7 @@ pub mod record;
 mod results;
 mod rough;
 mod stresses;
+mod surface;
 mod impact;
 mod machine;
 pub mod table;
@@ -101,6 +103,10 @@ pub struct Wanted {
     pub fields: bool,
     /// Stresses below the surface.
     pub stresses: bool,
+    /// The springs of the bed at the greatest force and at the end.
+    pub bed: bool,
+    /// The surfaces of both bodies at the greatest force.
+    pub surface: bool,
     /// Where in the contact friction takes its energy.
     pub fretting: bool,
     /// Records of what happens between those asked for: turns of the force, jumps.
@@ -109,7 +115,8 @@ pub struct Wanted {
 
 impl Wanted {
     /// Records and results only.
-    pub const NOTHING: Self = Self { fields: false, stresses: false, fretting: false, instants: true };
+    pub const NOTHING: Self =
+        Self { fields: false, stresses: false, bed: false, surface: false, fretting: false, instants: true };
 }
 
 /// What a solver finds, and the load of the contact at its greatest force where that was asked for.
@@ -128,7 +135,9 @@ impl Solved {
 #[must_use]
 pub fn tables(plan: &Plan) -> &'static [&'static str] {
     match plan {
-        Plan::Round(_) => &["pressure", "stress", "fretting", "glides", "profiles", "bounces", "slips"],
+        Plan::Round(_) => {
+            &["pressure", "stress", "bed", "surface", "fretting", "glides", "profiles", "bounces", "slips"]
+        }
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble", "glides"],
@@ -224,7 +233,12 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
         map: None,
         error_estimate: gliding::at_least(error::estimate(plan, &run), &glides),
         plan: parts(plan, &run),
-        tables: fretting.into_iter().chain(gliding::table(&glides)).collect(),
+        tables: bed::table(&run)
+            .into_iter()
+            .chain(surface::table(plan, &run))
+            .chain(fretting)
+            .chain(gliding::table(&glides))
+            .collect(),
         results,
         warnings: run
             .notes

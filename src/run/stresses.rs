@@ -21,7 +21,7 @@ const ASIDE: f64 = 1.5;
 /// Points of the map per radius of the contact.
 const PER_RADIUS: f64 = 40.0;
 /// Forces that agree to this part are one: of states under it the one that rubs hardest counts.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// What a contact carries at its greatest force.
 #[derive(Debug, Clone)]

@@ -126,6 +126,12 @@ pub enum Plot {
     Pressure,
     /// Stress of von Mises over place and depth below the surface, and the stresses on the axis.
     Stress,
+    /// Stresses over place and depth below the surface, one by one.
+    Field,
+    /// Springs of the bed at the greatest force and at the end, and what they carry.
+    Bed,
+    /// Surfaces of both bodies at the greatest force, to scale and exaggerated.
+    Surface,
     /// Stored and dissipated energy.
     Energy,
     /// Shape f(r) with its one-dimensional equivalent g(x).

@@ -5,6 +5,8 @@
 mod allocation;
 #[cfg(feature = "cli")]
 mod bad_scenes;
+#[cfg(feature = "text")]
+mod beds;
 mod circles;
 #[cfg(feature = "cli")]
 mod compare;

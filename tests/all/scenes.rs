@@ -74,6 +74,8 @@ fn elastic_and_adhesive_scenes_quote_their_answers() {
         "afm_tip",
         "humid_tip",
         "crossed_cylinders",
+        "springs_of_hertz",
+        "springs_of_jkr",
     ] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("configs/{name}.ron"));
         let text = std::fs::read_to_string(path).unwrap();

@@ -20,6 +20,19 @@ pub struct Contours {
     pub values: Vec<Option<f64>>,
     /// The quantity; a limit of its axis cuts it off.
     pub axis: Axis,
+    /// How its values are told by colours.
+    pub colours: Colours,
+}
+
+/// How values are told by colours; more is told from less in grey too.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Colours {
+    /// The darker the more.
+    #[default]
+    Rising,
+    /// Blue below zero, and the darker the further below; yellow above it, and the lighter the further above. The
+    /// contour of zero is a thick line.
+    AboutZero,
 }
 
 impl Contours {
@@ -44,6 +57,8 @@ pub(super) struct Layers {
     /// Colour below the first level.
     pub(super) ground: RGBColor,
     pub(super) areas: Vec<(Vec<Dot>, RGBColor)>,
+    /// The contour of zero of a quantity of two signs.
+    pub(super) zero: Vec<Vec<Dot>>,
     pub(super) bar: Bar,
 }
 
@@ -71,7 +86,11 @@ pub(super) fn layers(contours: &Contours, map: &Map) -> Option<Layers> {
     let ruler = Ruler::upward(&contours.axis, Some(contours.range()?), map.size.1);
     let inner = levels(&ruler);
     let ends: Vec<f64> = inner.iter().copied().chain([1.0]).collect();
-    let colour = |band: usize| shade(band as f64 / inner.len().max(1) as f64);
+    let nought = ruler.range.place(0.0).unwrap_or(0.0);
+    let colour = |band: usize| match contours.colours {
+        Colours::Rising => shade(band as f64 / inner.len().max(1) as f64),
+        Colours::AboutZero => about(signed(middle(&inner, band), nought)),
+    };
     let bands = ends.iter().enumerate().map(|(band, &end)| (end, colour(band))).collect();
     let grid = Grid::new(contours, &ruler, map)?;
     let mut loops: Vec<(f64, Vec<Dot>, RGBColor)> = Vec::new();
@@ -85,8 +104,43 @@ pub(super) fn layers(contours: &Contours, map: &Map) -> Option<Layers> {
     // What lies inside another outline is smaller: drawn later it is seen.
     loops.sort_by(|x, y| y.0.total_cmp(&x.0));
     let areas = loops.into_iter().filter_map(|(_, outline, colour)| Some((thinned(outline)?, colour))).collect();
-    Some(Layers { ground: colour(0), areas, bar: Bar { ruler, bands } })
+    let zero = match contours.colours {
+        Colours::Rising => Vec::new(),
+        Colours::AboutZero => within(&grid, nought, map.size),
+    };
+    Some(Layers { ground: colour(0), areas, zero, bar: Bar { ruler, bands } })
 }
+
+/// Where between two levels the band `band` has its middle.
+fn middle(levels: &[f64], band: usize) -> f64 {
+    let below = band.checked_sub(1).map_or(0.0, |below| levels[below]);
+    0.5 * (below + levels.get(band).copied().unwrap_or(1.0))
+}
+
+/// How far a fraction of the bar lies from that of zero, over the farther end.
+fn signed(at: f64, nought: f64) -> f64 {
+    (at - nought) / nought.abs().max((1.0 - nought).abs())
+}
+
+/// The lines along which the fraction `level` of the bar is reached inside the frame; the frame itself is none.
+fn within(grid: &Grid, level: f64, size: Dot) -> Vec<Vec<Dot>> {
+    if !(1e-6..1.0 - 1e-6).contains(&level) {
+        return Vec::new();
+    }
+    let along = |a: f64, b: f64, end: f64| a.min(b) <= RIM || a.max(b) >= end - RIM;
+    let is_frame = |a: &Dot, b: &Dot| {
+        (a.0 - b.0).abs() <= RIM && along(a.0, b.0, size.0) || (a.1 - b.1).abs() <= RIM && along(a.1, b.1, size.1)
+    };
+    let mut lines = Vec::new();
+    for outline in grid.outlines(level) {
+        let dots: Vec<Dot> = outline.iter().map(|place| grid.px(*place)).collect();
+        lines.extend(dots.chunk_by(|a, b| !is_frame(a, b)).filter(|line| line.len() > 1).map(<[Dot]>::to_vec));
+    }
+    thin::thin(&lines)
+}
+
+/// Px from the frame within which a line counts as part of it.
+const RIM: f64 = 1e-3;
 
 /// Fewer bands than these are halved.
 const FEW: usize = 6;
@@ -122,6 +176,17 @@ fn shade(part: f64) -> RGBColor {
         }
     }
     let [r, g, b] = colour.map(byte);
+    RGBColor(r, g, b)
+}
+
+/// Dark blue at −1, yellow at 1, and lighter all the way; at zero the hue changes.
+fn about(at: f64) -> RGBColor {
+    const BELOW: [[f64; 3]; 3] = [[10.0, 26.0, 84.0], [56.0, 108.0, 176.0], [168.0, 203.0, 231.0]];
+    const ABOVE: [[f64; 3]; 3] = [[244.0, 194.0, 112.0], [251.0, 222.0, 146.0], [255.0, 250.0, 206.0]];
+    let (stops, along) = if at < 0.0 { (BELOW, 2.0 * (1.0 + at)) } else { (ABOVE, 2.0 * at) };
+    let along = along.clamp(0.0, 2.0);
+    let (low, rest) = if along < 1.0 { (0, along) } else { (1, along - 1.0) };
+    let [r, g, b] = std::array::from_fn(|c| byte(stops[low][c] + rest * (stops[low + 1][c] - stops[low][c])));
     RGBColor(r, g, b)
 }
 
@@ -275,6 +340,30 @@ mod tests {
         assert!(flat.outlines(0.4).is_empty());
         let [outline] = &flat.outlines(0.3)[..] else { panic!() };
         assert!((0.5 * area(outline) - 12.0).abs() < 1e-12);
+    }
+
+    /// About zero a print in grey tells more from less too.
+    #[test]
+    fn about_zero_colours_grow_lighter() {
+        let grey = |at: f64| {
+            let RGBColor(r, g, b) = about(at);
+            0.299 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)
+        };
+        let greys: Vec<f64> = (-10..=10).map(|k| grey(0.1 * f64::from(k))).collect();
+        assert!(greys.windows(2).all(|pair| pair[1] - pair[0] > 2.0), "{greys:?}");
+        let RGBColor(r, _, b) = about(-1e-9);
+        assert!(b > r, "blue below zero");
+        let RGBColor(r, _, b) = about(0.0);
+        assert!(r > b, "yellow above");
+    }
+
+    /// The contour of zero of a tilted plane crosses the frame once and does not follow it.
+    #[test]
+    fn the_contour_of_zero_is_not_the_frame() {
+        let tilted = grid(11, 6, |x, _| 0.1 * x);
+        let lines = within(&tilted, 0.45, (10.0, 5.0));
+        let [line] = &lines[..] else { panic!("{lines:?}") };
+        assert!(line.iter().all(|dot| (dot.0 - 4.5).abs() < 1e-9), "{line:?}");
     }
 
     #[test]

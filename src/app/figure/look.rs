@@ -2,7 +2,7 @@
 
 use plotters::style::RGBColor;
 
-use super::{Panel, Series};
+use super::{Panel, Series, Stroke};
 
 /// Colour-blind-safe colours (Okabe & Ito 2008) in an order of alternating lightness.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,17 +111,17 @@ pub(super) fn look(panel: &Panel, index: usize) -> Look {
         number,
         colour: rgb(colour.unwrap_or(Hue::Black)),
         line: line.unwrap_or(Line::Solid),
-        width: width(panel, number),
+        width: width(panel, number, style.stroke),
         mark,
     }
 }
 
 /// Px; a line over cells is fine, lest it hide them.
-fn width(panel: &Panel, number: usize) -> f64 {
-    match (&panel.cells, number) {
-        (Some(_), _) => 0.9,
-        (None, 0) => 2.2,
-        (None, _) => 1.8,
+fn width(panel: &Panel, number: usize, stroke: Stroke) -> f64 {
+    match (&panel.cells, stroke, number) {
+        (Some(_), _, _) | (None, Stroke::Fine, _) => 0.9,
+        (None, Stroke::Usual, 0) => 2.2,
+        (None, Stroke::Usual, _) => 1.8,
     }
 }
 

@@ -10,6 +10,7 @@
 //! assert!(svg.contains("indentation d (µm)"));
 //! ```
 
+mod area;
 mod axis;
 mod canvas;
 mod clearance;
@@ -31,7 +32,8 @@ mod ticks;
 mod unit;
 
 use super::medium::Medium;
-pub use contour::Contours;
+pub use area::{Area, Shade};
+pub use contour::{Colours, Contours};
 pub use look::{Hue, Line, Mark, Marks};
 
 /// A titled grid of panels.
@@ -82,6 +84,8 @@ pub struct Panel {
     pub y: Axis,
     /// Filled contours below everything else, with a bar of their colours beside the frame.
     pub contours: Option<Contours>,
+    /// Filled areas under everything but contours and cells, the later over the earlier.
+    pub areas: Vec<Area>,
     /// Curves; those later in the legend are drawn over the earlier ones.
     pub series: Vec<Series>,
     /// Reference lines under the curves.
@@ -111,8 +115,9 @@ impl Panel {
     /// A panel without curves.
     #[must_use]
     pub fn new(x: Axis, y: Axis) -> Self {
-        let (contours, cells, series, guides, notes) = (None, None, Vec::new(), Vec::new(), Vec::new());
-        Self { title: String::new(), x, y, contours, series, guides, notes, cells, ratio: None }
+        let (contours, cells, areas) = (None, None, Vec::new());
+        let (series, guides, notes) = (Vec::new(), Vec::new(), Vec::new());
+        Self { title: String::new(), x, y, contours, areas, series, guides, notes, cells, ratio: None }
     }
 
     /// The panel under a heading.
@@ -126,6 +131,13 @@ impl Panel {
     #[must_use]
     pub fn over(mut self, contours: Contours) -> Self {
         self.contours = Some(contours);
+        self
+    }
+
+    /// The panel with one more filled area.
+    #[must_use]
+    pub fn filled(mut self, area: Area) -> Self {
+        self.areas.push(area);
         self
     }
 
@@ -270,6 +282,13 @@ impl Series {
         self
     }
 
+    /// The series with a line as fine as many of them side by side need it.
+    #[must_use]
+    pub fn fine(mut self) -> Self {
+        self.style.stroke = Stroke::Fine;
+        self
+    }
+
     /// The series with an arrow head telling the order of its points.
     #[must_use]
     pub fn arrow(mut self) -> Self {
@@ -287,8 +306,20 @@ pub struct Style {
     pub line: Option<Line>,
     /// Marks at the points.
     pub marks: Marks,
+    /// Width of the line.
+    pub stroke: Stroke,
     /// Arrow head on the line.
     pub arrow: Arrow,
+}
+
+/// Width of a line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Stroke {
+    /// That of a curve.
+    #[default]
+    Usual,
+    /// That of one of many parts drawn side by side.
+    Fine,
 }
 
 /// Arrow head on a line.

@@ -18,6 +18,8 @@ use super::{Arrow, Scale, text, ticks};
 const GRID: Pen = Pen { colour: RGBColor(228, 228, 228), width: 0.7 };
 const ZERO: Pen = Pen { colour: RGBColor(150, 150, 150), width: 0.9 };
 const FRAME: Pen = Pen { colour: RGBColor(60, 60, 60), width: 1.0 };
+/// Where a quantity of two signs vanishes.
+const NOUGHT: Pen = Pen { colour: BLACK, width: 1.8 };
 /// About an area of one colour.
 const OUTLINE: Pen = Pen { colour: RGBColor(70, 70, 70), width: 0.5 };
 const GUIDE: Pen = Pen { colour: RGBColor(105, 105, 105), width: 1.1 };
@@ -34,6 +36,7 @@ pub(super) fn sheet(canvas: &mut Canvas, sheet: &Sheet) {
         (Some(layers), _) => contours(canvas, layers, sheet.size),
         (None, Some(heat)) => cells(canvas, heat, sheet.size),
         (None, None) => {
+            sheet.areas.iter().for_each(|(outline, colour)| canvas.polygon(outline, *colour));
             grid(canvas, sheet);
             zero_lines(canvas, sheet);
         }
@@ -62,6 +65,7 @@ fn contours(canvas: &mut Canvas, layers: &Layers, size: Dot) {
         canvas.polygon(outline, *colour);
         canvas.path(outline, OUTLINE);
     }
+    layers.zero.iter().for_each(|line| canvas.path(line, NOUGHT));
     bar(canvas, &layers.bar, size);
 }
 

@@ -1,5 +1,8 @@
 //! A panel made ready to be drawn: everything in px relative to its frame.
 
+use plotters::style::RGBColor;
+
+use super::area::filled;
 use super::axis::{Ruler, rulers};
 use super::canvas::Dot;
 use super::clearance::Clearance;
@@ -43,6 +46,7 @@ pub(super) struct Sheet {
     pub(super) x: Ruler,
     pub(super) y: Ruler,
     pub(super) layers: Option<Layers>,
+    pub(super) areas: Vec<(Vec<Dot>, RGBColor)>,
     pub(super) curves: Vec<Shown>,
     pub(super) guides: Vec<Ruled>,
     pub(super) key: Key,
@@ -71,6 +75,7 @@ impl Sheet {
             size,
             heading: text::wrap(&text::clean(&panel.title), HEADING * text::BOLD, size.0),
             layers,
+            areas: panel.areas.iter().map(|area| filled(area, &map)).collect(),
             curves,
             guides,
             key,

@@ -10,6 +10,7 @@
 //! ```
 
 mod adhesive;
+mod bed;
 mod elastic;
 pub(super) mod estimates;
 pub(super) mod extremes;
@@ -46,6 +47,7 @@ pub fn all() -> Vec<Case> {
     let half_space: Vec<Case> = Vec::new();
     let held = [
         elastic::CASES,
+        bed::CASES,
         shapes::CASES,
         lying::CASES,
         ground::CASES,

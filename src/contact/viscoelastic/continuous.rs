@@ -5,6 +5,7 @@ use super::memory::Memory;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
+use crate::contact::loaded::Loaded;
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Straight};
 use crate::contact::state::Normal;
 use std::sync::Arc;
@@ -87,6 +88,10 @@ impl ContactModel for ContinuousContact {
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
         self.joined().then(|| Box::new(self.bed.loaded()) as Box<dyn Loading>)
+    }
+
+    fn bed(&self) -> Option<Loaded> {
+        (!self.bed.is_untouched()).then(|| self.bed.loaded())
     }
 
     fn copy(&self) -> Box<dyn ContactModel> {

@@ -7,6 +7,7 @@ use super::lazy::Lazy;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
+use crate::contact::loaded::Loaded;
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Straight};
 use crate::contact::spring_loads::{SeenSpring, SpringLoads};
 use crate::contact::state::Normal;
@@ -83,6 +84,21 @@ impl GrowingBed {
     }
 }
 
+impl GrowingBed {
+    /// The springs touched so far, as they are now.
+    fn springs(&self) -> SpringLoads {
+        let layout = self.bed.layout();
+        let spring = |j: usize| SeenSpring {
+            place: layout.place[j],
+            load: self.bed.line_load(j),
+            weight: layout.weight[j],
+            displacement: self.bed.displacement(j),
+        };
+        SpringLoads::new(self.profile.clone(), self.bed.indentation(), self.bed.touched(), spring)
+            .with_edge(self.bed.radius(), 0.0)
+    }
+}
+
 impl ContactModel for GrowingBed {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
         let Some(piece) = in_time(self.bed.spectrum(), self.bed.indentation(), piece)? else { return Ok(Vec::new()) };
@@ -119,18 +135,11 @@ impl ContactModel for GrowingBed {
     }
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
-        let layout = self.bed.layout();
-        let spring = |j: usize| SeenSpring {
-            place: layout.place[j],
-            load: self.bed.line_load(j),
-            weight: layout.weight[j],
-            displacement: self.bed.displacement(j),
-        };
-        let springs = || {
-            let all = SpringLoads::new(self.profile.clone(), self.bed.indentation(), self.bed.touched(), spring);
-            Box::new(all.with_edge(self.bed.radius(), 0.0)) as Box<dyn Loading>
-        };
-        self.joined().then(springs)
+        self.joined().then(|| Box::new(self.springs()) as Box<dyn Loading>)
+    }
+
+    fn bed(&self) -> Option<Loaded> {
+        if self.bed.touched() > 0 { self.springs().loaded() } else { None }
     }
 
     fn copy(&self) -> Box<dyn ContactModel> {

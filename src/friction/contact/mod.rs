@@ -226,6 +226,13 @@ impl ContactModel for FrictionalContact {
         Some(Box::new(Rubbed { normal, friction: self.friction.as_ref() }))
     }
 
+    fn bed(&self) -> Option<Loaded> {
+        match self.friction.loading() {
+            Some(sheared) => sheared.loaded(),
+            None => self.normal.bed(),
+        }
+    }
+
     fn copy(&self) -> Box<dyn ContactModel> {
         let (normal, friction) = (self.normal.copy(), self.friction.copy());
         Box::new(Self { normal, friction, slide: self.slide, behind: self.behind })

@@ -18,6 +18,7 @@ mod machine;
 mod parts;
 mod pixels;
 mod plastic;
+mod pictures;
 mod plots;
 mod power_law;
 mod wear;

@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::parts::is_without_bed;
+use super::pictures;
 use super::plastic::yields;
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
@@ -26,17 +27,20 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     }
     let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
     let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
-    let of_ground = (plot == Plot::Stress && draft.bodies(Look::Kind).is_some_and(|(one, two)| one.is_uneven() || two.is_uneven()))
+    let of_ground = (is_of_stresses(plot) && draft.bodies(Look::Kind).is_some_and(|(one, two)| one.is_uneven() || two.is_uneven()))
         .then_some("the stress below is computed of half-spaces that are alike at all depths: expected Force, Radius, Pressure or Energy");
     if of_plane.or(of_ground).is_some() {
         return of_plane.or(of_ground);
     }
-    if matches!(plot, Plot::Stress | Plot::Fretting) && draft.wear().is_some() {
+    if let Plot::Bed | Plot::Surface = plot {
+        return pictures::lacks(draft, plot);
+    }
+    if (is_of_stresses(plot) || plot == Plot::Fretting) && draft.wear().is_some() {
         return Some(
             "it is not computed of a profile that wears: expected Wear, Friction, Stick or Pressure, or no wear",
         );
     }
-    if matches!(plot, Plot::Stress | Plot::Fretting) && draft.is_driven()? {
+    if (is_of_stresses(plot) || plot == Plot::Fretting) && draft.is_driven()? {
         return Some("it is not computed of a contact in a machine: expected Machine, Force, Friction or Energy");
     }
     if plot == Plot::Stick && matches!(draft.friction(Look::Kind), Some(Friction::RateState(_))) {
@@ -44,19 +48,19 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             "a contact with rate and state slips as a whole, however slowly: expected Machine, Friction or Energy",
         );
     }
-    if plot == Plot::Stress && yields(draft)? {
+    if is_of_stresses(plot) && yields(draft)? {
         return Some(
             "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
         );
     }
-    if matches!(plot, Plot::Pressure | Plot::Stress) && draft.moves_along()? {
+    if (is_of_stresses(plot) || plot == Plot::Pressure) && draft.moves_along()? {
         return Some(
             "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance",
         );
     }
     let (there, what) = match plot {
-        Plot::Force | Plot::Energy | Plot::Shape => return None,
-        Plot::Radius | Plot::Pressure | Plot::Stress => {
+        Plot::Force | Plot::Energy | Plot::Shape | Plot::Bed | Plot::Surface => return None,
+        Plot::Radius | Plot::Pressure | Plot::Stress | Plot::Field => {
             (!shape.is_rough(), "a rough bed does not know its contact area: expected Force, Energy or Shape")
         }
         Plot::Moduli => {
@@ -85,6 +89,11 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     (!there).then_some(what)
 }
 
+/// Whether a figure shows stresses below the surface.
+fn is_of_stresses(plot: Plot) -> bool {
+    matches!(plot, Plot::Stress | Plot::Field)
+}
+
 const STRESS_OF_PLANE: &str =
     "the stress below a plane contact is not computed: expected Force, Radius, Pressure or Energy";
 
@@ -100,7 +109,11 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
         | Plot::Restitution
         | Plot::Machine
         | Plot::Resistance => None,
-        Plot::Stress => Some(STRESS_OF_PLANE),
+        Plot::Stress | Plot::Field => Some(STRESS_OF_PLANE),
+        Plot::Bed => {
+            Some("a wave that is solved by a series has no bed of springs: expected Force, Radius, Pressure or Energy")
+        }
+        Plot::Surface => Some(pictures::SURFACE_OF_SECTION),
         Plot::Shape => {
             Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")
         }
@@ -121,6 +134,9 @@ fn lacks_on_pixels(plot: Plot, shape: &Shape) -> Option<&'static str> {
         Plot::Radius
         | Plot::Pressure
         | Plot::Stress
+        | Plot::Field
+        | Plot::Bed
+        | Plot::Surface
         | Plot::Shape
         | Plot::Moduli
         | Plot::Friction
@@ -140,7 +156,11 @@ fn lacks_on_pixels(plot: Plot, shape: &Shape) -> Option<&'static str> {
 /// What the bed of a section lacks.
 fn lacks_of_section(plot: Plot) -> Option<&'static str> {
     match plot {
-        Plot::Stress => Some(STRESS_OF_PLANE),
+        Plot::Stress | Plot::Field => Some(STRESS_OF_PLANE),
+        Plot::Bed => Some(
+            "the springs of a lying body stand where their stiffness says, not where the body is: expected Force, Radius, Pressure or Shape",
+        ),
+        Plot::Surface => Some(pictures::SURFACE_OF_SECTION),
         Plot::Fretting => {
             Some("where a lying contact loses its energy is not mapped: expected Friction, Stick or Shear")
         }

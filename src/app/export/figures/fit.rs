@@ -1,7 +1,7 @@
 //! A fit: data and model, and what is left.
 
 use crate::app::export::Fitted;
-use crate::app::figure::{Axis, Contours, Figure, Guide, Hue, Line, Mark, Marks, Panel, Series};
+use crate::app::figure::{Axis, Colours, Contours, Figure, Guide, Hue, Line, Mark, Marks, Panel, Series};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::fit::prony::{Moduli, Spectrum};
 use crate::fit::{Map, Master};
@@ -94,7 +94,7 @@ pub fn map_figure(fitted: &Fitted, map: &Map) -> Figure {
     let values = (0..map.y.len()).flat_map(|row| (0..map.x.len()).map(move |column| column * map.y.len() + row));
     let values = values.map(|at| map.rise[at].map(|rise| map.confidence(rise))).collect();
     let shown = Axis { limits: (Some(0.0), Some(CONFIDENT)), ..Axis::linear("confidence of the pair", "") };
-    let contours = Contours { x: map.x.clone(), y: map.y.clone(), values, axis: shown };
+    let contours = Contours { x: map.x.clone(), y: map.y.clone(), values, axis: shown, colours: Colours::Rising };
     let here = |path: &str| fitted.fit.parameter(path).map_or(f64::NAN, |one| one.value);
     let found = Series::new("found", [(here(&map.paths[0]), here(&map.paths[1]))]).colour(Hue::Vermillion);
     let found = found.line(Line::Absent).marks(Marks::As(Mark::Square));

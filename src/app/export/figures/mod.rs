@@ -1,5 +1,6 @@
 //! The figures a scene asks for, or those that suit it.
 
+mod bed;
 mod comparison;
 mod curve;
 mod fields;
@@ -13,6 +14,7 @@ mod pixels;
 mod rough;
 mod shape;
 mod stress;
+mod surface;
 mod sweep;
 mod wear;
 
@@ -97,6 +99,9 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Radius => radius(plan, records),
         Plot::Pressure => vec![fields::pressure(plan, outcome)],
         Plot::Stress => stress::panels(outcome),
+        Plot::Field => stress::fields(outcome),
+        Plot::Bed => bed::panels(outcome),
+        Plot::Surface => surface::panels(plan, outcome),
         Plot::Energy => vec![energy(records)],
         Plot::Shape => indenter(plan, outcome).into_iter().collect(),
         Plot::Friction => vec![friction::loops(plan, records)],

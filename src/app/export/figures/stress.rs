@@ -1,7 +1,7 @@
-//! Stresses below the surface: the map of von Mises, and the axis.
+//! Stresses below the surface: the map of von Mises, the maps of single stresses, and the axis.
 
 use crate::app::export::with_prefix;
-use crate::app::figure::{Axis, Contours, Hue, Line, Mark, Marks, Panel, Series};
+use crate::app::figure::{Axis, Colours, Contours, Hue, Line, Mark, Marks, Panel, Series};
 use crate::run::record::Outcome;
 use crate::run::table::{Filled, Table};
 
@@ -14,6 +14,49 @@ pub fn panels(outcome: &Outcome) -> Vec<Panel> {
     let radius = outcome.number("stress_contact_radius_m").filter(|&a| a > 0.0);
     let axis = on_axis(table, outcome.number("von_mises_largest_pa").is_some());
     radius.and_then(|a| map(table, a, outcome)).into_iter().chain(axis).collect()
+}
+
+/// Stresses of a map over those of a place, below which one is rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Maps of the single stresses, tension positive; in the plane of the sliding, of a contact that slides.
+pub fn fields(outcome: &Outcome) -> Vec<Panel> {
+    let Some(table) = outcome.table("stress") else { return Vec::new() };
+    let Some(radius) = outcome.number("stress_contact_radius_m").filter(|&a| a > 0.0) else { return Vec::new() };
+    let bounded = outcome.number("von_mises_largest_pa").is_some();
+    let names = ["sigma_zz", "sigma_rr", "sigma_xx", "sigma_tt", "sigma_yy", "tau_rz", "tau_xz"];
+    let stresses = names.into_iter().filter_map(|name| table.column(name));
+    let mut panels: Vec<Panel> = stresses.filter_map(|stress| field(table, stress, (radius, bounded))).collect();
+    let unbounded =
+        (!bounded).then_some("The stress has no bound under a sharp edge or tip: colours are cut off there.");
+    let notes = std::iter::once("Thick lines: zero. Tension is positive.").chain(unbounded).map(str::to_owned);
+    if let Some(first) = panels.first_mut() {
+        first.notes.extend(notes);
+    }
+    panels
+}
+
+/// The map of one stress, in colours about zero.
+fn field(table: &Table, stress: &Filled, (a, bounded): (f64, bool)) -> Option<Panel> {
+    let (place, depth, _) = columns(table)?;
+    let (x, y) = (distinct(place, a), distinct(depth, a));
+    let values = continued(stress.numbers(), x.len());
+    let bar = Axis::linear(stress.label, "Pa");
+    let bar = if bounded { bar } else { bar.from(common(&values, 1.0 - SHOWN)?).to(common(&values, SHOWN)?) };
+    let across = if place.quantity == "place" { "place x/a along the sliding" } else { "radius r/a" };
+    let axes = [between(Axis::linear(across, "1"), &x), between(Axis::linear("depth z/a", "1"), &y).falling()];
+    let [across, down] = axes;
+    let panel = Panel::new(across, down).titled(format!("{}, a = {}", stress.label, with_prefix(a, "m")));
+    Some(panel.over(Contours { x, y, values, axis: bar, colours: Colours::AboutZero }))
+}
+
+/// The values of a map row by row from the surface down: one without bound at the surface is drawn as the one below it, and
+/// what is rounding as zero.
+fn continued(values: &[Option<f64>], columns: usize) -> Vec<Option<f64>> {
+    let largest = values.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let below = |k: usize| values.get(k).copied().flatten().or(values.get(k + columns).copied().flatten());
+    let rounded = |value: f64| if value.abs() <= ROUNDING * largest { 0.0 } else { value };
+    (0..values.len()).map(|k| below(k).map(rounded)).collect()
 }
 
 /// The places, the depths and the stresses of the table.
@@ -32,10 +75,10 @@ fn map(table: &Table, a: f64, outcome: &Outcome) -> Option<Panel> {
     let across = if slides { "place x/a along the sliding" } else { "radius r/a" };
     let hardest = Hardest::of(outcome, a);
     let bar = Axis::linear("von Mises stress", "Pa").from(0.0);
-    let bar = if hardest.is_some() { bar } else { bar.to(common(&values)?) };
+    let bar = if hardest.is_some() { bar } else { bar.to(common(&values, SHOWN)?) };
     let panel =
         Panel::new(between(Axis::linear(across, "1"), &x), between(Axis::linear("depth z/a", "1"), &y).falling());
-    let contours = Contours { x, y, values, axis: bar };
+    let contours = Contours { x, y, values, axis: bar, colours: Colours::Rising };
     let panel = panel.titled(format!("a = {}", with_prefix(a, "m"))).over(contours);
     Some(match hardest {
         Some(hardest) => panel.with(hardest.mark()),
@@ -96,10 +139,10 @@ fn between(axis: Axis, places: &[f64]) -> Axis {
     Axis { limits: (places.first().copied(), places.last().copied()), ..axis }
 }
 
-/// The value below which most of the map lies.
+/// The value below which the part `part` of the map lies.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a part of a count")]
-fn common(values: &[Option<f64>]) -> Option<f64> {
+fn common(values: &[Option<f64>], part: f64) -> Option<f64> {
     let mut values: Vec<f64> = values.iter().flatten().copied().collect();
     values.sort_by(f64::total_cmp);
-    values.get((SHOWN * values.len() as f64) as usize).copied()
+    values.get((part * values.len() as f64) as usize).copied()
 }
