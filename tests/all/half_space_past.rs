@@ -11,7 +11,9 @@ const GEL: &str = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 0.3e6, terms:
 const RUBBER: &str = "Elastic(young: 2e6, poisson: 0.5)";
 
 fn outcome(text: &str) -> Outcome {
-    let tables = InMemory::default().with_heights("wave.csv", wave());
+    let motion: [(&str, &[f64]); 2] =
+        [("time_s", &[0.0, 0.5, 1.0, 1.5, 2.0]), ("indentation_m", &[0.0, 5e-6, 10e-6, 7e-6, 4e-6])];
+    let tables = InMemory::default().with_heights("wave.csv", wave()).with("motion.csv", &motion);
     let plan = Notation::Ron.plan(text, &tables).unwrap_or_else(|errors| panic!("{}", errors[0]));
     run(&plan, FIELDS).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -119,8 +121,12 @@ fn the_way_a_history_is_written_does_not_matter() {
     let halves = "Indent(to: 5e-6, over: 0.5), Indent(to: 10e-6, over: 0.5), Indent(to: 4e-6, over: 1)";
     let cut = ball(&format!("{GEL}, Rigid"), halves, &more);
     let swapped = ball(&format!("Rigid, {GEL}"), "Indent(to: 10e-6, over: 1), Indent(to: 4e-6, over: 1)", &more);
-    let stated = whole.error_estimate.relative;
-    assert!(apart(&whole, &cut, force) < stated.min(3e-4), "{}", apart(&whole, &cut, force));
+    // A record at each row, and as many steps between two of them as the time asks for.
+    let table = ball(&format!("{GEL}, Rigid"), "Table(\"motion.csv\")", &on_pixels(32));
+    for other in [cut, table] {
+        // Both by different steps, each of which leaves 1e-4.
+        assert!(apart(&other, &whole, force) < 3e-4, "{}", apart(&other, &whole, force));
+    }
     assert!(apart(&whole, &swapped, force) < 1e-15);
 }
 
@@ -216,6 +222,28 @@ fn what_yields_keeps_its_dent() {
         .sum();
     let last = soft.records.last().unwrap().normal;
     assert!(((last.stored.stored() + last.dissipated) / work - 1.0).abs() < 0.03, "{work:e} {last:?}");
+}
+
+/// A body that remembers is attracted as Maugis has it where it is slow, and comes back while it is torn off: pressed
+/// again after a thousand of its times it has forgotten.
+#[test]
+fn what_remembers_is_attracted_too() {
+    let law = "adhesion: Maugis(work: 0.05, stress: 20e3)";
+    let slow = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 0.5e6, terms: [(modulus: 0.2e6, time: 1e-3)]))";
+    let elastic = "Elastic(shear: 0.5e6, poisson: 0.5)";
+    let steps = format!("{law}, steps: 4, {}", on_pixels(48));
+    let history = "Indent(to: 8e-6, over: 1e3), Indent(to: 2e-6, over: 1e3)";
+    let [relaxed, right] = [slow, elastic].map(|body| ball(&format!("{body}, Rigid"), history, &steps));
+    // The bodies come within reach at once, when the term bears its part; later each step leaves τ/Δt of that, 1e-3/250.
+    let later = |record: &Record| if record.time > 0.0 { force(record) } else { 0.0 };
+    assert!(apart(&right, &relaxed, later) < 1e-3, "{}", apart(&right, &relaxed, later));
+    let torn = "Press(to: 1e-3, over: 1), Press(to: -3e-3, over: 1), HoldForce(over: 10), Press(to: 1e-3, over: 1)";
+    let outcome = ball(&format!("{slow}, Rigid"), torn, &steps);
+    let at = |time: f64| {
+        let record = outcome.records.iter().find(|record| (record.time - time).abs() < 1e-9);
+        record.unwrap().normal.indentation.unwrap()
+    };
+    assert!((at(13.0) / at(1.0) - 1.0).abs() < 2e-2, "{} {}", at(13.0), at(1.0));
 }
 
 /// What pixels cannot follow is refused with what would be right.

@@ -78,7 +78,7 @@ impl<'p> Pixels<'p> {
         let Some(response) = self.response.clone() else { return self.elastic(prescribed).map(Some) };
         let step = self.memory.as_ref().map(|memory| memory.step(over));
         let Some(contact) = self.settled(prescribed, step.as_ref(), &response)? else {
-            self.part();
+            self.part(step.as_ref(), &response);
             return Ok(None);
         };
         self.last = Some(contact.pressure.clone());
@@ -194,11 +194,14 @@ impl<'p> Pixels<'p> {
         }
     }
 
-    /// Far apart nothing pulls.
-    fn part(&mut self) {
+    /// Far apart nothing presses or pulls, and what remembers comes back.
+    fn part(&mut self, step: Option<&Step>, response: &SurfaceResponse) {
         self.last = None;
         if let Some(pull) = &mut self.pull {
             pull.fill(0.0);
+        }
+        if let (Some(memory), Some(step)) = (&mut self.memory, step) {
+            memory.take(step, &Array2::zeros(step.kept.dim()), response);
         }
     }
 
