@@ -63,7 +63,8 @@ impl Input {
             hardness: hardness / pressure_unit,
             ..self.task(heights, [range.low, scale], settings)
         };
-        let answer = task.run(origin)?;
+        // From within its threads none of the many short loops need wake them.
+        let answer = rayon::scope(|_| task.run(origin))?;
         Ok(Raw { bytes, ..self.restore(answer, [range.low, scale], pressure_unit) })
     }
 

@@ -80,7 +80,9 @@ impl Plan {
     /// The parts do not fit together under them.
     pub fn with(&self, settings: SceneSettings) -> Result<Self, Vec<Problem>> {
         let SceneSettings { accuracy, springs, steps, solver } = settings;
-        let scene = Scene { accuracy, springs, steps, solver, ..self.scene.clone() };
+        // Figures of one solver are not those of another: then it draws what suits it.
+        let plots = self.scene.plots.clone().filter(|_| solver == self.scene.solver);
+        let scene = Scene { accuracy, springs, steps, solver, plots, ..self.scene.clone() };
         decided(scene, self.read.clone(), Vec::new())
     }
 }

@@ -75,7 +75,8 @@ fn an_ellipsoid_is_itself_on_the_half_space() {
 #[cfg(feature = "half-space")]
 #[test]
 fn an_adhesive_history_is_followed_on_pixels() {
-    let (value, rows) = rows(&scene("Paraboloid(radius: \"10 mm\")", "adhesion: Jkr(work: \"50 mJ/m^2\"), steps: 2,"));
+    let more = "adhesion: Jkr(work: \"50 mJ/m^2\"), steps: 2, plots: [Force, Radius],";
+    let (value, rows) = rows(&scene("Paraboloid(radius: \"10 mm\")", more));
     assert!(value["reference"].as_str().unwrap().starts_with("closed form (Johnson, Kendall & Roberts)"));
     assert!(error(&rows, "half-space", ("grid", 128), "force_error").abs() < 0.1);
 }

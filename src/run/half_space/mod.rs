@@ -47,6 +47,11 @@ pub(super) fn run(
     wanted: Wanted,
     done: &(dyn Fn(f64) + Sync),
 ) -> Result<Outcome, SimulationError> {
+    // From within its threads none of the many short loops of a state need wake them.
+    rayon::scope(|_| led(plan, wanted, done))
+}
+
+fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
     let heights = heights(plan)?;
     let (touch, modulus) = (heights.touch_of(&plan.indenter), plan.pair.normal);
     let pressing = Pressing { heights: &heights, touch, modulus, boundary: plan.boundary, settings: settings(plan) };
