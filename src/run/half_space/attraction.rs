@@ -25,7 +25,7 @@ impl Attraction {
     /// The attraction of a scene on pixels of the side `pixel` \[m\] with the modulus `modulus` E* \[Pa\].
     ///
     /// One of vanishing range is given the range at which the ring it acts in outside a wide contact,
-    /// ℓ = πE*w/(4σ₀²) (Dugdale 1960; Maugis 1992), is four pixels long: as they shrink it becomes that of JKR.
+    /// ℓ = πE*w/(4σ₀²) (Dugdale 1960; Maugis 1992), is three pixels long: as they shrink it becomes that of JKR.
     pub(super) fn of(law: ElasticAdhesion, pixel: f64, modulus: f64) -> Option<Self> {
         match law {
             ElasticAdhesion::None => None,

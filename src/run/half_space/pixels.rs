@@ -215,8 +215,14 @@ impl<'p> Pixels<'p> {
             area * attraction.energy(&pressed.gap, &half_differences(&pressed.gap, self.pressing.boundary))
         });
         pressed.stored = Energy { elastic, surface };
+        pressed.dissipated = self.dissipated();
+    }
+
+    /// Energy lost in the bodies so far [J].
+    pub(super) fn dissipated(&self) -> f64 {
         let remembered = self.memory.as_ref().map_or(0.0, Memory::dissipated);
-        pressed.dissipated = area * (remembered + self.dent.as_ref().map_or(0.0, |dent| dent.dissipated));
+        let dented = self.dent.as_ref().map_or(0.0, |dent| dent.dissipated);
+        area(self.pressing.heights.pixel) * (remembered + dented)
     }
 }
 

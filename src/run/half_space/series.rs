@@ -1,7 +1,7 @@
 //! A history on pixels: states one after the other, each starting from the pressure of the last.
 
 use super::distribution::Distribution;
-use super::ledger::Ledger;
+use super::ledger::{Entry, Ledger};
 use super::pixels::Pixels;
 use super::pressed::Pressed;
 use super::state::{Pressing, State, of_disc};
@@ -219,7 +219,9 @@ impl<'p> Series<'p> {
         let mut state = self.pressing.told(&pressed, stiffness);
         if self.pixels.attraction().is_some() {
             let normal = &mut state.normal;
-            normal.dissipated = self.ledger.lost(normal.force, normal.indentation, normal.stored.stored());
+            let accounted = normal.stored.stored() + normal.dissipated;
+            let entry = normal.indentation.map(|depth| Entry { force: normal.force, depth, accounted });
+            normal.dissipated += self.ledger.lost(entry);
         }
         if self.plan.profile().is_some() && self.plan.surface().is_none() {
             state.normal.contact_radius = self.radius(&pressed, &state);
@@ -246,7 +248,7 @@ impl<'p> Series<'p> {
         let mut state = self.pressing.apart(0.0);
         state.normal.indentation = None;
         state.pixels.mean_gap = None;
-        state.normal.dissipated = self.ledger.lost(0.0, None, 0.0);
+        state.normal.dissipated = self.pixels.dissipated() + self.ledger.lost(None);
         state
     }
 
