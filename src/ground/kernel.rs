@@ -20,14 +20,28 @@ const LONGEST: f64 = 2.0;
 /// Longest panel in the phase.
 const PHASE: f64 = 24.0;
 
-/// κ(y) = ∫₀^∞ (1 − M(t)) cos(ty) dt [1], lengths in thicknesses of the top layer.
+/// κ(y) = ∫₀^∞ (1 − M(t)) cos(ty) dt [1], and the same with J₀(ty), lengths in thicknesses of the top layer.
 #[derive(Clone)]
 pub(super) struct Kernel {
     /// 1 − M(t).
     lacking: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
     /// A wave number below which M does not change.
     least: f64,
-    octaves: Vec<OnceLock<Chebyshev>>,
+    straight: Octaves,
+    round: Octaves,
+}
+
+/// A transform of 1 − M, octave by octave of the distance.
+#[derive(Clone)]
+struct Octaves {
+    wave: fn(f64) -> f64,
+    kept: Vec<OnceLock<Chebyshev>>,
+}
+
+impl Octaves {
+    fn of(wave: fn(f64) -> f64) -> Self {
+        Self { wave, kept: vec![OnceLock::new(); OCTAVES] }
+    }
 }
 
 impl Debug for Kernel {
@@ -39,29 +53,39 @@ impl Debug for Kernel {
 impl Kernel {
     /// With M(t) that does not change below the wave number `least`.
     pub(super) fn new(lacking: impl Fn(f64) -> f64 + Send + Sync + 'static, least: f64) -> Self {
-        Self { lacking: Arc::new(lacking), least, octaves: vec![OnceLock::new(); OCTAVES] }
+        Self { lacking: Arc::new(lacking), least, straight: Octaves::of(f64::cos), round: Octaves::of(libm::j0) }
+    }
+
+    /// 1 − M at the wave number `t`.
+    pub(super) fn lacking(&self, t: f64) -> f64 {
+        (self.lacking)(t)
     }
 
     /// K(x, ξ) = (2/π)∫(1 − M) cos kx cos kξ dk.
     pub(super) fn between(&self, x: f64, other: f64) -> f64 {
-        std::f64::consts::FRAC_1_PI * (self.at((x - other).abs()) + self.at(x + other))
+        let straight = |y: f64| self.at(y, &self.straight);
+        std::f64::consts::FRAC_1_PI * (straight((x - other).abs()) + straight(x + other))
     }
 
-    /// κ at the distance `y` ≥ 0.
-    fn at(&self, y: f64) -> f64 {
+    /// ∫₀^∞ (1 − M(t)) J₀(tr) dt at the distance `r` ≥ 0.
+    pub(super) fn around(&self, r: f64) -> f64 {
+        self.at(r, &self.round)
+    }
+
+    fn at(&self, y: f64, octaves: &Octaves) -> f64 {
         let octave = if y < 1.0 { 0 } else { octave_of(y) };
-        match self.octaves.get(octave) {
-            Some(kept) => kept.get_or_init(|| self.octave(octave)).at(y),
-            None => transformed(&self.samples(y), y),
+        match octaves.kept.get(octave) {
+            Some(kept) => kept.get_or_init(|| self.octave(octave, octaves.wave)).at(y),
+            None => transformed(&self.samples(y), octaves.wave, y),
         }
     }
 
-    /// κ over the octave that ends at 2ⁿ; the first one begins at the axis.
-    fn octave(&self, octave: usize) -> Chebyshev {
+    /// The transform over the octave that ends at 2ⁿ; the first one begins at the axis.
+    fn octave(&self, octave: usize, wave: fn(f64) -> f64) -> Chebyshev {
         let high = (octave as f64).exp2();
         let samples = self.samples(high);
         let interval = (if octave == 0 { 0.0 } else { 0.5 * high }, high);
-        Chebyshev::of(|y| transformed(&samples, y), NODES, interval).trimmed(FLOOR)
+        Chebyshev::of(|y| transformed(&samples, wave, y), NODES, interval).trimmed(FLOOR)
     }
 
     /// Wave numbers and 1 − M times their weight, for distances up to `y`.
@@ -91,6 +115,6 @@ fn octave_of(y: f64) -> usize {
     y.log2().floor() as usize + 1
 }
 
-fn transformed(samples: &[(f64, f64)], y: f64) -> f64 {
-    samples.iter().map(|&(t, lacking)| lacking * (t * y).cos()).sum()
+fn transformed(samples: &[(f64, f64)], wave: fn(f64) -> f64, y: f64) -> f64 {
+    samples.iter().map(|&(t, lacking)| lacking * wave(t * y)).sum()
 }

@@ -11,7 +11,7 @@ use crate::numerics::{legendre, root};
 use crate::shape::Profile;
 use std::collections::VecDeque;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError};
 
 /// Nodes per octave of the radius.
 const NODES: usize = 20;
@@ -21,6 +21,13 @@ const FIRST: f64 = 0.25;
 const OCTAVES: u32 = 9;
 /// Most octaves below: a radius of 1e-15 thicknesses.
 const FINER: u32 = 48;
+
+/// Places and weights along each side of a rectangle that is smaller than a layer, and along larger ones.
+static RULES: LazyLock<[Vec<(f64, f64)>; 2]> =
+    LazyLock::new(|| [4, 16].map(|count| (0..count).map(|k| quadrature::node_and_weight(count, k)).collect()));
+
+/// Shares of bodies that add up to one are wrong by less.
+const WHOLE: f64 = 1e-12;
 
 /// Relative error of stiffness and depth at most, on bases over twelve decades of the modulus.
 pub(super) const TABLES: f64 = 1e-10;
@@ -33,6 +40,8 @@ pub(super) const TABLES: f64 = 1e-10;
 pub struct Layers {
     unit: f64,
     kernel: Kernel,
+    /// E* times what the whole gives per uniform pressure [m]; infinite where it does so without an end.
+    compression: f64,
     /// Upper border of the first octave, in thicknesses.
     first: f64,
     octaves: Vec<OnceLock<Octave>>,
@@ -72,6 +81,9 @@ impl Layers {
         let tops = parts.iter().filter_map(|(_, stack)| stack.sheets.first());
         let unit = tops.map(|top| top.thickness).fold(f64::INFINITY, f64::min);
         let least = parts.iter().map(|(_, stack)| stack.least_wave_number()).fold(f64::INFINITY, f64::min);
+        let compression = parts.iter().map(|(share, stack)| share * stack.compression()).sum::<f64>();
+        // What a body without layers gives has no end.
+        let whole = parts.iter().map(|(share, _)| share).sum::<f64>() > 1.0 - WHOLE;
         let lacking = move |t: f64| parts.iter().map(|(share, stack)| share * stack.lacking(t / unit)).sum();
         let kernel = Kernel::new(lacking, least * unit);
         // Small punches have s = a/(1 − K(0, 0)a): a stiff layer on a soft base bends below far smaller ones.
@@ -80,6 +92,7 @@ impl Layers {
         Self {
             unit,
             kernel,
+            compression: if whole { compression } else { f64::INFINITY },
             first: FIRST / f64::from(finer).exp2(),
             octaves: vec![OnceLock::new(); (OCTAVES + finer) as usize],
             last: Mutex::default(),
@@ -270,6 +283,23 @@ impl Ground for Layers {
         breaks.extend(beyond.map(angle).collect::<Vec<_>>());
         let displaced = |x: f64| (if x <= a { load.at(x) } else { 0.0 }) - load.taken(&self.kernel, x);
         FRAC_2_PI * quadrature::panels(|theta| displaced(r * theta.sin()), (0.0, FRAC_PI_2), &breaks)
+    }
+
+    fn wave(&self, k: f64) -> f64 {
+        if k > 0.0 { 2.0 * (1.0 - self.kernel.lacking(k * self.unit)).max(0.0) / k } else { self.compression }
+    }
+
+    /// What a half-space gives without (1/π)∫∫∫(1 − M)J₀(kr)dk dA, which changes over a layer's thickness only.
+    fn under_rectangle(&self, away: [f64; 2], sides: [f64; 2], endless: f64) -> f64 {
+        let [small, large] = &*RULES;
+        let rule = if sides[0].max(sides[1]) > self.unit { large } else { small };
+        let along = |axis: usize, at: f64| (away[axis] + 0.5 * sides[axis] * at) / self.unit;
+        let row = |&(y, down): &(f64, f64)| {
+            let lacking = |&(x, across): &(f64, f64)| across * self.kernel.around(along(0, x).hypot(along(1, y)));
+            0.25 * down * rule.iter().map(lacking).sum::<f64>()
+        };
+        let area = sides[0] * (sides[1] / self.unit);
+        endless - FRAC_1_PI * area * rule.iter().map(row).sum::<f64>()
     }
 }
 

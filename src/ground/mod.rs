@@ -96,6 +96,14 @@ pub trait Ground: Debug + Send + Sync {
 
     /// Displacement [m] of the surface at the radius `r` over springs displaced by `springs` [m].
     fn surface(&self, springs: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64;
+
+    /// E* times what the surface gives per pressure cos kx [m], 2/k on a homogeneous half-space; `k` [1/m] from 0 on, a
+    /// uniform pressure, under which it may be infinite.
+    fn wave(&self, k: f64) -> f64;
+
+    /// E* times what the surface gives per pressure [m] at `away` [m] along x and y from the middle of a loaded rectangle
+    /// of the `sides` [m], on which a homogeneous half-space would give `endless` [m].
+    fn under_rectangle(&self, away: [f64; 2], sides: [f64; 2], endless: f64) -> f64;
 }
 
 /// The ground that lies under two bodies; `None` for two half-spaces, which need none.

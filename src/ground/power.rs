@@ -46,6 +46,12 @@ impl PowerLaw {
         self.constant * (x / self.depth).powf(self.exponent)
     }
 
+    /// A z₀^(−n) = cos(πn/2)/(πC) of the displacement A F/(E*r^(1+n)) round a force, which under the pressures of a flat
+    /// punch is 1.
+    fn round_force(&self) -> f64 {
+        FRAC_1_PI * (FRAC_PI_2 * self.exponent).cos() / self.constant
+    }
+
     /// Cz₀^(−n)/π (a²−r²)^((n−1)/2) with (a²−r²)^½ = `root` [1/m].
     fn punch(&self, root: f64) -> f64 {
         FRAC_1_PI * self.stiffness(root) / root
@@ -138,6 +144,25 @@ impl Ground for PowerLaw {
         let mut borders: Vec<f64> = from_top.into_iter().chain(toward).collect();
         borders.sort_by(f64::total_cmp);
         2.0 * FRAC_1_PI * (FRAC_PI_2 * n).cos() * (inner + quadrature::panels(outer, ends, &borders))
+    }
+
+    /// The transform of the displacement round a force: 2πA 2^(−n) Γ((1−n)/2)/Γ((1+n)/2) k^(n−1).
+    fn wave(&self, k: f64) -> f64 {
+        let n = self.exponent;
+        let gammas = tgamma(0.5 * (1.0 - n)) / tgamma(0.5 * (1.0 + n));
+        2.0 * PI * self.round_force() * (-n).exp2() * gammas * (k * self.depth).powf(n) / k
+    }
+
+    /// ∫∫A r^(−1−n)dA of the triangles from the point to the sides of the rectangle.
+    fn under_rectangle(&self, away: [f64; 2], sides: [f64; 2], _endless: f64) -> f64 {
+        let n = self.exponent;
+        let ends = [0, 1].map(|axis| [away[axis] - 0.5 * sides[axis], away[axis] + 0.5 * sides[axis]]);
+        let side = |distance: f64, [low, high]: [f64; 2]| {
+            let toward = |t: f64| (distance.hypot(t) / self.depth).powf(1.0 - n) / (distance * distance + t * t);
+            distance * quadrature::panel(toward, low, high)
+        };
+        let beyond = |axis: usize| side(ends[axis][1], ends[1 - axis]) - side(ends[axis][0], ends[1 - axis]);
+        self.round_force() * self.depth / (1.0 - n) * (beyond(0) + beyond(1))
     }
 }
 

@@ -62,4 +62,14 @@ impl Ground for Springs {
     fn surface(&self, springs: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
         if ends.last().is_some_and(|&last| r <= last) { springs(r) } else { 0.0 }
     }
+
+    fn wave(&self, _k: f64) -> f64 {
+        self.thickness
+    }
+
+    /// Springs that are not loaded stay.
+    fn under_rectangle(&self, away: [f64; 2], sides: [f64; 2], _endless: f64) -> f64 {
+        let loaded = away.iter().zip(sides).all(|(away, side)| 2.0 * away.abs() <= side);
+        if loaded { self.thickness } else { 0.0 }
+    }
 }

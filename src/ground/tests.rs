@@ -243,6 +243,80 @@ fn pressure_and_surface_fit_together() {
     }
 }
 
+/// Nine rectangles are one of three times their sides, near and far, wide and narrow; on a body without a grading, or
+/// under layers that are all one, they are those of a half-space.
+#[test]
+fn rectangles_add_up_to_a_larger_one() {
+    let graded = |exponent: f64| {
+        PowerLaw::from(&Graded {
+            young: Modulus::new(1.0).unwrap(),
+            depth: Length::new(0.7).unwrap(),
+            exponent: GradingExponent::new(exponent).unwrap(),
+            poisson: Poisson::new(0.3).unwrap(),
+        })
+    };
+    let layers = |stack: Stack| Layers::new(vec![(1.0, stack)]);
+    let grounds: [Box<dyn Ground>; 6] = [
+        Box::new(layers(on_rigid(0.5, Joint::Bonded))),
+        Box::new(layers(on_rigid(0.3, Joint::Sliding))),
+        Box::new(layers(on_base(1e4, 0.3, 0.2))),
+        Box::new(layers(on_base(1e-4, 0.3, 0.5))),
+        Box::new(graded(0.4)),
+        Box::new(graded(0.9)),
+    ];
+    // On a half-space: E*u/p by the corners, (1/π)Σ±[x ln(y + r) + y ln(x + r)] (Johnson 1985, eq. 3.25).
+    let endless = |[x, y]: [f64; 2], [width, height]: [f64; 2]| {
+        let corner = |x: f64, y: f64| x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh();
+        let (left, right) = (x - 0.5 * width, x + 0.5 * width);
+        let (lower, upper) = (y - 0.5 * height, y + 0.5 * height);
+        (corner(right, upper) - corner(left, upper) - corner(right, lower) + corner(left, lower)) / std::f64::consts::PI
+    };
+    for (number, ground) in grounds.iter().enumerate() {
+        for side in [0.01, 0.2, 0.9] {
+            let sides = [side, 0.7 * side];
+            let at = |[x, y]: [f64; 2], sides: [f64; 2]| ground.under_rectangle([x, y], sides, endless([x, y], sides));
+            for away in [[0.0, 0.0], [2.0, 0.0], [1.0, 3.0], [40.0, 7.0]] {
+                let place = [away[0] * sides[0], away[1] * sides[1]];
+                let part = |k: i32| {
+                    let shift = [f64::from(k / 3 - 1) * sides[0], f64::from(k % 3 - 1) * sides[1]];
+                    at([place[0] + shift[0], place[1] + shift[1]], sides)
+                };
+                let (small, large) = ((0..9).map(part).sum::<f64>(), at(place, sides.map(|side| 3.0 * side)));
+                // Of what a half-space gives at its middle, rounding and the four nodes across a layer: 1e-7 of it.
+                let scale = endless([0.0; 2], sides.map(|side| 3.0 * side)).max(at([0.0; 2], sides));
+                assert!((small - large).abs() < 1e-7 * scale, "{number} {side} {away:?}: {small:e} {large:e}");
+            }
+        }
+    }
+    let plain = endless([0.3, 0.1], [0.2, 0.1]);
+    let same = layers(on_base(1.0, 0.3, 0.3)).under_rectangle([0.3, 0.1], [0.2, 0.1], plain);
+    let barely = graded(1e-12).under_rectangle([0.3, 0.1], [0.2, 0.1], plain);
+    assert!((same / plain - 1.0).abs() < 1e-13 && (barely / plain - 1.0).abs() < 1e-10, "{plain} {same} {barely}");
+}
+
+/// What rectangles that cover the plane give together is what a uniform pressure does: h(1−2ν)/(2G(1−ν)) (oedometer).
+#[test]
+fn a_covered_plane_is_compressed() {
+    for (poisson, joint) in [(0.0, Joint::Bonded), (0.3, Joint::Bonded), (0.45, Joint::Bonded)] {
+        let ground = Layers::new(vec![(1.0, on_rigid(poisson, joint))]);
+        let side = 0.25;
+        let corner = |x: f64, y: f64| x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh();
+        let endless = |x: f64, y: f64| {
+            let (left, right, lower, upper) = (x - 0.5 * side, x + 0.5 * side, y - 0.5 * side, y + 0.5 * side);
+            (corner(right, upper) - corner(left, upper) - corner(right, lower) + corner(left, lower))
+                / std::f64::consts::PI
+        };
+        let along = || (-80..=80).map(|k| f64::from(k) * side);
+        let given = |x: f64, y: f64| ground.under_rectangle([x, y], [side; 2], endless(x, y));
+        let all: f64 = along().map(|x| along().map(|y| given(x, y)).sum::<f64>()).sum();
+        // With G of one: E* = 2/(1−ν).
+        let right = (1.0 - 2.0 * poisson) / (1.0 - poisson).powi(2);
+        assert!((ground.wave(0.0) / right - 1.0).abs() < 1e-14);
+        // Beyond twenty thicknesses hardly anything is left; ν near one half it falls off most slowly.
+        assert!((all / right - 1.0).abs() < 1e-6, "{poisson}: {all} {right}");
+    }
+}
+
 /// A graded half-space as thousands of layers, each a little thicker than the one above: k = 2E*Ca^(1+n)/(1+n)z₀ⁿ
 /// comes from u = (2T/E*)z₀ⁿk^(n−1)p by C = π/(2ⁿ T Γ((1+n)/2)²), and T from the layers alone.
 #[test]

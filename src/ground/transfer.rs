@@ -90,6 +90,15 @@ impl Stack {
         FAR / (thickness * contrast)
     }
 
+    /// E* of an endless top layer times what the whole gives per uniform pressure [m]: Σh(1−2ν)/(2G(1−ν)) on a rigid
+    /// base, infinite on one that gives, or without a layer.
+    #[must_use]
+    pub fn compression(&self) -> f64 {
+        let (Some(top), None) = (self.sheets.first(), &self.base) else { return f64::INFINITY };
+        let given = |sheet: &Sheet| sheet.thickness * (0.5 - sheet.poisson) / (sheet.shear * (1.0 - sheet.poisson));
+        2.0 * top.shear / (1.0 - top.poisson) * self.sheets.iter().map(given).sum::<f64>()
+    }
+
     /// 1 − M(k) [1], where M is what the surface gives under p = cos kx, u = (2/E*k)M cos kx with E* of the topmost
     /// layer: 1 for an endless one. `k` [1/m] above zero.
     ///

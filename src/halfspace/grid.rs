@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::kernel::{Influence, Rectangle};
+use super::kernel::{Beneath, Influence, KernelTable, Rectangle};
 use super::transform::{Multiplier, Size, good_length, spectrum_of_even};
 
 /// Fewest pixels a side may have to be halved once more.
@@ -161,16 +161,19 @@ pub(super) struct Operators {
 }
 
 impl Operators {
-    pub(super) fn new(grid: &Grid, size: Size, law: Law) -> Self {
+    /// Over the ground `beneath`, if that is not a half-space.
+    pub(super) fn new(grid: &Grid, size: Size, law: Law, beneath: Option<Beneath<'_>>) -> Self {
         match law {
-            Law::PeriodicSpace | Law::PeriodicPlane => Self::periodic(grid),
-            Law::FreeSpace => Self::free(size, Influence::Rectangle(Rectangle::new(grid.pixel[0], grid.pixel[1]))),
+            Law::PeriodicSpace | Law::PeriodicPlane => {
+                Self::periodic(grid, beneath.map(|beneath| beneath.in_units(grid.unit())))
+            }
+            Law::FreeSpace => Self::free(size, influence(grid, beneath)),
             Law::FreePlane(datum) => Self::free(size, Influence::Strip { datum: datum / grid.unit() }),
         }
     }
 
     /// Zero-padded convolution, and the inverse of the circulant nearest to it (T. Chan 1988).
-    fn free(size: Size, kernel: Influence) -> Self {
+    pub(super) fn free(size: Size, kernel: Influence<'_>) -> Self {
         let (period, table) = kernel_table(size, kernel);
         let circulant = Size { rows: period.rows.div_ceil(2), columns: period.columns / 2 };
         let nearest = circulant_table(&table, period, circulant);
@@ -182,11 +185,13 @@ impl Operators {
         }
     }
 
-    fn periodic(grid: &Grid) -> Self {
-        let symbol = wave_numbers(grid);
-        let lowest = symbol[1..].iter().copied().reduce(f64::min).unwrap_or(1.0);
-        let compliance: Vec<f64> = symbol.iter().map(|&q| if q > 0.0 { 2.0 / q } else { 0.0 }).collect();
-        let stiffness = symbol.into_iter().map(|q| if q > 0.0 { q / 2.0 } else { lowest / 2.0 }).collect();
+    /// Every wave by itself; where a uniform pressure sinks everything without an end, the mean displacement is zero.
+    fn periodic(grid: &Grid, beneath: Option<Beneath<'_>>) -> Self {
+        let endless = |q: f64| if q > 0.0 { 2.0 / q } else { 0.0 };
+        let given = |q: f64| beneath.map_or_else(|| endless(q), |beneath| beneath.wave(q));
+        let compliance: Vec<f64> = wave_numbers(grid).into_par_iter().map(given).collect();
+        let softest = compliance.iter().copied().reduce(f64::max).filter(|&most| most > 0.0).unwrap_or(2.0);
+        let stiffness = compliance.iter().map(|&given| if given > 0.0 { given } else { softest }.recip()).collect();
         Self {
             compliance: mean_over_period(&compliance, grid.size),
             influence: Multiplier::new(grid.size, grid.size, compliance),
@@ -195,8 +200,21 @@ impl Operators {
     }
 }
 
+/// Influence of a pixel on the half-space, or on the ground `beneath`.
+fn influence<'g>(grid: &Grid, beneath: Option<Beneath<'g>>) -> Influence<'g> {
+    let rectangle = Rectangle::new(grid.pixel[0], grid.pixel[1]);
+    let over = |beneath: Beneath<'g>| Influence::Over(rectangle, beneath.in_units(grid.unit()));
+    beneath.map_or(Influence::Rectangle(rectangle), over)
+}
+
+/// Influences on the free window of a grid, for all smaller ones.
+pub(super) fn kept(grid: &Grid, beneath: Option<Beneath<'_>>) -> KernelTable {
+    let (period, values) = kernel_table(grid.size, influence(grid, beneath));
+    KernelTable { stride: period.columns / 2 + 1, values }
+}
+
 /// Padded period of a free window and the influence of one pixel over a quarter of it.
-pub(super) fn kernel_table(size: Size, kernel: Influence) -> (Size, Vec<f64>) {
+pub(super) fn kernel_table(size: Size, kernel: Influence<'_>) -> (Size, Vec<f64>) {
     let rows = if size.rows == 1 { 1 } else { 2 * good_length(size.rows) };
     let period = Size { rows, columns: 2 * good_length(size.columns) };
     let half = period.columns / 2 + 1;

@@ -48,7 +48,8 @@ impl Input {
         let bytes = self.check(settings)?;
         let mut heights: Vec<f64> = (0..self.size.pixels()).map(height).collect();
         let range = self.range(&heights)?;
-        let Some(scale) = self.height_scale(range)? else {
+        let floats = response.is_none_or(|response| response.compression() <= 0.0);
+        let Some(scale) = self.height_scale(range, floats)? else {
             return Ok(self.apart(range.low, bytes));
         };
         heights.iter_mut().for_each(|height| *height = (*height - range.low) / scale);
@@ -60,6 +61,8 @@ impl Input {
         };
         let task = Task {
             whole: response.map(SurfaceResponse::operators),
+            kept: response.and_then(SurfaceResponse::kept),
+            beneath: response.and_then(|response| response.beneath(self.unit())),
             hardness: hardness / pressure_unit,
             ..self.task(heights, [range.low, scale], settings)
         };
@@ -107,11 +110,12 @@ impl Input {
         Ok(HeightBounds { low, high, mean })
     }
 
-    /// Height that becomes 1, or nothing if the bodies do not touch.
-    fn height_scale(&self, range: HeightBounds) -> Result<Option<f64>, HalfSpaceError> {
+    /// Height that becomes 1, or nothing if the bodies do not touch; what `floats` has no mean displacement and is never
+    /// pressed beyond full contact.
+    fn height_scale(&self, range: HeightBounds, floats: bool) -> Result<Option<f64>, HalfSpaceError> {
         match self.control {
             Prescribed::Indentation(depth) if depth <= range.low => Ok(None),
-            Prescribed::Indentation(depth) if self.law.is_periodic() && depth >= range.mean => {
+            Prescribed::Indentation(depth) if floats && self.law.is_periodic() && depth >= range.mean => {
                 Err(HalfSpaceError::FullContact { indentation: depth, mean: range.mean })
             }
             Prescribed::Indentation(depth) => Ok(Some(depth - range.low)),
@@ -151,7 +155,17 @@ impl Input {
         let pixel = self.pixel.map(|side| side / self.unit());
         let grid = Grid { size: self.size, pixel, heights };
         let Settings { tolerance, max_iterations, .. } = *settings;
-        Task { grid, law, wanted, tolerance, max_iterations, hardness: f64::INFINITY, whole: None }
+        Task {
+            grid,
+            law,
+            wanted,
+            tolerance,
+            max_iterations,
+            hardness: f64::INFINITY,
+            whole: None,
+            beneath: None,
+            kept: None,
+        }
     }
 
     fn origin(&self, start: Start<'_>, pressure_unit: f64) -> Result<Origin, HalfSpaceError> {

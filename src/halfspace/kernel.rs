@@ -1,13 +1,18 @@
 //! Surface displacement of one uniformly loaded pixel, in units of the pixel.
 
+use crate::ground::Ground;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 /// Influence of a unit pressure on the pixel at the origin; lengths in pixels' mean size,
 /// displacement in (pressure × mean pixel size / E*).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Influence {
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Influence<'g> {
     /// Half-space under a uniformly loaded rectangle of these sides (product 1).
     Rectangle(Rectangle),
+    /// The same, over a ground that is not alike at all depths.
+    Over(Rectangle, Beneath<'g>),
+    /// What was computed before, on a window at least as large.
+    Kept(&'g KernelTable),
     /// Half-plane under a uniformly loaded strip of width 1, displacement zero at this distance.
     Strip {
         /// Distance of the datum from the load, in strips.
@@ -15,11 +20,44 @@ pub(super) enum Influence {
     },
 }
 
-impl Influence {
+/// Influences of a pixel on a quarter of a window, row after row.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct KernelTable {
+    pub(super) stride: usize,
+    pub(super) values: Vec<f64>,
+}
+
+/// A ground that is not alike at all depths, and a length of the solver in metres.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Beneath<'g> {
+    pub(super) ground: &'g dyn Ground,
+    pub(super) unit: f64,
+}
+
+impl Beneath<'_> {
+    /// The same where lengths are measured in `units` of the present one.
+    pub(super) fn in_units(self, units: f64) -> Self {
+        Self { unit: units * self.unit, ..self }
+    }
+
+    /// What a wave gives, in lengths of the solver; zero for an endless one under which everything sinks without an end.
+    pub(super) fn wave(self, q: f64) -> f64 {
+        let given = self.ground.wave(q / self.unit) / self.unit;
+        if given.is_finite() { given } else { 0.0 }
+    }
+}
+
+impl Influence<'_> {
     /// Displacement at the centre of the pixel `row`, `column` steps away.
     pub(super) fn at(&self, row: usize, column: usize) -> f64 {
         match self {
             Self::Rectangle(rectangle) => rectangle.at(row, column),
+            Self::Over(rectangle, Beneath { ground, unit }) => {
+                let sides = [unit * rectangle.width, unit * rectangle.height];
+                let away = [column as f64 * sides[0], row as f64 * sides[1]];
+                ground.under_rectangle(away, sides, unit * rectangle.at(row, column)) / unit
+            }
+            Self::Kept(KernelTable { stride, values }) => values[row * stride + column],
             Self::Strip { datum } => FRAC_2_PI * (datum.ln() - mean_log(column)),
         }
     }

@@ -41,6 +41,7 @@ mod face;
 mod grid;
 mod input;
 mod kernel;
+mod leak;
 mod line;
 mod pieces;
 mod response;
@@ -52,6 +53,7 @@ mod yielding;
 
 pub use crate::shape::Boundary;
 pub use error::HalfSpaceError;
+pub use leak::leak;
 pub use line::{PlaneBoundary, PlaneProblem, PlaneSolution, solve_plane};
 pub use pieces::{Pieces, pieces};
 pub use response::SurfaceResponse;

@@ -1,9 +1,13 @@
 //! The surface under pressures that are given.
 
-use super::grid::{Grid, Law, Operators};
+use super::grid::{self, Grid, Law, Operators};
+use super::kernel::{Beneath, Influence, KernelTable};
 use super::transform::{Scratch, Size};
 use super::{Boundary, PressedMap};
+use crate::ground::Ground;
 use ndarray::{Array2, ArrayView2};
+use std::fmt::{self, Debug, Formatter};
+use std::sync::Arc;
 
 /// What pressures do to the pixels of a half-space, whatever lies on it: u = G p.
 ///
@@ -23,31 +27,55 @@ use ndarray::{Array2, ArrayView2};
 /// ```
 pub struct SurfaceResponse {
     operators: Operators,
+    /// Influences that smaller windows share; none where every wave stands for itself.
+    kept: Option<KernelTable>,
     /// Rows and columns, width and height of a pixel \[m\], and what is beyond the border.
     pixels: ([usize; 2], [f64; 2], Boundary),
     /// Mean side of a pixel \[m\].
     unit: f64,
     /// Largest pressure \[Pa\].
     hardness: f64,
+    /// What lies beneath, if it is no half-space.
+    ground: Option<Arc<dyn Ground>>,
+}
+
+impl Debug for SurfaceResponse {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { pixels, hardness, ground, .. } = self;
+        f.debug_struct("SurfaceResponse")
+            .field("pixels", pixels)
+            .field("hardness", hardness)
+            .field("ground", ground)
+            .finish_non_exhaustive()
+    }
 }
 
 impl SurfaceResponse {
     /// Of `[rows, columns]` pixels of the width and height `pixel` \[m\].
     #[must_use]
-    pub fn new([rows, columns]: [usize; 2], pixel: [f64; 2], boundary: Boundary) -> Self {
+    pub fn new(size: [usize; 2], pixel: [f64; 2], boundary: Boundary) -> Self {
+        Self::over(None, size, pixel, boundary)
+    }
+
+    /// The same over layers or another ground that is not alike at all depths, a homogeneous half-space if absent. Where
+    /// a layer between rigid bodies ends, the displacement that repeats has a mean too.
+    #[must_use]
+    pub fn over(
+        ground: Option<Arc<dyn Ground>>,
+        [rows, columns]: [usize; 2],
+        pixel: [f64; 2],
+        boundary: Boundary,
+    ) -> Self {
         let size = Size { rows, columns };
         let unit = pixel[0].sqrt() * pixel[1].sqrt();
         let grid = Grid { size, pixel: pixel.map(|side| side / unit), heights: Vec::new() };
-        let law = match boundary {
-            Boundary::Free => Law::FreeSpace,
-            Boundary::Periodic => Law::PeriodicSpace,
+        let under = beneath(ground.as_ref(), unit);
+        let kept = (boundary == Boundary::Free).then(|| grid::kept(&grid, under));
+        let operators = match &kept {
+            Some(kept) => Operators::free(size, Influence::Kept(kept)),
+            None => Operators::new(&grid, size, Law::PeriodicSpace, under),
         };
-        Self {
-            operators: Operators::new(&grid, size, law),
-            pixels: ([rows, columns], pixel, boundary),
-            unit,
-            hardness: f64::INFINITY,
-        }
+        Self { operators, kept, pixels: ([rows, columns], pixel, boundary), unit, hardness: f64::INFINITY, ground }
     }
 
     /// The same surface, which yields under the pressure `hardness` \[Pa\]: no pixel carries more (Persson 2001;
@@ -63,9 +91,26 @@ impl SurfaceResponse {
         self.hardness
     }
 
+    /// E* times what a uniform pressure gives where everything repeats \[m\]; 0 where that has no end, and the mean
+    /// displacement is zero.
+    #[must_use]
+    pub fn compression(&self) -> f64 {
+        self.beneath(1.0).map_or(0.0, |beneath| beneath.wave(0.0))
+    }
+
     /// Whether the map has the same pixels.
     pub(super) fn suits(&self, map: &PressedMap<'_>) -> bool {
         self.pixels == (map.heights.dim().into(), map.pixel, map.boundary)
+    }
+
+    /// What lies beneath, lengths in `unit` \[m\].
+    pub(super) fn beneath(&self, unit: f64) -> Option<Beneath<'_>> {
+        beneath(self.ground.as_ref(), unit)
+    }
+
+    /// Influences on a window of the pixels.
+    pub(super) fn kept(&self) -> Option<&KernelTable> {
+        self.kept.as_ref()
     }
 
     pub(super) fn operators(&self) -> &Operators {
@@ -85,4 +130,8 @@ impl SurfaceResponse {
         let columns = pressure.ncols();
         Array2::from_shape_fn(pressure.dim(), |(row, column)| scale * displacement[row * columns + column])
     }
+}
+
+fn beneath(ground: Option<&Arc<dyn Ground>>, unit: f64) -> Option<Beneath<'_>> {
+    ground.map(|ground| Beneath { ground: ground.as_ref(), unit })
 }

@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use super::HalfSpaceError;
 use super::face::{Budget, Goal, GridContact, GridSolution};
 use super::grid::{Grid, Law, Operators, Window};
+use super::kernel::{Beneath, Influence, KernelTable};
 use super::transform::Scratch;
 use super::vector::{total, update};
 
@@ -28,6 +29,10 @@ pub(super) struct Task<'o> {
     pub(super) hardness: f64,
     /// The maps of the whole grid, where they are known already.
     pub(super) whole: Option<&'o Operators>,
+    /// What lies beneath, if it is no half-space.
+    pub(super) beneath: Option<Beneath<'o>>,
+    /// Influences on the finest grid, where they are known already.
+    pub(super) kept: Option<&'o KernelTable>,
 }
 
 /// What is prescribed, whatever the grid.
@@ -99,7 +104,7 @@ impl Task<'_> {
         let mut pressure = self.coarser_start(&coarse, scratch);
         let mut effort = Budget { iterations: 0, products: 0, limit: self.max_iterations };
         if let Some(window) = self.window(&coarse, &pressure) {
-            let operators = Operators::new(&coarse, window.size, self.law);
+            let operators = Operators::new(&coarse, window.size, self.law, self.beneath);
             let (goal, hardness) = (self.goal(&coarse), self.hardness_on(&coarse));
             let part = WindowedGrid { operators: &operators, grid: &coarse, window, goal, hardness };
             part.solve(&mut pressure, COARSE_TOLERANCE.max(self.tolerance), &mut effort, scratch);
@@ -125,9 +130,14 @@ impl Task<'_> {
         let mut rounds = 0;
         let mut window = self.window(grid, &pressure).unwrap_or(grid.whole());
         let made = OnceCell::new();
-        let whole = || self.whole.unwrap_or_else(|| made.get_or_init(|| Operators::new(grid, grid.size, self.law)));
+        let whole = || {
+            self.whole.unwrap_or_else(|| made.get_or_init(|| Operators::new(grid, grid.size, self.law, self.beneath)))
+        };
         loop {
-            let small = (window != grid.whole()).then(|| Operators::new(grid, window.size, self.law));
+            let small = (window != grid.whole()).then(|| match self.kept {
+                Some(kept) => Operators::free(window.size, Influence::Kept(kept)),
+                None => Operators::new(grid, window.size, self.law, self.beneath),
+            });
             let operators = match &small {
                 Some(small) => small,
                 None => whole(),

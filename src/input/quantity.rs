@@ -244,6 +244,8 @@ pub type Frequency = Quantity<Hertz, AboveZero>;
 pub type Mass = Quantity<Kilogram, AboveZero>;
 /// A viscosity [Pa s], zero for none.
 pub type Viscosity = Quantity<PascalSecond, NotNegative>;
+/// A positive viscosity of a fluid [Pa s].
+pub type FluidViscosity = Quantity<PascalSecond, AboveZero>;
 /// Volume worn per path and normal force [m²/N], zero for none.
 pub type WearCoefficient = Quantity<SquareMetrePerNewton, NotNegative>;
 /// Poisson's ratio.

@@ -105,6 +105,8 @@ pub struct PixelContact {
     pub percolates: bool,
     /// Whether the gap does.
     pub gap_percolates: bool,
+    /// Flow of a fluid through the gap per difference of its pressure [m³/(Pa s)], if that is asked for.
+    pub leak: Option<f64>,
 }
 
 impl PixelContact {
@@ -117,6 +119,7 @@ impl PixelContact {
         patches: 0,
         percolates: false,
         gap_percolates: true,
+        leak: None,
     };
 }
 
@@ -237,6 +240,14 @@ const PIXELS: &[Column<Record>] = &[
     Column::new("contact_patches", Unit::ONE, "patches of contact", |record| count(record.pixels?.patches)),
 ];
 
+/// What the gap lets through.
+pub const LEAK: Column<Record> =
+    Column::new("leak_conductance", Unit::CUBIC_METRE_PER_PASCAL_SECOND, "leak conductance Q/Δp", |record| {
+        record.pixels?.leak
+    });
+/// Columns of a gap with a fluid in it.
+const LEAKING: &[Column<Record>] = &[LEAK];
+
 #[expect(clippy::cast_precision_loss, reason = "pixels are far fewer than 2^53")]
 fn count(count: usize) -> Option<f64> {
     Some(count as f64)
@@ -250,6 +261,7 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let glides = records.iter().any(|record| record.gliding.is_some());
     let wears = records.iter().any(|record| record.worn.is_some());
     let pixels = records.iter().any(|record| record.pixels.is_some());
+    let leaks = records.iter().any(|record| record.pixels.is_some_and(|pixels| pixels.leak.is_some()));
     let driven = records.iter().any(|record| record.machine.is_some());
     let drawn = records.iter().any(|record| record.machine.is_some_and(|machine| machine.drawn.is_some()));
     let rated = records.iter().any(|record| record.machine.is_some_and(|machine| machine.rated.is_some()));
@@ -257,6 +269,7 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
     std::iter::once((NORMAL, true))
         .chain(parts)
+        .chain([(LEAKING, leaks)])
         .chain(machine)
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()

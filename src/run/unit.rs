@@ -26,6 +26,9 @@ impl Unit {
     pub const METRE: Self = Self { symbol: "m", ending: "_m", prefixed: true };
     /// A volume.
     pub const CUBIC_METRE: Self = Self { symbol: "m³", ending: "_m3", prefixed: false };
+    /// A flow per difference of pressure.
+    pub const CUBIC_METRE_PER_PASCAL_SECOND: Self =
+        Self { symbol: "m³/(Pa s)", ending: "_m3_per_pa_s", prefixed: false };
     /// A curvature.
     pub const PER_METRE: Self = Self { symbol: "1/m", ending: "_per_m", prefixed: false };
     /// An area.
@@ -58,9 +61,10 @@ impl Unit {
     pub const JOULE_PER_SQUARE_METRE: Self = Self { symbol: "J/m²", ending: "_j_per_m2", prefixed: true };
 
     /// All units that names end with.
-    const NAMED: [Self; 18] = [
+    const NAMED: [Self; 19] = [
         Self::METRE,
         Self::CUBIC_METRE,
+        Self::CUBIC_METRE_PER_PASCAL_SECOND,
         Self::SQUARE_METRE,
         Self::PER_PASCAL,
         Self::PER_METRE,

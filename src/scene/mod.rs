@@ -156,6 +156,8 @@ pub enum Plot {
     Contact,
     /// Distributions of pressure and gap, on pixels.
     Distribution,
+    /// What the gap lets through of a fluid against the force, on pixels.
+    Leak,
     /// Restitution against speed.
     Restitution,
     /// Displacement, speed and forces of a machine over time.

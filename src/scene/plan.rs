@@ -26,11 +26,12 @@ use crate::contact::foundation::Foundation;
 use crate::contact::rough::EdgeWorks;
 use crate::friction::Grip;
 use crate::friction::oblique::Ball;
+use crate::ground::Ground;
 use crate::input::quantity::Accuracy;
 use crate::material::{Pair, Relaxation, Times};
 use crate::scene::Scene;
 use crate::scene::history::Impact;
-use crate::scene::solver::SolverChoice;
+use crate::scene::solver::{Leak, SolverChoice};
 use crate::scene::stage::Stage;
 use crate::shape::{Boundary, PlaneWavy, Profile};
 use std::num::NonZeroUsize;
@@ -179,8 +180,12 @@ pub struct HalfSpacePlan {
     pub size: [usize; 2],
     /// Side of the window [m]; that of the surface, or found from the contact, if absent.
     pub window: Option<f64>,
+    /// What lies under them; absent for half-spaces that are alike at all depths.
+    pub ground: Option<Arc<dyn Ground>>,
     /// E*(t) of bodies that relax.
     pub relaxation: Option<Arc<Relaxation>>,
+    /// The fluid that the gap lets through.
+    pub leak: Option<Leak>,
     /// What pulls across the gap.
     pub attraction: ElasticAdhesion,
     /// Largest pressure [Pa] of a body that yields.

@@ -19,6 +19,8 @@ pub(super) struct Read {
     pub(super) joined: Option<Joined>,
     pub(super) relaxation: Option<Arc<Relaxation>>,
     pub(super) geometry: Option<Geometry>,
+    /// What lies under the bodies, if they are not alike at all depths.
+    pub(super) ground: Option<Arc<dyn Ground>>,
     pub(super) strength: Option<Arc<StrengthCurve>>,
     /// The times of the history.
     pub(super) times: Option<Times>,
@@ -34,15 +36,22 @@ impl Read {
         let times = times::of(scene, &motions);
         let joined = read.part("bodies", |tables| material::joined(&scene.bodies, tables, times)).flatten();
         let ground = joined.as_ref().and_then(|joined| ground::of(&joined.under));
-        let geometry = read.part("shape", |tables| Geometry::of(scene, tables)).map(|geometry| geometry.on(ground));
+        let geometry = read.part("shape", |tables| Geometry::of(scene, tables));
         Self {
             relaxation: joined.as_ref().and_then(|joined| joined.relaxation.clone()).map(Arc::new),
             joined,
             geometry,
+            ground,
             strength: read.part("friction", |tables| strength(scene.friction.as_ref(), tables)).flatten(),
             times,
             motions,
         }
+    }
+
+    /// What is pressed by the solver of a scene: pixels have the ground under them, springs are of the shape on it.
+    pub(super) fn geometry_for(&self, scene: &Scene) -> Option<Geometry> {
+        let geometry = self.geometry.clone()?;
+        Some(if scene.solver.is_some() { geometry } else { geometry.on(self.ground.clone()) })
     }
 }
 
@@ -72,7 +81,7 @@ impl Reading<'_> {
 }
 
 /// What is pressed, ready for evaluation.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) enum Geometry {
     Round(Arc<dyn Profile>),
     /// Roughness, on a smooth profile if not on a flat.

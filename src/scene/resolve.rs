@@ -93,11 +93,11 @@ fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<
     problems.extend(misfits(&read, Written { scene: &scene, entries: &entries, mended: &Mended::default() }));
     let impact = entries.iter().find_map(|entry| entry.impact.cloned());
     let stages = entries.into_iter().flat_map(|entry| entry.stages).collect();
-    match (&read.joined, &read.geometry) {
+    match (&read.joined, read.geometry_for(&scene)) {
         (Some(joined), Some(geometry)) if problems.is_empty() => {
             let pair = if scene.shape.is_plane() { joined.pair.long_across() } else { joined.pair };
             let shared = Shared { pair, scene, stages, read: read.clone() };
-            kind(shared, geometry, impact).ok_or_else(|| vec![rules::tips_without_pixels()])
+            kind(shared, &geometry, impact).ok_or_else(|| vec![rules::tips_without_pixels()])
         }
         (Some(_) | None, Some(_) | None) => Err(problems),
     }
@@ -105,8 +105,9 @@ fn decided(scene: Scene, read: Arc<Read>, mut problems: Vec<Problem>) -> Result<
 
 /// What is beyond the limits of a scene, and what does not fit together.
 fn misfits(read: &Read, written: Written<'_>) -> Vec<Problem> {
+    let geometry = read.geometry_for(written.scene);
     let parts = Parts {
-        profile: read.geometry.as_ref().and_then(Geometry::profile),
+        profile: geometry.as_ref().and_then(Geometry::profile),
         bodies: read.joined.as_ref(),
         strength: read.strength.as_deref(),
     };
@@ -161,7 +162,19 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
     let (relaxation, attraction) = (shared.read.relaxation.clone(), elastic(shared.scene.adhesion.as_ref()));
     let (one, other) = &shared.scene.bodies;
     let hardness = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min);
-    HalfSpacePlan { shared, indenter, boundary, size, window, relaxation, attraction, hardness }
+    let ground = shared.read.ground.clone();
+    HalfSpacePlan {
+        shared,
+        indenter,
+        boundary,
+        size,
+        window,
+        ground,
+        leak: asked.leak,
+        relaxation,
+        attraction,
+        hardness,
+    }
 }
 
 fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {

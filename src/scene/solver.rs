@@ -8,13 +8,13 @@
 //!
 //! let scene = Scene::from_ron(r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
 //!     history: [Indent(to: 1e-3, over: 1)], solver: HalfSpace(grid: 128))"#)?;
-//! let Some(SolverChoice::HalfSpace(HalfSpace { grid, window: None, boundary: None })) = scene.solver else { panic!() };
+//! let Some(SolverChoice::HalfSpace(HalfSpace { grid, window: None, boundary: None, leak: None })) = scene.solver else { panic!() };
 //! assert_eq!(grid.map(|grid| grid.get()), Some(128));
 //! # }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::input::quantity::Length;
+use crate::input::quantity::{FluidViscosity, Length};
 use crate::shape::Boundary;
 use serde::{Deserialize, Serialize};
 use std::num::NonZeroUsize;
@@ -45,4 +45,30 @@ pub struct HalfSpace {
     /// What happens at its edge; absent: `Periodic` for a spectrum on a flat, else `Free`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub boundary: Option<Boundary>,
+    /// The fluid that the gap lets through, if that is asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub leak: Option<Leak>,
+}
+
+/// A viscous fluid between the surfaces, which a difference of the pressure drives from one border to the other.
+///
+/// Its own pressure is far below that of the contact and does not open the gap.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Leak {
+    /// Viscosity η [Pa s].
+    pub viscosity: FluidViscosity,
+    /// The way it flows; absent: along x.
+    #[serde(default)]
+    pub along: Heading,
+}
+
+/// A direction on a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
+pub enum Heading {
+    /// Along the rows.
+    #[default]
+    X,
+    /// From row to row.
+    Y,
 }

@@ -137,11 +137,13 @@ impl HalfSpacePlan {
         let solver = Solver::new(
             "half-space",
             format!(
-                "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms{}, without friction",
+                "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms{}{}, without friction",
+                self.ground_in_words(),
                 self.bodies_in_words()
             ),
         );
         let (mut used, mut left_out) = (vec!["pixels of a half-space"], vec!["springs"]);
+        (if self.ground.is_some() { &mut used } else { &mut left_out }).push("layers");
         (if self.relaxation.is_some() { &mut used } else { &mut left_out }).push("relaxation");
         let pulls = self.attraction != ElasticAdhesion::None;
         (if pulls { &mut used } else { &mut left_out }).push("attraction across the gap");
@@ -149,6 +151,11 @@ impl HalfSpacePlan {
         (if self.profile().is_some() { &mut used } else { &mut left_out }).push("smooth shape");
         (if self.surface().is_some() { &mut used } else { &mut left_out }).push("rough surface");
         Parts { state_bytes: self.bytes(), ..Parts::new(solver, used, left_out) }
+    }
+
+    /// What lies under the pixels, in words.
+    fn ground_in_words(&self) -> &'static str {
+        if self.ground.is_some() { " over the transfer function of what lies beneath" } else { "" }
     }
 
     /// What the bodies are, in words.

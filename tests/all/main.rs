@@ -23,11 +23,13 @@ mod ground;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space;
 #[cfg(all(feature = "text", feature = "half-space"))]
+mod half_space_layers;
 mod half_space_past;
 mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;
 mod layers;
+mod leak;
 #[cfg(feature = "text")]
 mod machine;
 #[cfg(feature = "text")]

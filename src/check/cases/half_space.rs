@@ -2,13 +2,14 @@
 
 use crate::check::agreement::SelfAffineSquares;
 use crate::check::case::{Attempt, Case, Pairs, Proof};
-use crate::check::sketch::{Sketch, ball, result, si};
+use crate::check::sketch::{Sketch, ball, elastic, result, si};
 use crate::check::theory::{WavyParabola, Westergaard};
 use crate::contact::elliptic::EllipticHertz;
 use crate::halfspace::{
     Boundary, HalfSpaceError, PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, PressedMap, Settings, Solution,
     Start, solve, solve_plane,
 };
+use crate::material::{Body, Graded, Joint, Layer, Layered, Winkler};
 use crate::run::record::Record;
 use crate::shape::rough::{SelfAffine, SpectrumSource};
 use crate::shape::{Ellipsoid, RoughShape, Shape};
@@ -29,6 +30,7 @@ pub(super) const CASES: &[Case] = &[
         .by(bed_beside_half_space),
     Case::new("half-space/scene of a ball", Proof::Order, 1.0, "|ε| ≤ (Δ/a)²/8 in force and twice that in energy, a window of three radii found from the contact, under a depth and under a force; printed as the part of the bound used").weak("one ball").by(scene_of_ball),
     Case::new("half-space/scene of an ellipsoid", Proof::Order, 1.0, "|ε| ≤ (Δ/b)²/8 in the force at a depth and three times that in the peak pressure, printed as the part of the bound used").weak("radii 1 to 0.1 and one grid").by(scene_of_ellipsoid),
+    Case::new("half-space/layers beside the bed", Proof::Order, 1.0, "a bonded layer between rigid bodies, a stiff film on a soft base, a graded body, springs: |ε| ≤ 3(Δ/a)²/8 in force and twice that in energy, for the stiffness grows with the radius; printed as the part of the bound used").weak("one depth of a ball and one grid").by(over_layers),
     Case::new("half-space/work on a rough surface that repeats", Proof::Other, 1e-4, "dU = F dd with the trapezoid corrected by the stiffness at its ends, fourth order in a step of 1/32 of the force: force, depth, energy and stiffness against each other").weak("one surface; a contact whose pixels change between records is not smooth").by(work_on_rough),
     Case::new("half-plane/Westergaard wave", Proof::Order, 1.0, "half width to a strip, indentation d = Δt(1 − ln t), t = sin²(πa/λ), to (π/n)² of Δ; printed as the part of the bound used").weak("five loads, 1024 strips").by(westergaard),
     Case::new("half-plane/wavy parabola in one piece", Proof::Other, 4e-5, "the Chebyshev series of Kudish et al. 2.12 beside the half-plane solver of 2000 strips: pressure in the middle half, to (strip/wave)²").weak("one roughness and load").by(wavy_parabola),
@@ -45,6 +47,31 @@ fn scene_of_ball() -> Attempt<Pairs> {
     let energy = result(&by_depth, "work_j")?;
     let part = |found: f64, right: f64, bound: f64| ((found / right - 1.0) * square / bound, 0.0);
     Ok(vec![part(force, right, 1.0), part(depth, 0.01, 1.0), part(energy, 0.4 * right * 0.01, 2.0)])
+}
+
+/// Errors of pixels over what is not alike at all depths, as parts of their bounds, R = 1, E* of the order of one.
+fn over_layers() -> Attempt<Pairs> {
+    let grid = 96;
+    let square = 3.0 * 0.125 * (3.0 / grid as f64).powi(2);
+    let layered = |young: f64, thickness: f64, base: Body| -> Attempt<Body> {
+        let layer = Layer { body: elastic(young, 0.4)?, thickness: si(thickness)?, bond: None };
+        Ok(Body::Layered(Layered { layers: vec![layer], base: Box::new(base), bond: Joint::Bonded }))
+    };
+    let bodies = [
+        layered(1.0, 0.05, Body::Rigid)?,
+        layered(100.0, 0.01, elastic(1.0, 0.3)?)?,
+        Body::Graded(Graded { young: si(1.0)?, depth: si(0.1)?, exponent: si(0.6)?, poisson: si(0.3)? }),
+        Body::Winkler(Winkler { modulus: si(1.0)?, thickness: si(0.1)? }),
+    ];
+    let mut pairs = Pairs::new();
+    for body in bodies {
+        let scene = || Sketch::of(ball(1.0)).ground(Ok(body.clone())).steps(1).indent(0.01, 1.0);
+        let (bed, pixels) = (scene().run()?, scene().pixels(grid).run()?);
+        for (name, bound) in [("largest_force_n", square), ("work_j", 2.0 * square)] {
+            pairs.push(((result(&pixels, name)? / result(&bed, name)? - 1.0) / bound, 0.0));
+        }
+    }
+    Ok(pairs)
 }
 
 fn scene_of_ellipsoid() -> Attempt<Pairs> {

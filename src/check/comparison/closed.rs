@@ -12,6 +12,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The closed form of a state and its name; `None` where there is none.
 pub(super) fn form(plan: &Plan, depth: f64) -> Attempt<Option<(&'static str, Found)>> {
+    let (one, other) = &plan.scene.bodies;
+    if one.is_uneven() || other.is_uneven() {
+        return Ok(None);
+    }
     let (shape, modulus) = (&plan.scene.shape, plan.pair.normal);
     match (plan.direct(), shape) {
         (Some(ElasticAdhesion::None), Shape::Ellipsoid(ellipsoid)) => elliptic(ellipsoid, modulus, depth).map(Some),

@@ -55,7 +55,7 @@ pub(super) fn contest(plan: Plan, most: &Record) -> Contest {
         candidates.insert(0, Candidate { at: methods.len(), name });
         methods.push(method);
     }
-    // Pixels with a past are held against the direct path, and do not judge it.
+    // Pixels that go through a history are held against the direct path, and do not judge it.
     methods.extend(scenario.histories());
     let exact = exact.map(|(name, state)| Known { name: name.to_owned(), state });
     let pressure = Some(Candidate { at: 0, name: "direct path".to_owned() });
@@ -82,7 +82,7 @@ impl Scenario {
     /// What is left out of the scene.
     fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
-        if self.has_past() {
+        if self.is_followed() {
             notes.extend(self.on_pixels(super::PAST_GRIDS[0]).err().map(|why| format!("half-space: {why}")));
         }
         if self.plan.has_friction() {
@@ -144,9 +144,11 @@ impl Scenario {
         Ok(self.plan.with(SceneSettings { springs: NonZeroUsize::new(springs), ..self.plan.settings() })?)
     }
 
-    /// Whether the half-space must go through the whole history.
-    fn has_past(&self) -> bool {
-        self.plan.adheres() || self.plan.relaxation().is_some()
+    /// Whether the half-space must go through the whole history, as a scene of its own: for its past, or for what lies
+    /// beneath.
+    fn is_followed(&self) -> bool {
+        let (one, other) = &self.plan.scene.bodies;
+        self.plan.adheres() || self.plan.relaxation().is_some() || one.is_uneven() || other.is_uneven()
     }
 
     /// The scene on the pixels of the half-space.
@@ -156,9 +158,9 @@ impl Scenario {
         Ok(self.plan.with(SceneSettings { springs: None, solver, ..self.plan.settings() })?)
     }
 
-    /// The history on the half-space, where it depends on the past and pixels can follow it.
+    /// The history on the half-space, where pixels must follow it and can.
     fn histories(self: &Arc<Self>) -> Vec<Method> {
-        if !self.has_past() || self.on_pixels(super::PAST_GRIDS[0]).is_err() {
+        if !self.is_followed() || self.on_pixels(super::PAST_GRIDS[0]).is_err() {
             return Vec::new();
         }
         let history = |own: &Self, grid| {
@@ -178,9 +180,9 @@ impl Scenario {
     /// The half-space on all grids, if it can compute the state, and what it is called where it is right.
     #[cfg(feature = "half-space")]
     fn grids(self: &Arc<Self>) -> Vec<(String, Method)> {
-        // Of sections and of layers the half-space has no twin.
+        // Of sections the half-space has no twin.
         let mapped = self.plan.profile().is_some_and(crate::shape::Profile::is_mapped);
-        let round = !self.plan.adheres() && !mapped;
+        let round = !self.is_followed() && !mapped;
         let Some(depth) = self.depth.filter(|_| round) else { return Vec::new() };
         let method = |grid| Method::of("half-space", Setting::grid(grid), self, move |own| own.pixels(grid, depth));
         super::GRIDS.map(|grid| (format!("half-space on {grid}² pixels, the finest grid"), method(grid))).into()

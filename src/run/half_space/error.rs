@@ -1,9 +1,10 @@
 //! The error of pixels: the state of the largest force again on every second of them.
 
 use super::series::Series;
-use super::state::Pressing;
+use super::state::{Pressing, response};
 use crate::halfspace::{HalfSpaceError, Prescribed, Solution, Start};
 use crate::run::record::ErrorEstimate;
+use crate::scene::plan::HalfSpacePlan;
 
 /// How far two solutions are apart, as parts of the finer one.
 struct Apart {
@@ -18,7 +19,7 @@ struct Apart {
 /// Force and indentation of a smooth shape are of second order in the pixel, so that the difference is about three
 /// times the error of the finer grid. Areas are of first order at best and scatter: their error is what counting whole
 /// pixels adds along the edges, although that is taken off, or the difference if that is more.
-pub(super) fn estimate(pressing: &Pressing<'_>, series: &Series<'_>) -> ErrorEstimate {
+pub(super) fn estimate(plan: &HalfSpacePlan, pressing: &Pressing<'_>, series: &Series<'_>) -> ErrorEstimate {
     let tolerance = pressing.settings.tolerance;
     let Some((prescribed, solution)) =
         series.largest.as_ref().map(|(prescribed, pressed)| (prescribed, &pressed.contact))
@@ -26,7 +27,7 @@ pub(super) fn estimate(pressing: &Pressing<'_>, series: &Series<'_>) -> ErrorEst
         return ErrorEstimate { relative: tolerance, basis: "the bodies never press on each other".to_owned() };
     };
     let (rows, columns) = solution.pressure.dim();
-    match apart(pressing, *prescribed, solution) {
+    match apart(plan, pressing, (*prescribed, solution)) {
         Ok(Apart { load, area, pressure }) => {
             let what = match prescribed {
                 Prescribed::Indentation(_) => "force",
@@ -45,9 +46,15 @@ pub(super) fn estimate(pressing: &Pressing<'_>, series: &Series<'_>) -> ErrorEst
     }
 }
 
-fn apart(pressing: &Pressing<'_>, prescribed: Prescribed, fine: &Solution) -> Result<Apart, HalfSpaceError> {
+fn apart(
+    plan: &HalfSpacePlan,
+    pressing: &Pressing<'_>,
+    (prescribed, fine): (Prescribed, &Solution),
+) -> Result<Apart, HalfSpaceError> {
     let thinned = pressing.heights.thinned();
-    let coarse = Pressing { heights: &thinned, ..*pressing }.solve(prescribed, Start::Coarser)?;
+    let response = response(plan, &thinned);
+    let coarse =
+        Pressing { heights: &thinned, response: response.as_ref(), ..*pressing }.solve(prescribed, Start::Coarser)?;
     let depth = |solution: &Solution| solution.indentation - pressing.touch;
     let part = |of: f64, other: f64| if of > 0.0 { (other / of - 1.0).abs() } else { 1.0 };
     let load = match prescribed {

@@ -53,8 +53,8 @@ pub(super) fn run(
 
 fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
     let heights = heights(plan)?;
-    let (touch, modulus) = (heights.touch_of(&plan.indenter), plan.pair.normal);
-    let pressing = Pressing { heights: &heights, touch, modulus, boundary: plan.boundary, settings: settings(plan) };
+    let response = state::response(plan, &heights);
+    let pressing = Pressing::of(plan, &heights, response.as_ref());
     let rehearsed = Rehearsed::of(plan, &pressing);
     let mut series = Series::new(plan, pressing, Depth::Whole, rehearsed.as_ref().map_or(1, |coarse| coarse.steps));
     let records = series.follow(done)?;
@@ -67,7 +67,7 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
     });
     let estimate = match &rehearsed {
         Some(coarse) => coarse.estimate(&records, heights.values.dim()),
-        None => error::estimate(&pressing, &series),
+        None => error::estimate(plan, &pressing, &series),
     };
     Ok(Outcome {
         results: told::results(plan, &records, &series),
@@ -100,8 +100,8 @@ pub struct Solved {
 /// As for a run.
 pub fn under(plan: &HalfSpacePlan, force: f64) -> Result<Solved, SimulationError> {
     let heights = heights(plan)?;
-    let (touch, modulus) = (heights.touch_of(&plan.indenter), plan.pair.normal);
-    let pressing = Pressing { heights: &heights, touch, modulus, boundary: plan.boundary, settings: settings(plan) };
+    let response = state::response(plan, &heights);
+    let pressing = Pressing::of(plan, &heights, response.as_ref());
     let refused = |error: HalfSpaceError| SimulationError::Refused(error.to_string());
     let solution = pressing.solve(Prescribed::Force(force), Start::Coarser).map_err(refused)?;
     let (bytes, iterations) = (solution.bytes, solution.iterations);

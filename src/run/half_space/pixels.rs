@@ -42,7 +42,8 @@ impl<'p> Pixels<'p> {
         let attraction = Attraction::of(plan.attraction, side, pressing.modulus);
         let dent = plan.hardness.map(|hardness| Dent { hardness, depth: Array2::zeros(pixels), dissipated: 0.0 });
         let response = (memory.is_some() || attraction.is_some() || dent.is_some()).then(|| {
-            let response = SurfaceResponse::new(pixels.into(), pressing.heights.pixel, pressing.boundary);
+            let response =
+                SurfaceResponse::over(plan.ground.clone(), pixels.into(), pressing.heights.pixel, pressing.boundary);
             Arc::new(response.yielding_under(plan.hardness.unwrap_or(f64::INFINITY)))
         });
         Self {

@@ -1,7 +1,7 @@
 //! The history of bodies with a past, gone through on fewer pixels first: how many steps it takes, and what pixels cost.
 
 use super::series::{Depth, Series};
-use super::state::Pressing;
+use super::state::{Pressing, response};
 use crate::contact::state::Normal;
 use crate::run::SimulationError;
 use crate::run::record::{ErrorEstimate, Record};
@@ -26,7 +26,8 @@ impl Rehearsed {
     /// depth no longer change.
     pub(super) fn of(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> Option<Self> {
         let thinned = pressing.heights.thinned();
-        let pressing = Pressing { heights: &thinned, ..*pressing };
+        let response = response(plan, &thinned);
+        let pressing = Pressing { heights: &thinned, response: response.as_ref(), ..*pressing };
         let follow = |steps: u32| {
             let mut series = Series::new(plan, pressing, Depth::Outline, steps);
             series.pixels().has_past().then(|| series.follow(&|_| ()))

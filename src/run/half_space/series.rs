@@ -12,6 +12,7 @@ use crate::run::SimulationError;
 use crate::run::record::Record;
 use crate::scene::plan::HalfSpacePlan;
 use crate::scene::stage::{Path, Stage};
+use ndarray::Array2;
 use std::collections::HashMap;
 
 /// How much of each state is looked at.
@@ -112,7 +113,9 @@ impl<'p> Series<'p> {
     /// The state at touch; bodies that attract each other have come there from out of reach.
     fn touched(&mut self) -> Result<State, SimulationError> {
         let mut state = self.pressing.apart(0.0);
-        let Some(attraction) = self.pixels.attraction() else { return Ok(state) };
+        let Some(attraction) = self.pixels.attraction() else {
+            return self.leaking(0, state, || self.pressing.open(0.0));
+        };
         for step in 0..=APPROACH {
             let value = -attraction.range() * f64::from(APPROACH - step) / f64::from(APPROACH);
             state = self.at(Goal { control: Control::Indentation, value, over: 0.0, entry: 0 })?;
@@ -184,7 +187,9 @@ impl<'p> Series<'p> {
         let mut state = if self.pixels.has_past() {
             self.solved(goal)?
         } else if value <= 0.0 {
-            return Ok(self.pressing.apart(if control == Control::Force { 0.0 } else { value }));
+            let depth = if control == Control::Force { 0.0 } else { value };
+            let state = self.pressing.apart(depth);
+            return self.leaking(goal.entry, state, || self.pressing.open(depth));
         } else {
             match self.known.get(&key(control, value)) {
                 Some(state) => *state,
@@ -226,6 +231,7 @@ impl<'p> Series<'p> {
         if self.plan.profile().is_some() && self.plan.surface().is_none() {
             state.normal.contact_radius = self.radius(&pressed, &state);
         }
+        state = self.leaking(goal.entry, state, || pressed.gap.clone())?;
         if self.depth == Depth::Whole {
             self.distributions.push(Distribution::of(&pressed, state.normal.force));
         }
@@ -237,9 +243,25 @@ impl<'p> Series<'p> {
         Ok(state)
     }
 
+    /// The state with what its gap lets through, if that is asked for.
+    fn leaking(
+        &self,
+        entry: usize,
+        mut state: State,
+        gap: impl FnOnce() -> Array2<f64>,
+    ) -> Result<State, SimulationError> {
+        if let (Some(fluid), Depth::Whole) = (self.plan.leak, self.depth) {
+            let through = self.pressing.leaks(&gap(), fluid).map_err(|error| self.refused(entry, &error))?;
+            state.pixels.leak = through.map(|[fine, _]| fine);
+            state.leak_apart =
+                through.map_or(0.0, |[fine, coarse]| (fine - coarse).abs() / fine.max(coarse).max(f64::MIN_POSITIVE));
+        }
+        Ok(state)
+    }
+
     /// Radius of one disc [m]; Hertz' pressures have second moments that those of other contacts have not.
     fn radius(&self, pressed: &Pressed, state: &State) -> Option<f64> {
-        let hertzian = !self.pixels.has_past();
+        let hertzian = !self.pixels.has_past() && self.plan.ground.is_none();
         of_disc(hertzian.then_some(&self.plan.scene.shape), &pressed.contact, &state.pixels)
     }
 

@@ -2,11 +2,17 @@
 
 use super::heights::Heights;
 use super::pressed::Pressed;
+use super::settings;
 use crate::contact::state::Normal;
-use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, pieces, solve};
+use crate::halfspace::{
+    Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, SurfaceResponse, leak, pieces, solve,
+    solve_on,
+};
 use crate::run::record::PixelContact;
+use crate::scene::plan::HalfSpacePlan;
+use crate::scene::solver::{Heading, Leak};
 use crate::shape::Shape;
-use ndarray::{Array2, Zip};
+use ndarray::{Array2, ArrayView2, Zip, s};
 use std::f64::consts::PI;
 
 /// What a state is told of, beside what is prescribed.
@@ -23,6 +29,8 @@ pub(super) struct State {
     pub(super) full: bool,
     /// Whether nothing presses and nothing pulls.
     pub(super) parted: bool,
+    /// How far what leaks through every second pixel is from what does through all, of the larger.
+    pub(super) leak_apart: f64,
 }
 
 /// A surface to be pressed.
@@ -35,9 +43,29 @@ pub(super) struct Pressing<'h> {
     pub(super) modulus: f64,
     pub(super) boundary: Boundary,
     pub(super) settings: Settings,
+    /// What pressures do to a surface that is no half-space.
+    pub(super) response: Option<&'h SurfaceResponse>,
 }
 
-impl Pressing<'_> {
+/// What pressures do to the pixels of `heights` in a plan; `None` on a half-space, where each solution knows it.
+pub(super) fn response(plan: &HalfSpacePlan, heights: &Heights) -> Option<SurfaceResponse> {
+    let ground = plan.ground.clone()?;
+    Some(SurfaceResponse::over(Some(ground), heights.values.dim().into(), heights.pixel, plan.boundary))
+}
+
+impl<'h> Pressing<'h> {
+    /// The heights of a plan, pressed on their `response`.
+    pub(super) fn of(plan: &HalfSpacePlan, heights: &'h Heights, response: Option<&'h SurfaceResponse>) -> Self {
+        Self {
+            heights,
+            touch: heights.touch_of(&plan.indenter),
+            modulus: plan.pair.normal,
+            boundary: plan.boundary,
+            settings: settings(plan),
+            response,
+        }
+    }
+
     /// The state under a force [N] or at an approach [m].
     pub(super) fn solve(&self, control: Prescribed, start: Start<'_>) -> Result<Solution, HalfSpaceError> {
         self.pressed(&self.heights.values, control, start)
@@ -51,18 +79,22 @@ impl Pressing<'_> {
     ) -> Result<Solution, HalfSpaceError> {
         let Self { modulus, boundary, settings, .. } = *self;
         let map = PressedMap { heights: heights.view(), pixel: self.heights.pixel, modulus, boundary, control };
-        solve(&map, start, &settings)
+        match self.response {
+            Some(response) => solve_on(response, &map, start, &settings),
+            None => solve(&map, start, &settings),
+        }
     }
 
     /// dF/dd [N/m] of a contact that keeps its place, as it does to the first order: the force of a flat punch of its
-    /// outline. Infinite in full contact of what repeats.
+    /// outline. Infinite in full contact of what repeats, unless a layer ends on a rigid body.
     pub(super) fn stiffness(&self, solution: &Solution) -> Result<f64, HalfSpaceError> {
         let count = solution.contact_pixels();
         if count == 0 {
             return Ok(0.0);
         }
         if count == solution.pressure.len() && self.boundary == Boundary::Periodic {
-            return Ok(f64::INFINITY);
+            let [x, y] = self.heights.sides();
+            return Ok(x * y * self.modulus / self.response.map_or(0.0, SurfaceResponse::compression));
         }
         let punch = solution.pressure.mapv(|pressure| if pressure > 0.0 { 0.0 } else { f64::INFINITY });
         let depth = (self.heights.pixel[0] * self.heights.pixel[1]).sqrt();
@@ -78,6 +110,23 @@ impl Pressing<'_> {
         gap
     }
 
+    /// What a gap [m] lets through of a fluid [m³/(Pa s)], and through every second pixel of it; `None` where it is endless.
+    pub(super) fn leaks(&self, gap: &Array2<f64>, fluid: Leak) -> Result<Option<[f64; 2]>, HalfSpaceError> {
+        let through = |gap: ArrayView2<'_, f64>, [width, height]: [f64; 2]| match fluid.along {
+            Heading::X => leak(gap, [width, height], self.boundary),
+            Heading::Y => leak(gap.t(), [height, width], self.boundary),
+        };
+        let pixel = self.heights.pixel;
+        let fine = through(gap.view(), pixel)?;
+        let coarse = through(gap.slice(s![..;2, ..;2]), pixel.map(|side| 2.0 * side))?;
+        Ok(fine.zip(coarse).map(|(fine, coarse)| [fine, coarse].map(|through| through / fluid.viscosity.si())))
+    }
+
+    /// The gap [m] of bodies that do not press on each other, at the depth `depth` ≤ 0 [m].
+    pub(super) fn open(&self, depth: f64) -> Array2<f64> {
+        self.heights.values.mapv(|height| (height - self.touch - depth).max(0.0))
+    }
+
     /// Bodies at the depth `depth` ≤ 0 [m].
     pub(super) fn apart(&self, depth: f64) -> State {
         let mean = self.heights.values.iter().map(|height| height - self.touch).sum::<f64>()
@@ -90,6 +139,7 @@ impl Pressing<'_> {
             count: 0,
             full: false,
             parted: true,
+            leak_apart: 0.0,
         }
     }
 
@@ -130,12 +180,14 @@ impl Pressing<'_> {
                 patches: patches.count,
                 percolates: patches.percolates,
                 gap_percolates: gap.percolates,
+                leak: None,
             },
             extent: self.extent(&held),
             meets_border: meets_border(&held),
             count,
             full,
             parted: pressed.parted(),
+            leak_apart: 0.0,
         }
     }
 

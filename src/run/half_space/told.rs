@@ -17,6 +17,10 @@ use crate::shape::Boundary;
 const FEW: f64 = 12.0;
 /// Fewest pixels along the ring of an attraction.
 const IN_RING: f64 = 2.0;
+/// How far what leaks through every second pixel may be from what does through all without a word.
+const APART: f64 = 0.3;
+/// Fewest rings in the thickness of a layer.
+const OF_LAYER: f64 = 2.0;
 /// Fewest pixels on the shortest wave of a spectrum that show its summits.
 const PER_WAVE: f64 = 4.0;
 
@@ -69,6 +73,12 @@ fn loads(records: &[Record]) -> Vec<Named> {
     ])
 }
 
+/// The least force of a record through whose gap no way leads.
+fn sealing_force(records: &[Record]) -> Option<f64> {
+    let sealed = records.iter().filter(|record| record.pixels.is_some_and(|pixels| pixels.leak == Some(0.0)));
+    sealed.map(|record| record.normal.force).reduce(f64::min)
+}
+
 /// The contact under the largest force, or of the largest area under an attraction.
 fn at_largest(plan: &HalfSpacePlan, records: &[Record]) -> Vec<Named> {
     let attracts = plan.attraction != ElasticAdhesion::None;
@@ -80,6 +90,8 @@ fn at_largest(plan: &HalfSpacePlan, records: &[Record]) -> Vec<Named> {
     let Some(contact) = most.and_then(|record| record.pixels) else { return Vec::new() };
     let rough = plan.surface().is_some();
     let mut results = known(&[
+        ("leak_conductance", Unit::CUBIC_METRE_PER_PASCAL_SECOND, contact.leak),
+        ("sealing_force", Unit::NEWTON, sealing_force(records)),
         ("peak_pressure", Unit::PASCAL, Some(contact.peak_pressure)),
         ("area", Unit::SQUARE_METRE, Some(contact.area)),
         ("area_fraction", Unit::ONE, Some(contact.area_fraction).filter(|_| rough)),
@@ -116,6 +128,7 @@ pub(super) fn warnings(plan: &HalfSpacePlan, heights: &Heights, series: &Series<
         border(plan),
         most.and_then(|most| coarse(plan, heights, most)),
         ring(plan, heights, series),
+        necks(states()),
         torn(series),
     ];
     found.into_iter().flatten().collect()
@@ -159,12 +172,35 @@ fn torn(series: &Series<'_>) -> Option<String> {
 /// An attraction that ends within few pixels: between two of them it holds an edge that nothing else would.
 fn ring(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Option<String> {
     let modulus = plan.relaxation.as_ref().map_or(plan.pair.normal, |relaxation| relaxation.equilibrium);
-    let ring = series.pixels().attraction()?.ring(modulus) / heights.pixel[0].max(heights.pixel[1]);
+    let side = heights.pixel[0].max(heights.pixel[1]);
+    let ring = series.pixels().attraction()?.ring(modulus) / side;
+    let layer = match plan.ground.as_ref().map(|ground| ground.scale()) {
+        Some(None) => return None,
+        Some(Some(thickness)) => thickness / side,
+        None => f64::INFINITY,
+    };
+    if let (ElasticAdhesion::Vanishing { .. }, true) = (plan.attraction, layer < OF_LAYER * ring) {
+        return Some(format!(
+            "the ring outside the contact in which the attraction acts is {ring:.1} pixels long, and the thinnest top layer {layer:.1} thick: its edge feels what lies beneath, expected a finer solver.grid"
+        ));
+    }
     (ring < IN_RING).then(|| {
         format!(
             "the ring outside the contact in which the attraction acts is {ring:.1} pixels long: the edge is held from pixel to pixel and forces are too large, expected {IN_RING} and more (a finer solver.grid, or less stress)"
         )
     })
+}
+
+/// A gap whose necks are few pixels wide.
+fn necks<'s>(states: impl Iterator<Item = &'s State>) -> Option<String> {
+    let worst = states
+        .filter(|state| state.leak_apart > APART)
+        .min_by(|one, other| one.normal.force.total_cmp(&other.normal.force))?;
+    Some(format!(
+        "from {:.4e} N on the necks of the gap are few pixels wide: on every second pixel {:.0} % less or more leaks, and where nothing leaks through pixels something may; expected a finer solver.grid",
+        worst.normal.force,
+        100.0 * worst.leak_apart
+    ))
 }
 
 /// Patches, or waves, of few pixels.

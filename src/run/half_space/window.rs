@@ -1,9 +1,9 @@
 //! How wide a window the contact of a tip needs.
 
+use super::SimulationError;
 use super::heights::{Heights, of_tip};
 use super::series::{Depth, Series};
-use super::state::{Pressing, State};
-use super::{SimulationError, settings};
+use super::state::{Pressing, State, response};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::scene::plan::{HalfSpacePlan, PixelledIndenter};
 use crate::scene::stage::Path;
@@ -47,13 +47,8 @@ pub(super) fn of_history(plan: &HalfSpacePlan) -> Result<[f64; 2], SimulationErr
 }
 
 fn tried(plan: &HalfSpacePlan, heights: &Heights) -> Result<Vec<State>, SimulationError> {
-    let pressing = Pressing {
-        heights,
-        touch: heights.touch_of(&plan.indenter),
-        modulus: plan.pair.normal,
-        boundary: plan.boundary,
-        settings: settings(plan),
-    };
+    let response = response(plan, heights);
+    let pressing = Pressing::of(plan, heights, response.as_ref());
     let mut series = Series::new(plan, pressing, Depth::Outline, 1);
     series.follow(&|_| ())?;
     Ok(series.states)

@@ -35,6 +35,9 @@ pub(super) fn beside(draft: &Draft<'_>) -> Option<Problem> {
 /// Shapes on which the bed over such a body is known.
 pub(super) fn under_shape(draft: &Draft<'_>) -> Option<Problem> {
     let ((place, name), shape) = (uneven(draft)?, draft.shape()?);
+    if draft.chooses_solver()? && !shape.is_plane() {
+        return None;
+    }
     let why = match (shape.family(), shape) {
         (_, Shape::Ellipsoid(_)) => "its contact is an ellipse",
         (Family::Round, shape) if shape.is_plane() => "of layers the bed under a round contact is known",
@@ -63,13 +66,18 @@ pub(super) fn friction(draft: &Draft<'_>) -> Option<Problem> {
 /// An attraction that reaches beyond the contact meets the surface there; springs without neighbours have no edge.
 pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let ((_, name), adhesion) = (uneven(draft)?, draft.adhesion(Look::Kind)?.traits());
+    let on_pixels = draft.chooses_solver()?;
     let why = match adhesion.range {
-        Range::Vanishing(_) if name != "Winkler" => return None,
-        Range::Vanishing(_) => {
+        Range::Vanishing(_) if name == "Winkler" => {
             "its springs have no neighbours by which an edge could open: expected no adhesion, or Layered(…)"
         }
+        Range::Vanishing(_) if on_pixels && name == "Graded" => {
+            "at its surface it has no modulus that the ring of pixels could be made of in which an attraction without a range acts: expected Maugis(work: …, stress: …), or no solver"
+        }
+        Range::Vanishing(_) => return None,
+        Range::Finite(_) if on_pixels => return None,
         Range::Finite(_) => {
-            "its attraction acts on a surface that is bent otherwise than a half-space: expected Jkr(work: …)"
+            "its attraction acts on a surface that is bent otherwise than a half-space: expected Jkr(work: …), or solver: HalfSpace(…)"
         }
     };
     Some(Problem::new("adhesion", format!("{} on a {name} body cannot be computed, for {why}", adhesion.name)))

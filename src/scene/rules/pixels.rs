@@ -1,4 +1,4 @@
-//! The half-space solver against the other parts: it presses shapes on pixels, elastic and without friction.
+//! The half-space solver against the other parts: it presses shapes on pixels, without friction.
 
 use super::draft::Draft;
 use crate::contact::adhesion::{AdhesionTraits, Range};
@@ -29,18 +29,6 @@ pub(super) fn grid(draft: &Draft<'_>) -> Option<Problem> {
     }
     let what = format!("{grid} × {grid} pixels do not fit into memory: expected at most {most}");
     (grid > most).then(|| Problem::new("solver.grid", what))
-}
-
-/// Of the bodies a half-space knows one modulus E*(t).
-pub(super) fn bodies(draft: &Draft<'_>) -> Option<Problem> {
-    draft.half_space(Look::Kind)?;
-    let (one, two) = draft.bodies(Look::Kind)?;
-    let body = [one, two].into_iter().find(|body| body.is_uneven())?;
-    let what = format!(
-        "{} under the solver HalfSpace cannot be computed, for its pixels press on a half-space that is alike at all depths: expected Elastic(…), Viscoelastic(…), Plastic(…) or Rigid, or no solver",
-        body.name()
-    );
-    refused("bodies", what)
 }
 
 /// On pixels an attraction acts across the gap, and at no edge.
@@ -119,6 +107,17 @@ fn repeated(asked: &HalfSpace, shape: &Shape) -> Option<Problem> {
         shape.name()
     );
     refused("solver.boundary", what)
+}
+
+/// What a fluid leaks past a tip that stands alone is a matter of the window.
+pub(super) fn leak(draft: &Draft<'_>) -> Option<Problem> {
+    let (asked, shape) = (draft.half_space(Look::Whole)?, draft.shape()?);
+    let alone = matches!(shape.family(), Family::Round | Family::Tips(_)) && asked.boundary != Some(Boundary::Periodic);
+    let what = format!(
+        "of a {} that stands alone cannot be computed, for all that flows goes past it: expected a rough surface, or boundary: Periodic and a window: …",
+        shape.name()
+    );
+    (asked.leak.is_some() && alone).then(|| Problem::new("solver.leak", what))
 }
 
 /// A random surface is computed one at a time.

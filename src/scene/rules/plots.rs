@@ -8,6 +8,7 @@ use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::Plot;
 use crate::scene::mended::Look;
+use crate::scene::solver::HalfSpace;
 use crate::shape::Shape;
 
 /// Figures of what the scene lacks.
@@ -23,7 +24,7 @@ pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
 fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     let shape = draft.shape()?;
     if draft.chooses_solver()? {
-        return lacks_on_pixels(plot, shape);
+        return lacks_on_pixels(plot, shape, draft.half_space(Look::Whole)?);
     }
     let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
     let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
@@ -80,7 +81,7 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             !draft.adheres()? && slides_as_a_whole(draft)?,
             "expected CoulombOrowan or Pressure friction, and no adhesion",
         ),
-        Plot::Contact | Plot::Distribution => (false, "expected solver: HalfSpace(…)"),
+        Plot::Contact | Plot::Distribution | Plot::Leak => (false, "expected solver: HalfSpace(…)"),
         Plot::Area => (draft.adheres()? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
         Plot::Machine => (draft.is_driven()?, "expected a machine, and Drive, Ring or Fall in the history"),
         Plot::Resistance => (draft.glides()?, "expected Glide or Roll in the history"),
@@ -117,7 +118,7 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
         Plot::Shape => {
             Some("a plane contact has no one-dimensional profile g(x): expected Force, Radius, Pressure or Energy")
         }
-        Plot::Contact | Plot::Distribution => {
+        Plot::Contact | Plot::Distribution | Plot::Leak => {
             Some("a series of the half-plane knows no maps: expected Force, Radius, Pressure or Energy")
         }
         Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting | Plot::Wear | Plot::Coefficient => {
@@ -127,10 +128,12 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
 }
 
 /// What a contact on pixels lacks.
-fn lacks_on_pixels(plot: Plot, shape: &Shape) -> Option<&'static str> {
+fn lacks_on_pixels(plot: Plot, shape: &Shape, asked: &HalfSpace) -> Option<&'static str> {
     match plot {
         Plot::Force | Plot::Energy | Plot::Area | Plot::Contact | Plot::Distribution => None,
         Plot::Radius if !shape.is_rough() => None,
+        Plot::Leak if asked.leak.is_some() => None,
+        Plot::Leak => Some("no fluid is in the gap: expected leak: (viscosity: …) in the solver"),
         Plot::Radius
         | Plot::Pressure
         | Plot::Stress

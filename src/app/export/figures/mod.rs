@@ -112,6 +112,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Coefficient => vec![friction::coefficient(plan, records)],
         Plot::Contact => pixels::contact(outcome).into_iter().collect(),
         Plot::Distribution => pixels::distribution(outcome),
+        Plot::Leak => pixels::leak(outcome).into_iter().collect(),
         Plot::Area => match plan {
             Plan::HalfSpace(plan) => vec![pixels::area(plan, outcome)],
             Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => {

@@ -3,12 +3,15 @@
 use super::curve::{axis_of, of_records};
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Cells, Hue, Line, Panel, Points, Series};
-use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, Outcome, TIME};
+use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, TIME};
 use crate::run::table::Table;
 use crate::scene::Plot;
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::HalfSpacePlan;
 use ndarray::{Array2, s};
+
+/// Ratio of the largest conductance to the least from which on both are seen over decades only.
+const DECADE: f64 = 10.0;
 
 /// Most cells along a side of the map.
 const SHOWN: usize = 128;
@@ -17,7 +20,25 @@ const SHOWN: usize = 128;
 pub fn suiting(plan: &HalfSpacePlan, outcome: &Outcome) -> Vec<Plot> {
     let map = outcome.map.as_ref().map(|_| Plot::Contact);
     let rough = plan.surface().map(|_| Plot::Distribution);
-    [Plot::Force, Plot::Area].into_iter().chain(map).chain(rough).collect()
+    let leak = plan.leak.map(|_| Plot::Leak);
+    [Plot::Force, Plot::Area].into_iter().chain(leak).chain(map).chain(rough).collect()
+}
+
+/// What the gap lets through over the force; nothing of a gap that is closed is drawn over decades.
+pub fn leak(outcome: &Outcome) -> Option<Panel> {
+    let through = |record: &Record| record.pixels?.leak.filter(|&through| through > 0.0);
+    let open = outcome
+        .records
+        .iter()
+        .filter_map(through)
+        .fold((f64::INFINITY, 0.0_f64), |(least, most), through| (least.min(through), most.max(through)));
+    let up = axis_of(&LEAK);
+    let up = if open.1 > DECADE * open.0 { Axis::log(up.label, up.unit) } else { up.from(0.0) };
+    let points = outcome.records.iter().map(|record| Some((record.normal.force, through(record)?)));
+    let closed = outcome.records.iter().find(|record| record.pixels.is_some_and(|pixels| pixels.leak == Some(0.0)));
+    let panel = Panel::new(axis_of(&FORCE).from(0.0), up).with(Series::new("", points));
+    let note = closed.map(|record| format!("No way leads through from {} on.", with_prefix(record.normal.force, "N")));
+    (open.1 > 0.0).then(|| note.into_iter().fold(panel, Panel::note))
 }
 
 /// Area of contact over the force; over the time where bodies remember, over the depth where they attract each other.
