@@ -1,7 +1,7 @@
 //! Random scenes over the whole matrix, held against the laws that speak of them.
 //!
-//! `cargo run --release -p benches --example random_scenes -- [scenes [from [part]]]`, of the combinations of which one
-//! part bears that name, such as `lying cylinder`. Scenes that take long are named as they end.
+//! `cargo run --release -p benches --example random_scenes -- [scenes [from [part …]]]`, of the combinations whose parts
+//! bear these names, such as `lying cylinder`. Scenes that take long are named as they end, and laws that are not kept.
 
 use rayon::prelude::*;
 use springbed::check::matrix::{Cell, Kept, Law, Variation, Verdict, cells};
@@ -11,49 +11,78 @@ use std::time::{Duration, Instant};
 /// A scene with its variations that takes longer is named.
 const LONG: Duration = Duration::from_secs(10);
 
-/// The scene with the number `number`: a combination that is computed, and other numbers.
-fn scene(cells: &[Cell], number: u64) -> (&Cell, Vec<Kept>) {
+/// A combination that is computed, and the laws its scene was held against.
+type Tried<'c> = (&'c Cell, Vec<Kept>);
+
+/// The scene with the number `number`: a combination, and other numbers.
+fn scene(cells: &[Cell], number: u64) -> Tried<'_> {
     let (variation, part) = Variation::numbered(number);
     let cell = &cells[usize::try_from(number).unwrap_or(0) % cells.len()];
     (cell, cell.laws(&variation, part))
 }
 
+/// A scene, and what is to be said of it at once.
+fn told(cells: &[Cell], number: u64) -> Tried<'_> {
+    let start = Instant::now();
+    let (cell, kept) = scene(cells, number);
+    if start.elapsed() > LONG {
+        println!("{number}: {:?} took {} s", cell.names(), start.elapsed().as_secs());
+    }
+    for Kept { law, failure } in &kept {
+        if let Some(why) = failure {
+            println!("{number}: {:?} {law:?}: {why}", cell.names());
+        }
+    }
+    (cell, kept)
+}
+
+/// How many scenes ran, how many laws they kept and how many not, by a name.
+fn counted<K: Ord>(tried: &[Tried<'_>], of: impl Fn(&Cell, &Kept) -> K) -> BTreeMap<K, [usize; 2]> {
+    let mut counts = BTreeMap::new();
+    for (cell, law) in tried.iter().flat_map(|(cell, kept)| kept.iter().map(move |law| (cell, law))) {
+        let count: &mut [usize; 2] = counts.entry(of(cell, law)).or_default();
+        count[usize::from(law.failure.is_some())] += 1;
+    }
+    counts
+}
+
+/// How many scenes ran of the combinations, from the least to the most.
+fn spread(tried: &[Tried<'_>]) -> (usize, usize, usize) {
+    let mut ran: BTreeMap<[&str; 5], usize> = BTreeMap::new();
+    for (cell, _) in tried.iter().filter(|(_, kept)| !kept.is_empty()) {
+        *ran.entry(cell.names()).or_default() += 1;
+    }
+    let least = ran.values().min().copied().unwrap_or_default();
+    (ran.len(), least, ran.values().max().copied().unwrap_or_default())
+}
+
 fn main() {
-    let mut numbers = std::env::args().skip(1).filter_map(|text| text.parse().ok());
+    let mut numbers = std::env::args().skip(1).map_while(|text| text.parse().ok());
     let scenes: u64 = numbers.next().unwrap_or(1000);
     let from: u64 = numbers.next().unwrap_or(0);
-    let part = std::env::args().nth(3);
-    let wanted = |cell: &Cell| part.as_deref().is_none_or(|part| cell.names().contains(&part));
+    let parts: Vec<String> = std::env::args().skip(3).collect();
+    let wanted = |cell: &Cell| parts.iter().all(|part| cell.names().contains(&part.as_str()));
     let is_computed = |cell: &Cell| matches!(cell.verdict, Verdict::Computed { .. });
     let computed: Vec<Cell> = cells().into_iter().filter(|cell| is_computed(cell) && wanted(cell)).collect();
     if computed.is_empty() {
-        println!("no combination is computed that has such a part");
+        println!("no combination is computed that has such parts");
         return;
     }
-    let found: Vec<(u64, &Cell, Vec<Kept>)> = (from..from + scenes)
-        .into_par_iter()
-        .map(|number| {
-            let start = Instant::now();
-            let (cell, kept) = scene(&computed, number);
-            if start.elapsed() > LONG {
-                eprintln!("{number}: {:?} took {} s", cell.names(), start.elapsed().as_secs());
-            }
-            (number, cell, kept)
-        })
-        .collect();
-    let mut counts: BTreeMap<String, [usize; 2]> = BTreeMap::new();
-    for (number, cell, kept) in &found {
-        for Kept { law, failure } in kept {
-            let count = counts.entry(format!("{law:?}")).or_default();
-            count[usize::from(failure.is_some())] += 1;
-            if let Some(why) = failure {
-                println!("{number}: {:?} {law:?}: {why}", cell.names());
-            }
+    let tried: Vec<Tried<'_>> = (from..from + scenes).into_par_iter().map(|number| told(&computed, number)).collect();
+    let (ran, least, most) = spread(&tried);
+    let refused = tried.iter().filter(|(_, kept)| kept.is_empty()).count();
+    println!(
+        "{scenes} scenes of {} combinations; {ran} ran, each {least} to {most} times; {refused} scenes were refused",
+        computed.len()
+    );
+    for (at, what) in ["shape", "bodies", "adhesion", "friction", "drive"].iter().enumerate() {
+        for (name, [kept, broken]) in counted(&tried, |cell, _| cell.names()[at]) {
+            println!("{what} {name}: laws kept {kept}, broken {broken}");
         }
     }
-    println!("{scenes} scenes of {} combinations", computed.len());
-    for law in [Law::Cut, Law::Table, Law::Swap, Law::Elastic, Law::Ledger] {
-        let [kept, broken] = counts.get(&format!("{law:?}")).copied().unwrap_or_default();
+    let by_law = counted(&tried, |_, kept| kept.law);
+    for law in Law::ALL {
+        let [kept, broken] = by_law.get(&law).copied().unwrap_or_default();
         println!("{law:?}: kept {kept}, broken {broken}");
     }
 }

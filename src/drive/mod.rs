@@ -293,7 +293,10 @@ impl Driver {
         let stage = &self.stage;
         let Course { control, normal, tangential, over, .. } = stage.course;
         let (to, slide) = (normal.at(stage.from, part, over), tangential.at(stage.slide, part, over));
-        let from = prescribed(&contact.state(), control);
+        // Of bodies that a pull has parted the state does not know what pulls them.
+        let pulled = control == Control::Force && contact.state().indentation.is_none();
+        let behind = if over > 0.0 { stage.now / over } else { 0.0 };
+        let from = if pulled { normal.at(stage.from, behind, over) } else { prescribed(&contact.state(), control) };
         let (duration, sliding_speed) = (part * over - stage.now, stage.sliding_speed());
         let before = contact.tangential();
         let events = match control {
@@ -301,6 +304,8 @@ impl Driver {
                 let piece = Straight { slide, sliding_speed, ..Straight::between(from, to, duration) };
                 contact.follow(&piece)?
             }
+            // Without a push they stay apart.
+            Control::Force if pulled && to <= 0.0 => Vec::new(),
             Control::Force => {
                 let pull = Pull { force: to, slide, sliding_speed, duration };
                 contact.press(&pull).unwrap_or_else(|| Ok(Vec::new()))?

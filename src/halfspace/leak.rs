@@ -85,10 +85,20 @@ impl Network {
         Some(network)
     }
 
+    /// Whether a pixel lies at the border where the fluid comes in.
+    fn is_first(&self, at: usize) -> bool {
+        at.is_multiple_of(self.columns)
+    }
+
+    /// Whether it lies at the border where the fluid goes out.
+    fn is_last(&self, at: usize) -> bool {
+        (at + 1).is_multiple_of(self.columns)
+    }
+
     fn totals(&self) -> Vec<f64> {
         let (columns, pixels) = (self.columns, self.right.len());
         let of = |at: usize| {
-            let left = if at % columns == 0 { self.inlet[at / columns] } else { self.right[at - 1] };
+            let left = if self.is_first(at) { self.inlet[at / columns] } else { self.right[at - 1] };
             let above = self.down[(at + pixels - columns) % pixels];
             left + self.right[at] + above + self.down[at]
         };
@@ -100,8 +110,8 @@ impl Network {
         let (columns, pixels) = (self.columns, p.len());
         for (at, out) in out.iter_mut().enumerate() {
             let from_left =
-                if at % columns == 0 { self.inlet[at / columns] * left } else { self.right[at - 1] * p[at - 1] };
-            let to_right = if (at + 1) % columns == 0 { 0.0 } else { self.right[at] * p[at + 1] };
+                if self.is_first(at) { self.inlet[at / columns] * left } else { self.right[at - 1] * p[at - 1] };
+            let to_right = if self.is_last(at) { 0.0 } else { self.right[at] * p[at + 1] };
             let (above, below) = ((at + pixels - columns) % pixels, (at + columns) % pixels);
             *out =
                 self.total[at] * p[at] - from_left - to_right - self.down[above] * p[above] - self.down[at] * p[below];
@@ -113,7 +123,7 @@ impl Network {
         let (columns, pixels) = (self.columns, p.len());
         let inlet: f64 = self.inlet.iter().enumerate().map(|(row, t)| t * (1.0 - p[row * columns]).powi(2)).sum();
         let inside = (0..pixels).map(|at| {
-            let next = if (at + 1) % columns == 0 { 0.0 } else { p[at + 1] };
+            let next = if self.is_last(at) { 0.0 } else { p[at + 1] };
             let below = p[(at + columns) % pixels];
             self.right[at] * (p[at] - next).powi(2) + self.down[at] * (p[at] - below).powi(2)
         });
@@ -177,11 +187,11 @@ impl Network {
             if self.total[at] <= 0.0 {
                 continue;
             }
-            let left = if at % columns == 0 { 0.0 } else { self.right[at - 1] };
+            let left = if self.is_first(at) { 0.0 } else { self.right[at - 1] };
             let above = at.checked_sub(columns).map_or(0.0, |above| self.down[above]);
             let taken = |from: usize, by: f64, other: f64| by * (by + RELAXED * other) * inverse[from];
             let of_left = if left > 0.0 { taken(at - 1, left, self.down[at - 1]) } else { 0.0 };
-            let to_right = |at: usize| if (at + 1) % columns == 0 { 0.0 } else { self.right[at] };
+            let to_right = |at: usize| if self.is_last(at) { 0.0 } else { self.right[at] };
             let of_above = if above > 0.0 { taken(at - columns, above, to_right(at - columns)) } else { 0.0 };
             let rest = self.total[at] - of_left - of_above;
             inverse[at] = if rest > 0.0 { rest } else { self.total[at] }.recip();
@@ -193,12 +203,12 @@ impl Network {
     fn precondition(&self, inverse: &[f64], residual: &[f64], out: &mut [f64]) {
         let (columns, pixels) = (self.columns, residual.len());
         for at in 0..pixels {
-            let left = if at % columns == 0 { 0.0 } else { self.right[at - 1] * out[at - 1] };
+            let left = if self.is_first(at) { 0.0 } else { self.right[at - 1] * out[at - 1] };
             let above = at.checked_sub(columns).map_or(0.0, |above| self.down[above] * out[above]);
             out[at] = inverse[at] * (residual[at] + left + above);
         }
         for at in (0..pixels).rev() {
-            let right = if (at + 1) % columns == 0 { 0.0 } else { self.right[at] * out[at + 1] };
+            let right = if self.is_last(at) { 0.0 } else { self.right[at] * out[at + 1] };
             let below = if at + columns < pixels { self.down[at] * out[at + columns] } else { 0.0 };
             out[at] += inverse[at] * (right + below);
         }
@@ -272,7 +282,7 @@ mod tests {
     fn a_chequered_gap() {
         let board = |n: usize, ratio: f64| {
             Array2::from_shape_fn((2 * n, 2 * n), |(row, column)| {
-                (if (row / n + (column + n / 2) / n) % 2 == 0 { ratio } else { ratio.recip() }).cbrt()
+                (if (row / n + (column + n / 2) / n).is_multiple_of(2) { ratio } else { ratio.recip() }).cbrt()
             })
         };
         let error = |n: usize| (12.0 * through(&board(n, 2.0), [1.0; 2], Boundary::Periodic) - 1.0).abs();

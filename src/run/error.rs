@@ -80,6 +80,7 @@ fn springs_error(plan: &RoundPlan, springs: NonZeroUsize, work: f64, records: &[
     let (a, force) = (plan.profile.place(radius), largest(|normal| normal.force));
     let count = springs.get() as f64;
     let second = (17.0 / 16.0 * 2.0 / count).powi(2).max(1e-11);
+    let second = steepness(plan, records).powi(2) * second;
     let width = reach_for(plan.profile.as_ref(), a) / count;
     let line = EdgeLine::new(plan.ground(), work);
     let edge = plan.pair.normal * line.elongation(a) * width / force.max(f64::MIN_POSITIVE);
@@ -107,7 +108,21 @@ fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run, count: usize) -> Erro
         "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius lies between two springs",
         plan.accuracy()
     );
-    ErrorEstimate { relative: 0.25 * width * width + felt(plan, run) * plan.accuracy(), basis }
+    let (springs, depth) = (0.25 * width * width, felt(plan, run) * plan.accuracy());
+    let steep = steepness(plan, &run.records);
+    ErrorEstimate { relative: steep * (steep * springs + depth), basis }
+}
+
+/// d ln a/d ln x of the contact radius a over the place x of the edge in the bed, at the largest contact: one under a
+/// round body; under a lying one, whose half width grows nearly as e to the place, several. An error of the place is
+/// that many times one of the radius, and the load beside the edge, by which the place is found between two springs,
+/// bends that much more.
+fn steepness(plan: &RoundPlan, records: &[Record]) -> f64 {
+    const STEP: f64 = 1e-3;
+    let radius = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let inside = plan.profile.contact_radius(plan.profile.place(radius) * (1.0 - STEP));
+    let steep = (1.0 - inside / radius) / STEP;
+    if steep.is_finite() && steep > 1.0 + 1e-9 { steep } else { 1.0 }
 }
 
 /// What the largest force feels of a depth off by a part of itself, 2E(0)a·d/F, where the depth is followed in

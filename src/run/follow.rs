@@ -7,7 +7,7 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Effort, Pose};
 use crate::contact::state::{Normal, Tangential};
-use crate::drive::course::{Course, Path};
+use crate::drive::course::{Course, Extent, Path};
 use crate::drive::{Driver, Loop};
 use crate::scene::plan::Shared;
 use crate::scene::stage::Stage;
@@ -134,7 +134,23 @@ impl Run {
             let from = self.contact.state().indentation.unwrap_or(0.0);
             (normal, over) = (Path::To(to), (from - to).abs() / speed);
         }
+        if self.leads_nowhere(stage) {
+            return Ok(None);
+        }
         Ok(Some(Course { control: self.control, normal, tangential: stage.tangential, over, extent: stage.extent }))
+    }
+
+    /// Whether a row of a table stands where the bodies are, without time between: it is no motion, and bodies that
+    /// only touch stay free of each other.
+    fn leads_nowhere(&self, stage: &Stage) -> bool {
+        let there = |path: Path, now: f64| match path {
+            Path::To(to) => (to - now).abs() <= 0.0,
+            Path::Stay => true,
+            Path::Wave(_) | Path::Steady { .. } | Path::UntilParted { .. } => false,
+        };
+        let depth = self.contact.state().indentation;
+        let stays = depth.is_some_and(|depth| there(stage.normal, depth)) && there(stage.tangential, self.slide);
+        self.control == Control::Indentation && stage.over <= 0.0 && stage.extent == Extent::Row && stays
     }
 
     /// To the part `part` of a stage that began at the time `start` [s], with what happens on the way.

@@ -208,6 +208,21 @@ fn jkr_is_the_limit_of_small_pixels() {
     assert!(fine[1] < 0.06, "{coarse:?} {fine:?}");
 }
 
+/// An accuracy of a thousandth asks for less, not for no answer: gap and attraction find each other as they do by default,
+/// and are within half a pixel of a finer grid as stated.
+#[test]
+fn a_coarse_accuracy_is_met_too() {
+    let law = "adhesion: Maugis(work: 0.02, stress: 2e4), steps: 4";
+    let of =
+        |more: &str| ball(&format!("{RUBBER}, {RUBBER}"), "Indent(to: 1e-5, over: 1), Indent(to: 2e-6, over: 1)", more);
+    let (coarse, default) =
+        (of(&format!("{law}, accuracy: 1e-3, {}", on_pixels(32))), of(&format!("{law}, {}", on_pixels(32))));
+    assert!(apart(&coarse, &default, force) < 1e-3);
+    let fine = of(&format!("{law}, {}", on_pixels(96)));
+    let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
+    assert!(apart(&fine, &coarse, radius) < coarse.error_estimate.relative);
+}
+
 /// The range is never shorter than the pixels without a word.
 #[test]
 fn pixels_too_coarse_for_the_range_are_told() {

@@ -24,11 +24,13 @@ mod ground;
 mod half_space;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_layers;
+#[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_past;
 mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;
 mod layers;
+#[cfg(all(feature = "text", feature = "half-space"))]
 mod leak;
 #[cfg(feature = "text")]
 mod machine;

@@ -23,7 +23,9 @@ const COMBINATIONS: &str = "\
 
 Which shape, bodies, adhesion, friction and drive are computed together (`springbed explain
 --matrix`): a letter is the solver, a number the reason of a refusal, both told below; `-` is no
-combination of its own. A test runs one scene of every combination that is computed.";
+combination of its own. Rows in which nothing is computed stand in one line with all their reasons;
+`--json` has each by itself. A test runs one scene of every combination that is computed; random ones
+over all of them are held against laws by `cargo run --release -p benches --example random_scenes`.";
 
 /// The text of VALIDATION.md.
 #[must_use]

@@ -10,12 +10,19 @@
 //! assert!(matches!(rough.unwrap().verdict, Verdict::Computed { solver: "rough viscoelastic bed" }));
 //! ```
 
+mod balance;
 mod choices;
+mod ends;
+mod known;
 mod laws;
+mod led;
+mod table;
+mod variation;
 mod written;
 
 pub use laws::{Kept, Law};
-pub use written::Variation;
+pub use table::in_words;
+pub use variation::{Turn, Units, Variation};
 
 use crate::run::record::Outcome;
 use crate::run::{self, SimulationError, Wanted};
@@ -25,7 +32,7 @@ use written::{Written, written};
 
 /// Names of the drives, the columns of the matrix.
 #[must_use]
-pub fn drives() -> [&'static str; 8] {
+pub fn drives() -> [&'static str; DRIVES.len()] {
     DRIVES.map(|(name, _)| name)
 }
 
@@ -81,9 +88,9 @@ fn reason(message: &str) -> String {
     let words = place.map_or(message, |(_, words)| words);
     let words = words.split(": expected ").next().unwrap_or(words);
     let words = words.split("; expected ").next().unwrap_or(words);
-    // What is said of the place itself needs its name: the friction, an entry of the history.
+    // What is said of the place itself needs its name: the friction, a machine, an entry of the history.
     let part = place.map_or("", |(place, _)| place.split('[').next().unwrap_or(place));
-    if words.starts_with("with ") || words.starts_with("cannot ") {
+    if ["with ", "cannot ", "on "].iter().any(|start| words.starts_with(start)) {
         format!("{part} {words}")
     } else {
         words.to_owned()
@@ -119,75 +126,5 @@ impl Cell {
     }
 }
 
-/// The matrix as text: a row for each shape, bodies, adhesion and friction, a column for each drive; a letter stands for
-/// the solver, a number for the reason of a refusal.
-#[must_use]
-pub fn in_words(cells: &[Cell]) -> String {
-    let (mut solvers, mut reasons) = (Vec::new(), Vec::new());
-    let mut lines = vec![format!("{:<66}{}", "", drives().map(|drive| format!("{drive:<11}")).concat())];
-    for row in cells.chunk_by(|one, next| one.at[..4] == next.at[..4]) {
-        let of = |drive: usize| row.iter().find(|cell| cell.at[4] == drive);
-        let marks = std::array::from_fn::<_, 8, _>(|drive| of(drive).map(|cell| cell.mark(&mut solvers, &mut reasons)));
-        let [shape, bodies, adhesion, friction, _] = row[0].names();
-        let marks = marks.map(|mark| format!("{:<11}", mark.unwrap_or_else(|| "-".to_owned()))).concat();
-        lines.push(format!("{shape:<15}{bodies:<25}{adhesion:<20}{friction:<14}{marks}").trim_end().to_owned());
-    }
-    let computed = cells.iter().filter(|cell| matches!(cell.verdict, Verdict::Computed { .. })).count();
-    lines.push(format!("\n{computed} of {} combinations are computed", cells.len()));
-    lines.extend(solvers.iter().enumerate().map(|(k, solver)| format!("{}  {solver}", letter(k))));
-    lines.extend(reasons.iter().enumerate().map(|(k, why)| format!("{}  {why}", k + 1)));
-    lines.join("\n")
-}
-
-/// A, B, C, …
-fn letter(k: usize) -> char {
-    u8::try_from(k).map_or('?', |k| char::from(b'A'.saturating_add(k)))
-}
-
-/// The place of an entry in a list, which gets it if it has not.
-fn place<T: PartialEq>(list: &mut Vec<T>, entry: T) -> usize {
-    list.iter().position(|known| *known == entry).unwrap_or_else(|| {
-        list.push(entry);
-        list.len() - 1
-    })
-}
-
-impl Cell {
-    fn mark(&self, solvers: &mut Vec<&'static str>, reasons: &mut Vec<String>) -> String {
-        match &self.verdict {
-            Verdict::Computed { solver } => letter(place(solvers, *solver)).to_string(),
-            Verdict::Refused { why } => (place(reasons, why.clone()) + 1).to_string(),
-        }
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// One scene per cell: what the matrix promises runs, its numbers are numbers, and it states an error.
-    #[test]
-    fn every_cell_that_is_promised_runs() {
-        let wrong = |cell: &Cell| {
-            let why = match cell.outcome()? {
-                Err(error) => error.to_string(),
-                Ok(outcome) => {
-                    let finite = outcome.records.iter().all(|record| {
-                        let normal = &record.normal;
-                        let tangential = record.tangential.map_or(0.0, |state| state.force);
-                        [normal.force, normal.stored.stored(), normal.dissipated, tangential]
-                            .iter()
-                            .all(|x| x.is_finite())
-                    });
-                    if finite && outcome.error_estimate.relative > 0.0 {
-                        return None;
-                    }
-                    format!("{:?}", outcome.error_estimate)
-                }
-            };
-            Some(format!("{:?}: {why}", cell.names()))
-        };
-        let failed: Vec<String> = cells().par_iter().filter_map(wrong).collect();
-        assert!(failed.is_empty(), "{failed:#?}");
-    }
-}
+mod tests;

@@ -5,12 +5,14 @@
 //! use springbed::check::matrix::{Variation, cells};
 //!
 //! // Half as deep, ten times as slow, no adhesion to speak of.
-//! let variation = Variation { depth: 0.5, time: 10.0, work: 1e-9 };
+//! let variation = Variation { depth: 0.5, time: 10.0, work: 1e-9, ..Variation::default() };
 //! let kept = cells()[0].laws(&variation, 0.3);
 //! assert!(kept.iter().all(|kept| kept.failure.is_none()), "{kept:?}");
 //! ```
 
-use super::choices::{ADHESIONS, BODIES, DRIVES, FRICTIONS, Lead, OTHER, PressedShape, RELAXING, SHAPES};
+use super::choices::{ADHESIONS, BODIES, DRIVES, FINER_PIXELS, FRICTIONS, Lead, MAUGIS, RELAXING, SHAPES};
+use super::led::{Leg, Row, Scales, history, machine};
+use super::variation::{Units, Variation};
 use crate::input::table::InMemory;
 use crate::scene::plan::Plan;
 use crate::text::{Notation, TextError};
@@ -18,65 +20,25 @@ use crate::text::{Notation, TextError};
 /// Relative error the scenes aim at.
 pub(super) const ACCURACY: f64 = 1e-3;
 
-/// Other numbers than those of the matrix, as multiples of them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Variation {
-    /// Of depths and forces.
-    pub depth: f64,
-    /// Of times.
-    pub time: f64,
-    /// Of works of adhesion.
-    pub work: f64,
-}
-
-impl Default for Variation {
-    fn default() -> Self {
-        Self { depth: 1.0, time: 1.0, work: 1.0 }
-    }
-}
-
-impl Variation {
-    /// The variation with a number, and a part of a way at which to cut; neighbours in number are far apart (Weyl).
-    #[must_use]
-    #[expect(clippy::cast_precision_loss, reason = "numbers of scenes are small")]
-    pub fn numbered(number: u64) -> (Self, f64) {
-        let part = |irrational: f64| (number as f64 * irrational).fract();
-        let between = |low: f64, high: f64, irrational: f64| 10f64.powf(low + (high - low) * part(irrational));
-        let variation = Self {
-            depth: between(-1.0, 0.3, 2f64.sqrt()),
-            time: between(-3.0, 3.0, 3f64.sqrt()),
-            work: between(-2.0, 0.5, 5f64.sqrt()),
-        };
-        (variation, 0.05 + 0.9 * part(7f64.sqrt()))
-    }
-}
-
-/// A row of a history in a table: time [s], depth and slide [m].
-pub(super) type Row = [f64; 3];
-
-/// An entry of a history.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Leg {
-    /// A straight way of a depth [m], a force [N] or a slide [m] to `to` in `over` seconds.
-    Ramp { name: &'static str, to: f64, over: f64 },
-    /// A force held for so many seconds.
-    Held(f64),
-    /// A table of so many columns.
-    Rows(Vec<Row>),
-    /// An entry that is not cut.
-    Whole(String),
-}
-
 /// A scene of a combination as it is written.
 #[derive(Debug, Clone)]
 pub(super) struct Written {
-    pub(super) shape: &'static str,
-    pub(super) bodies: [String; 2],
+    pub(super) shape: String,
+    pub(super) solver: &'static str,
+    templates: [&'static str; 2],
+    bodies: [String; 2],
     pub(super) adhesion: String,
-    pub(super) friction: &'static str,
+    friction: String,
+    machine: String,
     pub(super) history: Vec<Leg>,
     /// Records of an entry.
-    pub(super) steps: u32,
+    steps: u32,
+    accuracy: f64,
+    units: Units,
+    /// The unit of its force.
+    pub(super) force: &'static str,
+    on_pixels: bool,
+    bridge: Option<String>,
 }
 
 /// The scene of a combination; `None` where it is no combination of its own.
@@ -90,74 +52,76 @@ pub(super) fn written(
     if (lead == Lead::Oblique && !slides) || (lead == Lead::Impact && slides) {
         return None;
     }
-    let work = 0.02 * variation.work;
+    let Variation { units, turns, series, .. } = variation;
+    let scales = Scales::new(pressed, !adhesion.is_empty(), variation);
+    let mut templates = bodies.texts;
+    if lead == Lead::Glide {
+        // What glides carries the shape, and the ground is the body that remembers.
+        templates.reverse();
+    }
     Some(Written {
-        shape: pressed.shape.text,
-        bodies: bodies.texts.map(str::to_owned),
-        adhesion: adhesion.replace("WORK", &format!("{work:e}")).replace("CLOSING", &format!("{:e}", 0.5 * work)),
-        friction: FRICTIONS[friction].text,
-        history: history(lead, pressed, slides, variation),
+        shape: units.fill(pressed.shape.text),
+        solver: pressed.solver,
+        templates,
+        bodies: templates.map(|text| body(text, series, units)),
+        adhesion: attraction(adhesion, variation),
+        friction: units.fill(FRICTIONS[friction].text),
+        machine: machine(lead, &scales),
+        history: history(lead, slides, &scales, turns),
         steps: 4,
+        accuracy: ACCURACY,
+        units: *units,
+        force: pressed.force_unit(),
+        on_pixels: pressed.is_on_pixels(),
+        bridge: adhesion.contains("Capillary").then(|| attraction(MAUGIS, variation)),
     })
 }
 
-fn history(lead: Lead, pressed: &PressedShape, slides: bool, variation: &Variation) -> Vec<Leg> {
-    let (depth, force, over) = (variation.depth * pressed.depth, variation.depth * pressed.force, variation.time);
-    let slide = slides.then_some(Leg::Ramp { name: "Slide", to: 1e-6 * variation.depth, over });
-    let ramp = |name: &'static str, to: f64| Leg::Ramp { name, to, over };
-    let (up, frequency) = (ramp("Indent", depth), 1.0 / over);
-    let legs = |first: Leg, last: Leg| [Some(first), slide.clone(), Some(last)].into_iter().flatten().collect();
-    match lead {
-        Lead::Depth => legs(up, ramp("Indent", 1e-3 * depth)),
-        Lead::Force => legs(ramp("Press", force), Leg::Held(over)),
-        // Where the depth starts from is what the force has made of it.
-        Lead::ForceThenDepth => legs(ramp("Press", force), Leg::Whole(ramp("Indent", 0.3 * depth).text())),
-        Lead::Sine if slides => {
-            let amplitude = 1e-7 * variation.depth;
-            vec![up, Leg::Whole(format!("Shake(amplitude: {amplitude:e}, frequency: {frequency:e}, cycles: 1)"))]
-        }
-        Lead::Sine => {
-            let amplitude = 1e-3 * depth;
-            vec![up, Leg::Whole(format!("Oscillate(amplitude: {amplitude:e}, frequency: {frequency:e}, cycles: 1)"))]
-        }
-        Lead::Rows => vec![Leg::Rows(rows(depth, slides, variation))],
-        Lead::Retraction => legs(up, Leg::Whole(format!("Retract(speed: {:e})", depth / over))),
-        Lead::Impact => vec![Leg::Whole("Impact(mass: 1e-3, speed: 0.05)".to_owned())],
-        Lead::Oblique => vec![Leg::Whole("Impact(mass: 1e-3, speed: 0.05, angle: \"30 deg\")".to_owned())],
-    }
+/// A body with its series.
+fn body(template: &str, series: &[String; 2], units: &Units) -> String {
+    units.fill(&template.replace("{0}", &series[0]).replace("{1}", &series[1]))
 }
 
-/// The table of a history: up, along where there is friction, and down.
-fn rows(depth: f64, slides: bool, variation: &Variation) -> Vec<Row> {
-    let slide = if slides { 1e-7 * variation.depth } else { 0.0 };
-    let over = variation.time;
-    vec![[0.0, 0.0, 0.0], [over, depth, 0.0], [2.0 * over, depth, slide], [3.0 * over, 0.5 * depth, slide]]
-}
-
-impl Leg {
-    fn text(&self) -> String {
-        match self {
-            Self::Ramp { name, to, over } => format!("{name}(to: {to:e}, over: {over:e})"),
-            Self::Held(over) => format!("HoldForce(over: {over:e})"),
-            Self::Rows(_) => "Table(\"rows.csv\")".to_owned(),
-            Self::Whole(text) => text.clone(),
-        }
-    }
+/// An attraction with its numbers.
+fn attraction(template: &str, variation: &Variation) -> String {
+    let units = &variation.units;
+    let work = 0.02 * variation.work;
+    // Of a range w/σ₀.
+    let stress = 2e4 * variation.stress;
+    let tension = 0.5 * work;
+    let values = [
+        ("WORK", work * units.of("J/m2")),
+        ("CLOSING", 0.5 * work * units.of("J/m2")),
+        ("STRESS", stress * units.of("Pa")),
+        ("TENSION", tension * units.of("N/m")),
+        ("KELVIN", tension / stress * units.of("m")),
+        ("SPEED", 1e-4 * units.of("m/s")),
+    ];
+    values.iter().fold(template.to_owned(), |text, (name, value)| text.replace(name, &format!("{value:e}")))
 }
 
 impl Written {
     /// The scene as text.
     pub(super) fn text(&self) -> String {
         format!(
-            "(shape: {}, bodies: ({}, {}), {} {} steps: {}, accuracy: {ACCURACY:e}, history: [{}])",
+            "(shape: {}, bodies: ({}, {}), {} {} {} {} steps: {}, accuracy: {:e}, history: [{}])",
             self.shape,
             self.bodies[0],
             self.bodies[1],
             self.adhesion,
             self.friction,
+            self.machine,
+            self.solver,
             self.steps,
+            self.accuracy,
             self.history.iter().map(Leg::text).collect::<Vec<_>>().join(", ")
         )
+    }
+
+    /// The scene as text with the rows of its table.
+    pub(super) fn told(&self) -> String {
+        let rows = self.history.iter().find_map(|leg| if let Leg::Rows(rows) = leg { Some(rows) } else { None });
+        rows.map_or_else(|| self.text(), |rows| format!("{} with rows {rows:?}", self.text()))
     }
 
     /// The plan.
@@ -188,7 +152,9 @@ impl Written {
                     legs.push(Leg::Ramp { name, to: from + part * (to - from), over: part * over });
                     legs.push(Leg::Ramp { name, to, over: (1.0 - part) * over });
                 }
-                Leg::Held(over) => legs.extend([Leg::Held(part * over), Leg::Held((1.0 - part) * over)]),
+                &Leg::Held { name, over } => {
+                    legs.extend([part, 1.0 - part].map(|part| Leg::Held { name, over: part * over }));
+                }
                 Leg::Rows(rows) => {
                     let between = |pair: &[Row]| {
                         let at = std::array::from_fn(|k| pair[0][k] + part * (pair[1][k] - pair[0][k]));
@@ -213,7 +179,7 @@ impl Written {
         };
         let history = self.history.iter().map(|leg| match leg {
             Leg::Rows(rows) => Leg::Rows(between(rows)),
-            leg @ (Leg::Ramp { .. } | Leg::Held(_) | Leg::Whole(_)) => leg.clone(),
+            leg @ (Leg::Ramp { .. } | Leg::Held { .. } | Leg::Whole(_)) => leg.clone(),
         });
         Self { history: history.collect(), steps, ..self }
     }
@@ -228,11 +194,11 @@ impl Written {
     pub(super) fn in_rows(&self) -> Option<Self> {
         let mut rows = vec![[0.0; 3]];
         for leg in &self.history {
-            let &Leg::Ramp { name, to, over } = leg else { return None };
             let [time, depth, slide] = *rows.last()?;
-            rows.push(match name {
-                "Indent" => [time + over, to, slide],
-                "Slide" => [time + over, depth, to],
+            rows.push(match *leg {
+                Leg::Ramp { name: "Indent", to, over } => [time + over, to, slide],
+                Leg::Ramp { name: "Slide", to, over } => [time + over, depth, to],
+                Leg::Held { name: "Hold", over } => [time + over, depth, slide],
                 _ => return None,
             });
         }
@@ -241,19 +207,56 @@ impl Written {
 
     /// The scene whose bodies have the weight `weight` in their Prony terms, and the elastic scene it has for a limit.
     pub(super) fn nearly_elastic(&self, weight: f64) -> [Self; 2] {
-        let with = |body: &str| self.bodies.each_ref().map(|text| text.replace(RELAXING, body).replace(OTHER, body));
-        let terms = format!("equilibrium: 1e6, terms: [(modulus: {:e}, time: 1)]", 1e6 * weight);
-        let relaxing = with(&format!("Viscoelastic(poisson: 0.5, shear: ({terms}))"));
+        let with = |text: &str| {
+            self.templates.map(|old| RELAXING.iter().fold(old.to_owned(), |old, of| old.replace(of, text)))
+        };
+        let terms = format!("equilibrium: <1e6 Pa>, terms: [(modulus: <{:e} Pa>, time: <1 s>)]", 1e6 * weight);
+        let filled = |bodies: [String; 2]| bodies.map(|text| self.units.fill(&text));
+        let relaxing = filled(with(&format!("Viscoelastic(poisson: 0.5, shear: ({terms}))")));
         let relaxing = Self { bodies: relaxing, ..self.clone() };
-        let bodies = with("Elastic(young: 3e6, poisson: 0.5)");
+        let bodies = filled(with("Elastic(young: <3e6 Pa>, poisson: 0.5)"));
         let adhesion = [", edge: Relaxed", ", edge: Instantaneous"];
         let adhesion = adhesion.iter().fold(self.adhesion.clone(), |text, edge| text.replace(edge, ""));
         [relaxing, Self { bodies, adhesion, ..self.clone() }]
     }
 
+    /// The same scene at a finer accuracy, or on more pixels.
+    pub(super) fn finer_solved(&self, accuracy: f64) -> Self {
+        if self.on_pixels {
+            return Self { solver: FINER_PIXELS, ..self.clone() };
+        }
+        Self { accuracy, ..self.clone() }
+    }
+
+    /// Whether it is solved on pixels.
+    pub(super) fn is_on_pixels(&self) -> bool {
+        self.on_pixels
+    }
+
+    /// The same scene with the attraction of the work and the stress of its bridge of liquid, if it has one.
+    pub(super) fn as_maugis(&self) -> Option<Self> {
+        Some(Self { adhesion: self.bridge.clone()?, bridge: None, ..self.clone() })
+    }
+
     /// Whether a mass strikes.
     pub(super) fn strikes(&self) -> bool {
         self.history.iter().any(|leg| matches!(leg, Leg::Whole(text) if text.starts_with("Impact")))
+    }
+
+    /// Whether weight acts on a mass, which has units of its own.
+    pub(super) fn falls(&self) -> bool {
+        self.history.iter().any(|leg| matches!(leg, Leg::Whole(text) if text.starts_with("Fall")))
+    }
+
+    /// Whether a body moves along over a bed that may remember.
+    pub(super) fn moves_along(&self) -> bool {
+        let moves = |text: &str| text.starts_with("Glide") || text.starts_with("Roll");
+        self.history.iter().any(|leg| matches!(leg, Leg::Whole(text) if moves(text)))
+    }
+
+    /// Whether something is worn off.
+    pub(super) fn wears(&self) -> bool {
+        self.friction.contains("wear")
     }
 
     /// Whether one of the bodies relaxes.

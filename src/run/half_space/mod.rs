@@ -66,7 +66,7 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
         force: pressed.force(),
     });
     let estimate = match &rehearsed {
-        Some(coarse) => coarse.estimate(&records, heights.values.dim()),
+        Some(coarse) => coarse.estimate(&records, &heights),
         None => error::estimate(plan, &pressing, &series),
     };
     Ok(Outcome {

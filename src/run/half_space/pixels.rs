@@ -14,7 +14,8 @@ use std::sync::Arc;
 
 /// Rounds in which gap and attraction may find each other.
 const ROUNDS: usize = 2000;
-/// Least residual to which a contact is solved that an attraction changes again.
+/// Residual to which a contact is solved that an attraction changes again, whatever accuracy is asked for: less would be
+/// worked off in the next round, and more keeps gap and attraction from finding each other.
 const LOOSE: f64 = 1e-7;
 /// Rounds after which the slopes of the gap are taken as they are: pixels that touch and part in turns change them.
 const FLEXIBLE: usize = 40;
@@ -123,8 +124,7 @@ impl<'p> Pixels<'p> {
             let Some(control) = self.control(prescribed) else { return Ok(None) };
             let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
             let Pressing { boundary, settings, .. } = self.pressing;
-            let settings =
-                Settings { tolerance: settings.tolerance.max(self.attraction.map_or(0.0, |_| LOOSE)), ..settings };
+            let settings = Settings { tolerance: self.attraction.map_or(settings.tolerance, |_| LOOSE), ..settings };
             let pixel = self.pressing.heights.pixel;
             let modulus = step.map_or(self.pressing.modulus, |step| step.modulus);
             let map = PressedMap { heights: heights.view(), pixel, modulus, boundary, control };

@@ -1,5 +1,6 @@
 //! The history of bodies with a past, gone through on fewer pixels first: how many steps it takes, and what pixels cost.
 
+use super::heights::Heights;
 use super::series::{Depth, Series};
 use super::state::{Pressing, response};
 use crate::contact::state::Normal;
@@ -53,18 +54,25 @@ impl Rehearsed {
         self
     }
 
-    /// The error of the records on all of `rows` × `columns` pixels.
-    pub(super) fn estimate(&self, records: &[Record], (rows, columns): (usize, usize)) -> ErrorEstimate {
+    /// The error of the records on all of the pixels.
+    pub(super) fn estimate(&self, records: &[Record], heights: &Heights) -> ErrorEstimate {
+        let (rows, columns) = heights.values.dim();
         match &self.records {
             Ok(coarse) => {
                 let of_pixels = apart(coarse, records);
                 let of_time = self.of_time.unwrap_or(0.0);
                 let in_words =
                     self.of_time.map_or_else(String::new, |of| format!("; the steps of the time leave {of:.0e}"));
+                let of_edge = of_edge(records, heights.pixel);
+                let edge = if of_edge > 0.0 {
+                    format!("; the edge lies within half a pixel, {of_edge:.1e} of the radius")
+                } else {
+                    String::new()
+                };
                 let basis = format!(
-                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{in_words}"
+                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{in_words}{edge}"
                 );
-                ErrorEstimate { relative: of_pixels + of_time, basis }
+                ErrorEstimate { relative: (of_pixels + of_time).max(of_edge), basis }
             }
             Err(error) => ErrorEstimate {
                 relative: 1.0,
@@ -72,6 +80,12 @@ impl Rehearsed {
             },
         }
     }
+}
+
+/// Half a pixel, of the largest radius of contact; zero where there is none.
+fn of_edge(records: &[Record], pixel: [f64; 2]) -> f64 {
+    let radius = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    if radius > 0.0 { 0.5 * pixel[0].max(pixel[1]) / radius } else { 0.0 }
 }
 
 /// How far two histories are apart at the times that both have, in force and in indentation, of the largest of each.

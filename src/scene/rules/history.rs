@@ -20,7 +20,12 @@ fn oblique<'e>(entry: &EntryTraits<'e>) -> Option<&'e Impact> {
 pub(super) fn impact_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     draft.shape().filter(|shape| is_without_bed(shape))?;
     entry.impact?;
-    cannot_be_on(draft, &entry.place(), entry.name)
+    cannot_be_on(
+        draft,
+        &entry.place(),
+        entry.name,
+        "a half-plane gives without end, so that a mass does not know how deep it is",
+    )
 }
 
 pub(super) fn slide_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
@@ -30,7 +35,10 @@ pub(super) fn slide_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opti
     }
     refused(
         entry,
-        format!("cannot be computed on {}: expected none: a series of the half-plane knows no friction", shape.name()),
+        format!(
+            "cannot be computed on {}, for its series is that of a pressure and knows no shear: expected none",
+            shape.name()
+        ),
     )
 }
 
@@ -38,9 +46,13 @@ pub(super) fn slide_on_plane(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opti
 pub(super) fn depth_of_wavy(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let shape = draft.shape()?;
     match shape.family() {
-        Family::Wavy(_) if entry.by_depth() => {
-            refused(entry, format!("cannot be computed on {}: expected Press(…) or HoldForce(…)", shape.name()))
-        }
+        Family::Wavy(_) if entry.by_depth() => refused(
+            entry,
+            format!(
+                "cannot be computed on {}, for a half-plane gives without end and has no depth of its own: expected Press(…) or HoldForce(…)",
+                shape.name()
+            ),
+        ),
         Family::Round | Family::Line(_) | Family::Map(..) | Family::Tips(_) | Family::Wavy(_) => None,
     }
 }
@@ -79,7 +91,7 @@ pub(super) fn oblique_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>
     draft.pair_relaxes()?.then_some(())?;
     refused(
         entry,
-        "an oblique Impact of a Viscoelastic body cannot be computed: expected Elastic bodies, or no angle and spin",
+        "an oblique Impact of a Viscoelastic body cannot be computed, for depth and slide are curves in time, and the friction of bodies that relax is known of straight ones: expected Elastic bodies, or no angle and spin",
     )
 }
 
@@ -106,7 +118,7 @@ pub(super) fn oblique_under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>)
     refused(
         entry,
         format!(
-            "an oblique Impact with {} adhesion cannot be computed: expected no adhesion, or no angle and spin",
+            "an oblique Impact with {} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq at which the ball would slip: expected no adhesion, or no angle and spin",
             adhesion.name
         ),
     )

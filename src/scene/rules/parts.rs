@@ -55,7 +55,10 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
         (Range::Finite(_), false) => None,
         (Range::Finite(_), true) => refused(
             "adhesion",
-            format!("{} with a Viscoelastic body cannot be computed: expected Jkr(work: …, edge: …)", adhesion.name),
+            format!(
+                "{} with a Viscoelastic body cannot be computed on a bed, for the surfaces it draws together creep where no spring is in contact: expected Jkr(work: …, edge: …), or solver: HalfSpace(…)",
+                adhesion.name
+            ),
         ),
     }
 }
@@ -109,10 +112,10 @@ pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     if draft.chooses_solver()? {
         return None;
     }
-    let why = if let Rim::Wall(_) = profile.rim() {
-        "the side of the punch leaves the attraction no gap of growing width"
-    } else if profile.is_plane() {
+    let why = if profile.is_plane() {
         "an attraction of finite range is known around a round contact, not beside a strip"
+    } else if let Rim::Wall(_) = profile.rim() {
+        "the side of the punch leaves the attraction no gap of growing width"
     } else if profile.feature().is_some() {
         "the slope of this profile rises and falls, so it could be attracted in several rings"
     } else {
@@ -144,7 +147,7 @@ pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem
         Slip::Gross => refused(
             "friction",
             format!(
-                "{} with a Viscoelastic body cannot be computed: expected Coulomb(coefficient: …), Elastic or Rigid bodies, or no friction",
+                "{} with a Viscoelastic body cannot be computed, for a contact that slides as a whole presses on ever other places, and a ground that relaxes resists them otherwise than at rest: expected Coulomb(coefficient: …), Elastic or Rigid bodies, or no friction",
                 friction.name()
             ),
         ),
@@ -188,7 +191,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         ) => refused(
             "friction",
             format!(
-                "{one} with {other} adhesion cannot be computed: expected Jkr(…) with Pressure(shear: …, slope: 0), or no adhesion"
+                "{one} with {other} adhesion cannot be computed, for how shear weakens what pulls across the gap around a contact is known of a vanishing range only: expected Jkr(…) with Pressure(shear: …, slope: 0), or no adhesion"
             ),
         ),
     }
@@ -245,9 +248,9 @@ pub(super) fn not_round(shape: &Shape) -> Option<String> {
 }
 
 /// A part that cannot be computed on the shape of the scene.
-pub(super) fn cannot_be_on(draft: &Draft<'_>, path: &str, part: &str) -> Option<Problem> {
+pub(super) fn cannot_be_on(draft: &Draft<'_>, path: &str, part: &str, why: &str) -> Option<Problem> {
     let shape = not_round(draft.shape()?)?;
-    refused(path, format!("{part} cannot be computed on {shape}: expected none"))
+    refused(path, format!("{part} cannot be computed on {shape}, for {why}: expected none"))
 }
 
 /// On a rough line patches of elastic bodies are held by their edges.
@@ -256,9 +259,12 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     if draft.chooses_solver()? && !shape.is_plane() {
         return None;
     }
-    let of = match (shape.family(), &adhesion.range) {
+    let (of, why) = match (shape.family(), &adhesion.range) {
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
-        (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => " of Viscoelastic bodies",
+        (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => (
+            " of Viscoelastic bodies",
+            "each of its patches would have edges with a past of their own, which join and part",
+        ),
         (Family::Line(_) | Family::Map(..), Range::Finite(_)) => {
             return refused(
                 "adhesion",
@@ -269,9 +275,11 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 ),
             );
         }
-        (Family::Round | Family::Tips(_) | Family::Wavy(_), _) => "",
+        (Family::Round | Family::Tips(_) | Family::Wavy(_), _) => {
+            ("", "its series is that of a pressure which ends at zero, not in the pull of an adhesive edge")
+        }
     };
-    cannot_be_on(draft, "adhesion", &format!("{}{of}", adhesion.name))
+    cannot_be_on(draft, "adhesion", &format!("{}{of}", adhesion.name), why)
 }
 
 /// Of friction a wave knows gross sliding, as a result.
@@ -290,13 +298,15 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 not_round(shape).unwrap_or_default()
             ),
         ),
-        (Family::Round | Family::Tips(_) | Family::Wavy(_), _) => cannot_be_on(draft, "friction", friction.name()),
+        (Family::Round | Family::Tips(_) | Family::Wavy(_), _) => {
+            cannot_be_on(draft, "friction", friction.name(), "its series is that of a pressure and knows no shear")
+        }
     }
 }
 
 pub(super) fn springs_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     draft.springs()?;
-    cannot_be_on(draft, "springs", "a number of springs")
+    cannot_be_on(draft, "springs", "a number of springs", "how many it has follows from the shape")
 }
 
 /// Whether the shape is a section known by a series of its own, not by a bed.
@@ -310,5 +320,6 @@ pub(super) fn viscoelastic_on_plane(draft: &Draft<'_>) -> Vec<Problem> {
     }
     let bodies = [("bodies.0", draft.body(0, Look::Kind)), ("bodies.1", draft.body(1, Look::Kind))];
     let viscoelastic = bodies.into_iter().filter(|(_, body)| body.is_some_and(Body::relaxes));
-    viscoelastic.filter_map(|(path, _)| cannot_be_on(draft, path, "a viscoelastic body")).collect()
+    let why = "pieces of its contact join and part, and a body that relaxes would remember which was when";
+    viscoelastic.filter_map(|(path, _)| cannot_be_on(draft, path, "a viscoelastic body", why)).collect()
 }

@@ -69,7 +69,7 @@ pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Proble
     let why = if entry.impact.is_some() {
         "its states have no motion"
     } else if entry.glide.is_some() {
-        "its pixels have no memory that a moving body could leave behind"
+        "its pixels lie still under the body, and what one that moves along leaves behind is not computed on them"
     } else if entry.slides() {
         "its pixels carry no shear"
     } else {

@@ -22,7 +22,7 @@ mod error;
 mod fourier;
 mod height_map;
 mod line;
-mod random;
+pub(crate) mod random;
 mod rings;
 mod self_affine;
 mod source;

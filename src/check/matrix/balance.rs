@@ -1,0 +1,69 @@
+//! The ledger of energies of a scene: what is put in is stored or lost.
+
+use super::ends::Largest;
+use crate::run::record::{MachineState, Outcome, Record};
+
+/// What the trapezoidal rule between records may miss of the work.
+const TRAPEZOIDS: f64 = 2e-3;
+
+/// Work by the trapezoidal rule between records, against what is stored and lost; nothing lost is found again unless the
+/// contact `finds` it.
+pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String> {
+    let energy = Largest::of(whole).energy;
+    if let Some(why) = regained(whole, exact * energy).filter(|_| !finds) {
+        return Some(why);
+    }
+    let (first, last) = (whole.records.first()?, whole.records.last()?);
+    let [every, second] = [1, 2].map(|step| put_in(whole, step));
+    let off = (every - accounted(last) + accounted(first)).abs();
+    // Of a force that changes between two records nobody knows the work: then every second record tells another.
+    let bound = (TRAPEZOIDS + exact) * energy + (every - second).abs();
+    (off > bound || off.is_nan()).then(|| format!("the ledger is open by {:e} of the energies", off / energy))
+}
+
+/// Where dissipation falls by more than `bound` [J].
+fn regained(whole: &Outcome, bound: f64) -> Option<String> {
+    let lost = |record: &Record| record.normal.dissipated;
+    let back = whole.records.windows(2).map(|pair| lost(&pair[0]) - lost(&pair[1])).fold(0.0, f64::max);
+    (back > bound).then(|| format!("dissipation falls by {:e} of the energies", back / Largest::of(whole).energy))
+}
+
+/// The ledger of a machine, which keeps the work that is put in by itself: at each record what has been put in is
+/// kinetic, in the spring, in the contact, or lost.
+pub(super) fn ledger_of_machine(whole: &Outcome, exact: f64) -> Option<String> {
+    let driven = || whole.records.iter().filter_map(|record| Some((record, record.machine?)));
+    let largest = driven().map(|(_, machine)| machine.work.abs().max(machine.kinetic)).fold(0.0, f64::max);
+    let open = driven()
+        .map(|(record, machine)| open(record, &machine))
+        .fold(0.0, |most: f64, off| if off.is_nan() { f64::INFINITY } else { most.max(off.abs()) });
+    (open > exact * largest).then(|| format!("the ledger of the machine is open by {:e} of its work", open / largest))
+}
+
+/// What is missing of the work put in [J].
+fn open(record: &Record, machine: &MachineState) -> f64 {
+    let rubbed = record.tangential.and_then(|state| state.dissipated).unwrap_or(0.0);
+    let stored = machine.kinetic + machine.spring + machine.sheared.unwrap_or(0.0) + record.normal.stored.stored();
+    machine.work - stored - machine.damped - record.normal.dissipated - rubbed
+}
+
+/// What has been stored and lost [J].
+fn accounted(record: &Record) -> f64 {
+    let rubbed = record.tangential.map_or(0.0, |state| state.stored.unwrap_or(0.0) + state.dissipated.unwrap_or(0.0));
+    record.normal.stored.stored() + record.normal.dissipated + rubbed
+}
+
+/// Work [J] by the trapezoidal rule over every `step`-th record, and the last.
+fn put_in(whole: &Outcome, step: usize) -> f64 {
+    let last = whole.records.len().saturating_sub(1);
+    let taken: Vec<&Record> = (0..last).step_by(step).chain([last]).filter_map(|k| whole.records.get(k)).collect();
+    taken.windows(2).map(|pair| work(pair[0], pair[1])).sum()
+}
+
+/// Work between two records [J].
+fn work(one: &Record, two: &Record) -> f64 {
+    let slide = |record: &Record| record.tangential.map_or((0.0, 0.0), |state| (state.slide, state.force));
+    let ((from, resisted), (to, resists)) = (slide(one), slide(two));
+    let rubbed = 0.5 * (resisted + resists) * (to - from);
+    let (Some(from), Some(to)) = (one.normal.indentation, two.normal.indentation) else { return rubbed };
+    0.5 * (one.normal.force + two.normal.force) * (to - from) + rubbed
+}

@@ -1,0 +1,112 @@
+//! What two runs of the same scene have in common.
+
+use super::written::Written;
+use crate::run::record::{Outcome, Record};
+use crate::run::{self, Wanted};
+
+/// What is compared of two runs.
+pub(super) struct Ends {
+    force: f64,
+    depth: f64,
+    stored: f64,
+    dissipated: f64,
+    along: f64,
+    largest: Largest,
+}
+
+/// The largest force [N], depth [m] and energy [J] of a scene.
+#[derive(Clone, Copy)]
+pub(super) struct Largest {
+    pub(super) force: f64,
+    pub(super) depth: f64,
+    pub(super) energy: f64,
+    pub(super) radius: f64,
+}
+
+impl Largest {
+    pub(super) fn of(outcome: &Outcome) -> Self {
+        let largest = |of: &dyn Fn(&Record) -> f64| outcome.records.iter().map(|r| of(r).abs()).fold(0.0, f64::max);
+        Self {
+            force: largest(&|record| record.normal.force),
+            depth: largest(&|record| record.normal.indentation.unwrap_or(0.0)),
+            energy: largest(&|record| record.normal.stored.elastic)
+                + largest(&|record| record.normal.stored.surface)
+                + largest(&|record| record.normal.dissipated),
+            radius: largest(&|record| record.normal.contact_radius.unwrap_or(0.0)),
+        }
+    }
+}
+
+impl Ends {
+    pub(super) fn of(outcome: &Outcome) -> Option<Self> {
+        let record = outcome.records.last()?;
+        Some(Self {
+            force: record.normal.force,
+            depth: record.normal.indentation.unwrap_or(0.0),
+            stored: record.normal.stored.stored(),
+            dissipated: record.normal.dissipated,
+            along: record.tangential_force().unwrap_or(0.0),
+            largest: Largest::of(outcome),
+        })
+    }
+
+    /// The same in units of force [N] and length [m].
+    pub(super) fn over(&self, force: f64, length: f64) -> Self {
+        let Largest { force: most, depth, energy, radius } = self.largest;
+        let work = force * length;
+        Self {
+            force: self.force / force,
+            depth: self.depth / length,
+            stored: self.stored / work,
+            dissipated: self.dissipated / work,
+            along: self.along / force,
+            largest: Largest {
+                force: most / force,
+                depth: depth / length,
+                energy: energy / work,
+                radius: radius / length,
+            },
+        }
+    }
+
+    /// How the end of another way differs beyond `bound`, if it does.
+    pub(super) fn differ(&self, other: &Self, bound: f64) -> Option<String> {
+        let largest = &self.largest;
+        let pairs = [
+            ("force", self.force, other.force, largest.force),
+            ("depth", self.depth, other.depth, largest.depth),
+            ("stored", self.stored, other.stored, largest.energy),
+            ("dissipated", self.dissipated, other.dissipated, largest.energy),
+            ("tangential force", self.along, other.along, largest.force),
+        ];
+        let off = pairs.iter().find(|(_, one, two, scale)| {
+            let off = (one - two).abs();
+            off.is_nan() || off > bound * scale.max(f64::MIN_POSITIVE)
+        });
+        off.map(|(what, one, two, scale)| format!("{what} {one:e}, {two:e}: off by {:e}", (one - two).abs() / scale))
+    }
+}
+
+/// The outcome of a scene; what is wrong if it has none.
+pub(super) fn outcome(written: &Written) -> Result<Outcome, String> {
+    computed(written, Wanted::NOTHING)
+}
+
+/// The same with the instants between its records at which the contact jumps or its force turns.
+pub(super) fn outcome_with_instants(written: &Written) -> Result<Outcome, String> {
+    computed(written, Wanted { instants: true, ..Wanted::NOTHING })
+}
+
+fn computed(written: &Written, wanted: Wanted) -> Result<Outcome, String> {
+    let plan = written.plan().map_err(|errors| errors[0].message.clone())?;
+    run::run(&plan, wanted).map_err(|error| error.to_string())
+}
+
+/// How the end of another scene differs beyond `bound`, if it does.
+pub(super) fn compared(whole: &Outcome, other: &Written, bound: f64) -> Option<String> {
+    let other = match outcome(other) {
+        Ok(other) => other,
+        Err(why) => return Some(why),
+    };
+    Ends::of(whole)?.differ(&Ends::of(&other)?, bound)
+}
