@@ -258,7 +258,12 @@ impl<'t> Stop<'t> {
         self.around.path.starts_with("bodies") && !self.around.path.contains("shear")
     }
 
+    /// Something else where a scene should be, or a part of it with fields of its own.
     fn no_scene(&self) -> String {
+        if let Some(field) = self.around.path.rsplit('.').next().filter(|field| !field.is_empty()) {
+            let (path, found) = (&self.around.path, self.token());
+            return format!("{path}: found `{found}`: expected fields in round brackets, {field}: (…)");
+        }
         let found = match self.token() {
             "" => "there is no scene in the file".to_owned(),
             token => format!("found `{token}`"),

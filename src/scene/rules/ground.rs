@@ -46,8 +46,9 @@ pub(super) fn under_shape(draft: &Draft<'_>) -> Option<Problem> {
             "of layers the bed under a single round contact is known"
         }
     };
+    let or = if shape.is_plane() { "" } else { ", or solver: HalfSpace(…)" };
     let what = format!(
-        "{name} under the shape {} cannot be computed, for {why}: expected a round shape, or Elastic",
+        "{name} under the shape {} cannot be computed, for {why}: expected a round shape, or Elastic{or}",
         shape.name()
     );
     Some(Problem::new(place, what))
