@@ -243,6 +243,15 @@ fn pressure_and_surface_fit_together() {
     }
 }
 
+/// E*u/p of a loaded rectangle on a half-space by its corners, (1/π)Σ±[x ln(y + r) + y ln(x + r)] (Johnson 1985,
+/// eq. 3.25).
+fn endless([x, y]: [f64; 2], [width, height]: [f64; 2]) -> f64 {
+    let corner = |x: f64, y: f64| x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh();
+    let (left, right) = (x - 0.5 * width, x + 0.5 * width);
+    let (lower, upper) = (y - 0.5 * height, y + 0.5 * height);
+    (corner(right, upper) - corner(left, upper) - corner(right, lower) + corner(left, lower)) / std::f64::consts::PI
+}
+
 /// Nine rectangles are one of three times their sides, near and far, wide and narrow; on a body without a grading, or
 /// under layers that are all one, they are those of a half-space.
 #[test]
@@ -264,13 +273,6 @@ fn rectangles_add_up_to_a_larger_one() {
         Box::new(graded(0.4)),
         Box::new(graded(0.9)),
     ];
-    // On a half-space: E*u/p by the corners, (1/π)Σ±[x ln(y + r) + y ln(x + r)] (Johnson 1985, eq. 3.25).
-    let endless = |[x, y]: [f64; 2], [width, height]: [f64; 2]| {
-        let corner = |x: f64, y: f64| x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh();
-        let (left, right) = (x - 0.5 * width, x + 0.5 * width);
-        let (lower, upper) = (y - 0.5 * height, y + 0.5 * height);
-        (corner(right, upper) - corner(left, upper) - corner(right, lower) + corner(left, lower)) / std::f64::consts::PI
-    };
     for (number, ground) in grounds.iter().enumerate() {
         for side in [0.01, 0.2, 0.9] {
             let sides = [side, 0.7 * side];
@@ -300,14 +302,8 @@ fn a_covered_plane_is_compressed() {
     for (poisson, joint) in [(0.0, Joint::Bonded), (0.3, Joint::Bonded), (0.45, Joint::Bonded)] {
         let ground = Layers::new(vec![(1.0, on_rigid(poisson, joint))]);
         let side = 0.25;
-        let corner = |x: f64, y: f64| x * (y / x.abs()).asinh() + y * (x / y.abs()).asinh();
-        let endless = |x: f64, y: f64| {
-            let (left, right, lower, upper) = (x - 0.5 * side, x + 0.5 * side, y - 0.5 * side, y + 0.5 * side);
-            (corner(right, upper) - corner(left, upper) - corner(right, lower) + corner(left, lower))
-                / std::f64::consts::PI
-        };
         let along = || (-80..=80).map(|k| f64::from(k) * side);
-        let given = |x: f64, y: f64| ground.under_rectangle([x, y], [side; 2], endless(x, y));
+        let given = |x: f64, y: f64| ground.under_rectangle([x, y], [side; 2], endless([x, y], [side; 2]));
         let all: f64 = along().map(|x| along().map(|y| given(x, y)).sum::<f64>()).sum();
         // With G of one: E* = 2/(1−ν).
         let right = (1.0 - 2.0 * poisson) / (1.0 - poisson).powi(2);

@@ -43,12 +43,13 @@ pub fn leak(gap: ArrayView2<'_, f64>, pixel: [f64; 2], boundary: Boundary) -> Re
 /// Pixels through which a way leads, and the conductances between them, of the widest gap over 12 times the viscosity.
 struct Network {
     columns: usize,
-    /// From each pixel to the next one along the row; the last one of a row to the border.
+    /// From each pixel to the next one along the row; none from the last of a row.
     right: Vec<f64>,
     /// From each pixel to that of the next row; of the last row to the first one, where it repeats.
     down: Vec<f64>,
-    /// From each pixel of the first column to the border.
+    /// From the first and from the last pixel of each row to their borders.
     inlet: Vec<f64>,
+    outlet: Vec<f64>,
     /// Sum of all conductances of a pixel; zero where nothing flows.
     total: Vec<f64>,
 }
@@ -65,8 +66,8 @@ impl Network {
         let (along, across) = (height / width, width / height);
         let places = || (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
         let right = places().map(|(row, column)| {
-            let here = cube(row, column);
-            along * if column + 1 == columns { 2.0 * here } else { series(here, cube(row, column + 1)) }
+            let next = if column + 1 < columns { cube(row, column + 1) } else { 0.0 };
+            along * series(cube(row, column), next)
         });
         let around = boundary == Boundary::Periodic && rows > 1;
         let down = places().map(|(row, column)| match row + 1 == rows {
@@ -74,67 +75,88 @@ impl Network {
             true => 0.0,
             false => across * series(cube(row, column), cube(row + 1, column)),
         });
+        let border = |column: usize| (0..rows).map(|row| along * 2.0 * cube(row, column)).collect();
         let mut network = Self {
             columns,
             right: right.collect(),
             down: down.collect(),
-            inlet: (0..rows).map(|row| along * 2.0 * cube(row, 0)).collect(),
+            inlet: border(0),
+            outlet: border(columns - 1),
             total: Vec::new(),
         };
         network.total = network.totals();
         Some(network)
     }
 
-    /// Whether a pixel lies at the border where the fluid comes in.
-    fn is_first(&self, at: usize) -> bool {
-        at.is_multiple_of(self.columns)
-    }
-
-    /// Whether it lies at the border where the fluid goes out.
-    fn is_last(&self, at: usize) -> bool {
-        (at + 1).is_multiple_of(self.columns)
-    }
-
     fn totals(&self) -> Vec<f64> {
         let (columns, pixels) = (self.columns, self.right.len());
-        let of = |at: usize| {
-            let left = if self.is_first(at) { self.inlet[at / columns] } else { self.right[at - 1] };
-            let above = self.down[(at + pixels - columns) % pixels];
-            left + self.right[at] + above + self.down[at]
-        };
-        (0..pixels).map(of).collect()
+        let of = |at: usize| self.left(at) + self.right[at] + self.down[self.above(at)] + self.down[at];
+        let mut totals: Vec<f64> = (0..pixels).map(of).collect();
+        for (row, (inlet, outlet)) in self.inlet.iter().zip(&self.outlet).enumerate() {
+            totals[row * columns] += inlet;
+            totals[(row + 1) * columns - 1] += outlet;
+        }
+        totals
+    }
+
+    /// Conductance to the pixel before.
+    fn left(&self, at: usize) -> f64 {
+        at.checked_sub(1).map_or(0.0, |before| self.right[before])
+    }
+
+    /// The pixel of the row before; of the first row that of the last.
+    fn above(&self, at: usize) -> usize {
+        if at >= self.columns { at - self.columns } else { at + self.right.len() - self.columns }
+    }
+
+    /// The pixel of the next row; of the last row that of the first.
+    fn below(&self, at: usize) -> usize {
+        let next = at + self.columns;
+        if next < self.right.len() { next } else { next - self.right.len() }
     }
 
     /// What flows out of each pixel under the pressures `p` of the fluid, the border on the left held at `left`.
     fn outflow(&self, p: &[f64], left: f64, out: &mut [f64]) {
-        let (columns, pixels) = (self.columns, p.len());
-        for (at, out) in out.iter_mut().enumerate() {
-            let from_left =
-                if self.is_first(at) { self.inlet[at / columns] * left } else { self.right[at - 1] * p[at - 1] };
-            let to_right = if self.is_last(at) { 0.0 } else { self.right[at] * p[at + 1] };
-            let (above, below) = ((at + pixels - columns) % pixels, (at + columns) % pixels);
-            *out =
-                self.total[at] * p[at] - from_left - to_right - self.down[above] * p[above] - self.down[at] * p[below];
+        for at in 0..p.len() {
+            if self.total[at] <= 0.0 {
+                continue;
+            }
+            let before = if at > 0 { self.right[at - 1] * p[at - 1] } else { 0.0 };
+            let after = if at + 1 < p.len() { self.right[at] * p[at + 1] } else { 0.0 };
+            let (above, below) = (self.above(at), self.below(at));
+            out[at] = self.total[at] * p[at] - before - after - self.down[above] * p[above] - self.down[at] * p[below];
+        }
+        for (out, inlet) in out.iter_mut().step_by(self.columns).zip(&self.inlet) {
+            *out -= inlet * left;
         }
     }
 
     /// Flow under a pressure of one: the power Σ T(Δp)², whose error is of second order in that of the pressures.
     fn power(&self, p: &[f64]) -> f64 {
-        let (columns, pixels) = (self.columns, p.len());
-        let inlet: f64 = self.inlet.iter().enumerate().map(|(row, t)| t * (1.0 - p[row * columns]).powi(2)).sum();
-        let inside = (0..pixels).map(|at| {
-            let next = if self.is_last(at) { 0.0 } else { p[at + 1] };
-            let below = p[(at + columns) % pixels];
-            self.right[at] * (p[at] - next).powi(2) + self.down[at] * (p[at] - below).powi(2)
+        let inside = (0..p.len()).map(|at| {
+            let next = if at + 1 < p.len() { p[at + 1] } else { 0.0 };
+            self.right[at] * (p[at] - next).powi(2) + self.down[at] * (p[at] - p[self.below(at)]).powi(2)
         });
-        inlet + inside.sum::<f64>()
+        let border = |t: &f64, off: f64| t * off * off;
+        let inlet: f64 = self.inlet.iter().zip(self.first(p)).map(|(t, p)| border(t, 1.0 - p)).sum();
+        let outlet: f64 = self.outlet.iter().zip(self.last(p)).map(|(t, &p)| border(t, p)).sum();
+        inlet + inside.sum::<f64>() + outlet
+    }
+
+    /// The pressures at the border where the fluid comes in.
+    fn first<'p>(&self, p: &'p [f64]) -> impl Iterator<Item = &'p f64> {
+        p.iter().step_by(self.columns)
+    }
+
+    /// The pressures at the border where it goes out.
+    fn last<'p>(&self, p: &'p [f64]) -> impl Iterator<Item = &'p f64> {
+        p.iter().skip(self.columns - 1).step_by(self.columns)
     }
 
     /// What flows in minus what flows out, of their sum.
     fn imbalance(&self, p: &[f64]) -> f64 {
-        let columns = self.columns;
-        let enters: f64 = self.inlet.iter().enumerate().map(|(row, t)| t * (1.0 - p[row * columns])).sum();
-        let leaves: f64 = (columns - 1..p.len()).step_by(columns).map(|at| self.right[at] * p[at]).sum();
+        let enters: f64 = self.inlet.iter().zip(self.first(p)).map(|(t, p)| t * (1.0 - p)).sum();
+        let leaves: f64 = self.outlet.iter().zip(self.last(p)).map(|(t, p)| t * p).sum();
         (enters - leaves).abs() / (enters.abs() + leaves.abs()).max(f64::MIN_POSITIVE)
     }
 
@@ -187,12 +209,10 @@ impl Network {
             if self.total[at] <= 0.0 {
                 continue;
             }
-            let left = if self.is_first(at) { 0.0 } else { self.right[at - 1] };
-            let above = at.checked_sub(columns).map_or(0.0, |above| self.down[above]);
+            let (left, above) = (self.left(at), at.checked_sub(columns).map_or(0.0, |above| self.down[above]));
             let taken = |from: usize, by: f64, other: f64| by * (by + RELAXED * other) * inverse[from];
             let of_left = if left > 0.0 { taken(at - 1, left, self.down[at - 1]) } else { 0.0 };
-            let to_right = |at: usize| if self.is_last(at) { 0.0 } else { self.right[at] };
-            let of_above = if above > 0.0 { taken(at - columns, above, to_right(at - columns)) } else { 0.0 };
+            let of_above = if above > 0.0 { taken(at - columns, above, self.right[at - columns]) } else { 0.0 };
             let rest = self.total[at] - of_left - of_above;
             inverse[at] = if rest > 0.0 { rest } else { self.total[at] }.recip();
         }
@@ -203,14 +223,18 @@ impl Network {
     fn precondition(&self, inverse: &[f64], residual: &[f64], out: &mut [f64]) {
         let (columns, pixels) = (self.columns, residual.len());
         for at in 0..pixels {
-            let left = if self.is_first(at) { 0.0 } else { self.right[at - 1] * out[at - 1] };
-            let above = at.checked_sub(columns).map_or(0.0, |above| self.down[above] * out[above]);
-            out[at] = inverse[at] * (residual[at] + left + above);
+            if inverse[at] > 0.0 {
+                let left = if at > 0 { self.right[at - 1] * out[at - 1] } else { 0.0 };
+                let above = if at >= columns { self.down[at - columns] * out[at - columns] } else { 0.0 };
+                out[at] = inverse[at] * (residual[at] + left + above);
+            }
         }
         for at in (0..pixels).rev() {
-            let right = if self.is_last(at) { 0.0 } else { self.right[at] * out[at + 1] };
-            let below = if at + columns < pixels { self.down[at] * out[at + columns] } else { 0.0 };
-            out[at] += inverse[at] * (right + below);
+            if inverse[at] > 0.0 {
+                let right = if at + 1 < pixels { self.right[at] * out[at + 1] } else { 0.0 };
+                let below = if at + columns < pixels { self.down[at] * out[at + columns] } else { 0.0 };
+                out[at] += inverse[at] * (right + below);
+            }
         }
     }
 }

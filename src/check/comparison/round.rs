@@ -164,8 +164,8 @@ impl Scenario {
             return Vec::new();
         }
         let history = |own: &Self, grid| {
-            let found = most_pressed(&own.on_pixels(grid)?)?;
-            Ok(Computed { found, ..Computed::default() })
+            let plan = own.on_pixels(grid)?;
+            Ok(Computed { found: most_pressed(&plan)?, bytes: plan.parts().state_bytes, ..Computed::default() })
         };
         super::PAST_GRIDS
             .map(|grid| Method::of("half-space", Setting::grid(grid), self, move |own| history(own, grid)))
