@@ -36,7 +36,7 @@ pub struct Ramp {
     pub rate: f64,
     /// Error of the force between the ends of the pieces, relative to `scale`.
     pub accuracy: f64,
-    /// Force against which errors are measured [N].
+    /// Force against which errors are measured [N], or the forces in balance in an adhesive contact where they are larger.
     pub scale: f64,
 }
 
@@ -232,7 +232,7 @@ impl ForceDrive {
     ///
     /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
     fn error(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
-        let (half, scale) = (0.5 * duration, self.ramp.scale.max(f64::MIN_POSITIVE));
+        let (half, scale) = (0.5 * duration, balanced(contact).max(self.ramp.scale).max(f64::MIN_POSITIVE));
         let middle = self.now + half;
         let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
             Some(depth) if depth > 0.0 => {
@@ -278,7 +278,8 @@ impl ForceDrive {
     /// The same by secants from the pace on; `None` where they lead nowhere soon.
     fn paced(&mut self, contact: &mut dyn ContactModel, until: f64) -> Option<f64> {
         let (force, duration) = (self.target(contact, until), until - self.now);
-        let within = self.ramp.scale * if until < self.end { NEAR * self.ramp.accuracy } else { NEAREST };
+        let scale = self.ramp.scale.max(balanced(contact));
+        let within = scale * if until < self.end { NEAR * self.ramp.accuracy } else { NEAREST };
         let stiffness = self.pace.stiffness.unwrap_or_else(|| contact.state().stiffness);
         let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
         let mut before: Option<(f64, f64)> = None;
@@ -303,6 +304,14 @@ impl ForceDrive {
         }
         None
     }
+}
+
+/// The forces [N] that hold each other in balance in an adhesive contact, √(2U_el k): about the force itself where
+/// nothing attracts, but not small where the force is. Zero where nothing attracts.
+pub(super) fn balanced(contact: &dyn ContactModel) -> f64 {
+    let state = contact.state();
+    let attracts = state.stored.surface < 0.0;
+    if attracts { (2.0 * state.stored.elastic * state.stiffness).max(0.0).sqrt() } else { 0.0 }
 }
 
 /// Depth [m] of a contact.
@@ -339,7 +348,7 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
     };
     // A guess from the stiffness, widened until it brackets the root: the force grows with the speed.
     let still = look(0.0).0;
-    let stiffness = state.stiffness.max(1e-9 * force.abs() / depth.abs().max(1e-30));
+    let stiffness = state.stiffness.max(1e-9 * force.abs().max(still.abs()) / depth.abs().max(1e-30));
     if still.abs() <= UNSEEN * stiffness * depth.abs() {
         return Ok(Some(0.0));
     }

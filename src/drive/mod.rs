@@ -49,7 +49,7 @@ use crate::contact::state::{Normal, Tangential};
 use chords::Chords;
 use course::{Course, Extent, Path};
 use cycle::Cycle;
-use force::{ForceDrive, Ramp, Stretch, ahead, depth_of};
+use force::{ForceDrive, Ramp, Stretch, ahead, balanced, depth_of};
 use instants::{NotableInstant, Watch, last_of, looks};
 
 /// Something that happens between two records, with the state on both sides.
@@ -235,6 +235,11 @@ impl Driver {
         let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
         let duration = if course.over > 0.0 { course.over } else { instant };
         let ramp = Ramp { from, rate: (to - from) / duration, accuracy: self.accuracy, scale: self.largest };
+        // A pull does not bring together what only touches.
+        if !contact.joined() && from <= 0.0 && to < from {
+            contact.leave();
+            self.parted = true;
+        }
         let along = self.creep.take();
         self.creep = along.as_ref().map(|creep| creep.after(to, course.over));
         self.stage.remainder = Remainder::Force(ForceDrive::new(ramp, duration, along, self.parted));
@@ -357,7 +362,7 @@ impl Driver {
         let mean = 0.5 * (force.prescribed(leg.begin) + force.prescribed(leg.end));
         let way = leg.to - leg.from;
         let lost = mean * way - (accounted(contact) - before);
-        if lost > JUMP * self.accuracy * self.largest * way.abs() {
+        if lost > JUMP * self.accuracy * self.largest.max(balanced(contact)) * way.abs() {
             self.lost += lost;
         }
     }

@@ -3,6 +3,7 @@
 //! On a smooth shape whose slope grows the equilibrium d(a) = g(a) − Δl(a) falls to its least value at one radius and
 //! rises from there on: the contact joins at d = 0, follows the rising branch, and parts at the least depth.
 
+use super::slopes::Slopes;
 use crate::contact::adhesion::equilibrium::{Control, Equilibrium, Search};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::numerics::root;
@@ -19,12 +20,12 @@ pub struct Branch {
 }
 
 /// Forces and slopes of a contact that is led through depths, and where it jumps.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Followed {
     /// Forces [N].
     pub forces: Vec<f64>,
-    /// Slopes dF/dd [N/m].
-    pub slopes: Vec<f64>,
+    /// Slopes in E* and in the work of adhesion, and in first touch.
+    pub slopes: Slopes,
     /// Jumps on the way.
     pub jumps: Vec<Jump>,
 }
@@ -84,27 +85,46 @@ impl Branch {
                 (true, true) | (false, false) => {}
             }
             if !joined {
-                return Ok((0.0, 0.0));
+                return Ok([0.0; 4]);
             }
             radius = self.radius(d, radius).ok_or_else(|| format!("no contact has the depth {d:e} m"))?;
-            let force = self.line.value(Control::Force, radius);
-            Ok((force, self.line.slope(Control::Force, radius) / self.line.slope(Control::Indentation, radius)))
+            Ok(self.state(radius))
         };
         let rows = depths.iter().map(|d| d - contact).enumerate();
-        let states: Result<Vec<(f64, f64)>, String> = rows.map(&mut follow).collect();
-        let (forces, slopes) = states?.into_iter().unzip();
+        let states = rows.map(&mut follow).collect::<Result<Vec<[f64; 4]>, String>>()?;
         jumps.extend(brink.map(|(row, _)| parting(row + 1)));
-        Ok(Followed { forces, slopes, jumps })
+        let of = |at: usize| states.iter().map(|state| state[at]).collect::<Vec<f64>>();
+        Ok(Followed { forces: of(0), slopes: Slopes { numbers: vec![of(1), of(2)], touch: of(3) }, jumps })
+    }
+
+    /// E* [Pa] and the work of adhesion [J/m²].
+    pub fn numbers(&self) -> Vec<f64> {
+        vec![self.line.ground().modulus(), self.line.work()]
+    }
+
+    /// Force [N] of the contact of the radius `a` [m], and its slopes at one depth in E*, in the work w and in first touch.
+    ///
+    /// From d = g(a) − Δl and F = 2E*(N(a) − aΔl) with Δl ~ √(w/E*): at one radius ∂d/∂E* = Δl/2E*, ∂F/∂E* = F/E* + aΔl,
+    /// ∂d/∂w = −Δl/2w, ∂F/∂w = −E*aΔl/w; what d gains is taken back by the slope dF/dd.
+    fn state(&self, a: f64) -> [f64; 4] {
+        let (modulus, work, elongation) = (self.line.ground().modulus(), self.line.work(), self.line.elongation(a));
+        let force = self.line.value(Control::Force, a);
+        let slope = self.line.slope(Control::Force, a) / self.line.slope(Control::Indentation, a);
+        let held = a * elongation - 0.5 * slope * elongation / modulus;
+        [force, force / modulus + held, -held * modulus / work, -slope]
     }
 
     /// The radius [m] on the branch at the depth `d` [m], searched from the radius `near` on.
+    ///
+    /// A step of Newton's rule misses by no more than its square over the way to the radius at which d′(a) vanishes.
     fn radius(&self, d: f64, near: f64) -> Option<f64> {
         let mut a = near.max(self.last * (1.0 + 1e-3));
         for _ in 0..STEPS {
             let off = self.line.value(Control::Indentation, a) - d;
             let step = off / self.line.slope(Control::Indentation, a);
             let next = (a - step).max(0.5 * (a + self.last)).min(self.line.end());
-            if (next - a).abs() <= 4.0 * f64::EPSILON * a {
+            let moved = (next - a).abs();
+            if moved <= 4.0 * f64::EPSILON * a || moved * moved <= f64::EPSILON * next * (next - self.last) {
                 return Some(next);
             }
             a = next;

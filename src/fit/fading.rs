@@ -4,6 +4,8 @@
 //! the rate r, whatever r h: the moments of Legendre's polynomials with an exponential are modified spherical Bessel
 //! functions, ∫₀¹ e^{−y(1−x)} P_k(2x − 1) dx = e^{−y/2} i_k(y/2) (Abramowitz & Stegun 10.2.36).
 
+use super::slopes::Number;
+
 /// Nodes and weights of Gauss and Legendre on (0, 1): five.
 pub const NODES: [(f64, f64); 5] = [
     (0.046_910_077_030_668, 0.118_463_442_528_094_54),
@@ -20,44 +22,109 @@ const LARGE: f64 = 12.0;
 
 /// What a stretch does to memories.
 #[derive(Debug, Clone)]
-pub struct Fading {
+pub struct Fading<N> {
     /// Its length h [s].
     pub length: f64,
-    /// Per rate: what it keeps, and what it adds of the rate at each node, in parts of h.
-    rates: Vec<(f64, [f64; 5])>,
+    /// Per rate: what it keeps, and what it adds of the rate at each node [s].
+    rates: Vec<(N, [N; 5])>,
 }
 
-impl Fading {
+impl<N: Number> Fading<N> {
     /// Of a stretch of the length `length` [s], for the rates `rates` [1/s].
     #[must_use]
-    pub fn over(rates: &[f64], length: f64) -> Self {
-        Self { length, rates: rates.iter().map(|rate| ((-rate * length).exp(), added(rate * length))).collect() }
+    pub fn over(rates: &[N], length: f64) -> Self {
+        let one = |rate: &N| (rate.faded(length), added(*rate, length));
+        Self { length, rates: rates.iter().map(one).collect() }
     }
 
-    /// The memories after a stretch of the length `length` [s] with the values `values` at its nodes.
-    pub fn pass(&self, memory: &mut [f64], length: f64, values: [f64; 5]) {
+    /// The memories after the stretch with the values `values` at its nodes, all of them times `factor`.
+    pub fn pass(&self, memory: &mut [N], values: [f64; 5], factor: N) {
         for (sum, (kept, added)) in memory.iter_mut().zip(&self.rates) {
-            let new: f64 = added.iter().zip(values).map(|(part, value)| part * value).sum();
-            *sum = *sum * kept + length * new;
+            let [a, b, c, d, e] = *added;
+            let [v, w, x, y, z] = values;
+            *sum = *sum * *kept + (a * v + b * w + c * x + d * y + e * z) * factor;
         }
     }
 }
 
-/// ∫₀¹ e^{−y(1−x)} ℓ_j(x) dx of the polynomials ℓ_j that are one at one node.
-fn added(y: f64) -> [f64; 5] {
-    if y < SLOW {
-        return NODES.map(|(x, weight)| weight * (-y * (1.0 - x)).exp());
+/// Terms of the series of an exponential: 0.3¹²/12! is 1e-15.
+const TERMS: usize = 12;
+
+/// Values at the nodes of a stretch that is passed once.
+pub struct Passing {
+    length: f64,
+    values: [f64; 5],
+    /// Σ_j w_j (−(1 − x_j))^m values_j/m!: moments for what fades slowly.
+    moments: [f64; TERMS],
+}
+
+impl Passing {
+    /// Of a stretch of the length `length` [s].
+    #[must_use]
+    pub fn new(length: f64, values: [f64; 5]) -> Self {
+        let mut moments = [0.0; TERMS];
+        for ((x, weight), value) in NODES.iter().zip(values) {
+            let mut part = weight * value;
+            for (m, moment) in moments.iter_mut().enumerate() {
+                *moment += part;
+                part *= -(1.0 - x) / (m + 1) as f64;
+            }
+        }
+        Self { length, values, moments }
     }
-    let moments = bessel(0.5 * y);
+
+    /// The memory of a rate after the stretch, all values times `factor`.
+    #[must_use]
+    pub fn after<N: Number>(&self, rate: N, memory: N, factor: N) -> N {
+        let y = rate.value() * self.length;
+        memory * rate.faded(self.length) + self.added(rate, y) * factor
+    }
+
+    fn added<N: Number>(&self, rate: N, y: f64) -> N {
+        if y >= SLOW {
+            let [a, b, c, d, e] = added(rate, self.length);
+            let [v, w, x, y, z] = self.values;
+            return a * v + b * w + c * x + d * y + e * z;
+        }
+        let (mut sum, mut slope) = (0.0, 0.0);
+        for moment in self.moments.iter().rev() {
+            slope = slope * y + sum;
+            sum = sum * y + moment;
+        }
+        rate.then(self.length * sum, self.length * self.length * slope)
+    }
+}
+
+/// ∫₀^h e^{−r(h−s)} ℓ_j(s/h) ds of the polynomials ℓ_j that are one at one node.
+fn added<N: Number>(rate: N, length: f64) -> [N; 5] {
+    let y = rate.value() * length;
+    let told = |part: f64, slope: f64| rate.then(length * part, length * length * slope);
+    if y < SLOW {
+        return NODES.map(|(x, weight)| {
+            let part = weight * (-y * (1.0 - x)).exp();
+            told(part, -(1.0 - x) * part)
+        });
+    }
+    let z = 0.5 * y;
+    let moments = bessel(z);
+    let mut slopes = [0.0; 5];
+    if N::SLOPES {
+        // d(e^{−z} i_k)/dy = ½e^{−z}(i_{k−1} − (k + 1)i_k/z − i_k), with i_0′ = i_1.
+        slopes[0] = 0.5 * (moments[1] - moments[0]);
+        for k in 1..5 {
+            slopes[k] = 0.5 * (moments[k - 1] - (1.0 + (k as f64 + 1.0) / z) * moments[k]);
+        }
+    }
     NODES.map(|(x, weight)| {
         let x = 2.0 * x - 1.0;
-        let (mut before, mut here, mut sum) = (0.0, 1.0, 0.0);
-        for (k, moment) in moments.iter().enumerate() {
+        let (mut before, mut here, mut sum, mut slope) = (0.0, 1.0, 0.0, 0.0);
+        for (k, (moment, change)) in moments.iter().zip(slopes).enumerate() {
             let k = k as f64;
             sum += (2.0 * k + 1.0) * moment * here;
+            slope += (2.0 * k + 1.0) * change * here;
             (before, here) = (here, ((2.0 * k + 1.0) * x * here - k * before) / (k + 1.0));
         }
-        weight * sum
+        told(weight * sum, weight * slope)
     })
 }
 
@@ -90,6 +157,7 @@ fn bessel(z: f64) -> [f64; 5] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::slopes::Sloped;
     use super::*;
 
     /// ∫₀¹ e^{−y(1−x)} x⁴ dx against ∫ by parts, at rates from slow to fast.
@@ -97,7 +165,10 @@ mod tests {
     fn powers_fade_exactly() {
         for y in [1e-6, 0.1, 0.31, 1.0, 5.0, 23.0, 25.0, 1e3, 1e6] {
             let memory = &mut [0.0];
-            Fading::over(&[y], 1.0).pass(memory, 1.0, NODES.map(|(x, _)| x.powi(4)));
+            let values = NODES.map(|(x, _)| x.powi(4));
+            Fading::over(&[y], 1.0).pass(memory, values, 1.0);
+            let once = Passing::new(1.0, values).after(y, 0.0, 1.0);
+            assert!((once / memory[0] - 1.0).abs() < 1e-14, "{y}: {once} {}", memory[0]);
             // By parts I_n = (1 − n I_{n−1})/y loses digits at small y: there the series Σ (−y)^k 4!/(k + 5)!.
             let right = if y > 12.0 {
                 (1..=4).fold(-(-y).exp_m1() / y, |last, n| (1.0 - f64::from(n) * last) / y)
@@ -111,6 +182,28 @@ mod tests {
                 sum
             };
             assert!((memory[0] / right - 1.0).abs() < 1e-11, "{y}: {:e}", memory[0] / right - 1.0);
+        }
+    }
+
+    /// Slopes in the rate against central differences.
+    #[test]
+    fn slopes_are_those_of_differences() {
+        let values = [0.3, -0.2, 1.0, 0.7, 0.4];
+        for y in [1e-3, 0.2, 0.31, 2.0, 20.0, 30.0, 300.0] {
+            let h = 1e-4 * y;
+            let table = |rate: f64| {
+                let memory = &mut [Sloped::constant(0.7)];
+                Fading::over(&[Sloped::rate(rate)], 1.0).pass(memory, values, Sloped::speed(1.5));
+                memory[0]
+            };
+            let once = Passing::new(1.0, values).after(Sloped::rate(y), Sloped::constant(0.7), Sloped::speed(1.5));
+            let slope = (table(y + h).value - table(y - h).value) / (2.0 * h);
+            for found in [table(y), once] {
+                // h²/6 of the third slope, which is no more than six times the slope over y².
+                assert!((found.by_rate - slope).abs() < 2e-8 * (slope.abs() + 1.0 / y), "{y}: {found:?} {slope}");
+                let without = 0.7 * (-y).exp();
+                assert!((found.by_speed - (found.value - without) / 1.5).abs() < 1e-14, "{y}: {found:?}");
+            }
         }
     }
 }

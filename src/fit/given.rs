@@ -5,7 +5,7 @@
 
 use super::curve::Curve;
 use super::free::{end, number};
-use super::model::Model;
+use super::model::{Last, Model};
 use super::solve::{Found, Task};
 use super::{FitError, Question, TOLERANCE};
 use crate::text::place::{Places, Value};
@@ -119,7 +119,8 @@ impl Question {
 
 /// All parameters, those of the baseline last, in another scene or of another curve.
 fn found_again(task: &Task<'_>, found: &Found, (places, curve): (&Places, &Curve)) -> Result<Vec<f64>, String> {
-    let model = Model { places, curve, ..task.model };
+    let last = Last::default();
+    let model = Model { places, curve, last: &last, ..task.model };
     let task = Task { model, ..*task };
     let again = task.solved(&found.place, TOLERANCE)?;
     let rest = task.rest(&again.answer);

@@ -1,6 +1,6 @@
 //! Ends of the 95 % interval of a parameter.
 
-use super::frame::Frame;
+use super::frame::{Frame, dot};
 use super::solve::{Found, Place, Task};
 
 /// Deviation of the sum of squares from its parabola up to which the parabola is taken at its word: 7 % of an interval.
@@ -36,9 +36,11 @@ impl Valley<'_> {
         // The others are set free and the end is searched for by √rise, which is straight in a parabola.
         let (mut low, mut at_low) = (0.0, 0.0);
         let mut share = (1.0 / rise.max(0.0625).sqrt()).clamp(0.25, 4.0);
+        let mut place = beside(share)?;
+        // A tenth of what an end may be off.
+        let tolerance = 0.2 * CLOSE * self.rise / (self.found.squares + self.rise);
         for _ in 0..STEPS {
-            let place = beside(share)?;
-            let freed = Task { kept: [Some(at), None], ..self.task }.solved(&place, 1e-8).ok()?;
+            let freed = Task { kept: [Some(at), None], ..self.task }.solved(&place, tolerance).ok()?;
             let root = (freed.squares - self.found.squares).max(0.0).sqrt() / self.rise.sqrt();
             if (root - 1.0).abs() < CLOSE {
                 break;
@@ -47,24 +49,35 @@ impl Valley<'_> {
             (low, at_low) = (share, root);
             let next = share + (1.0 - root) / slope;
             share = if next.is_finite() && slope > 0.0 { next.clamp(0.3 * share, 3.0 * share) } else { 2.0 * share };
+            place = self.farther(at, &freed.place, share / low)?;
         }
         Some(here + share * reach)
     }
 
     /// The place at which parameter `at` is moved by `by` and the others go with it as they are correlated.
     fn beside(&self, at: usize, by: f64) -> Option<Place> {
+        self.moved(at, |number| by * (self.covariance)(number, at) / (self.covariance)(at, at))
+    }
+
+    /// The place `times` as far from the answer as another one is.
+    fn farther(&self, at: usize, place: &Place, times: f64) -> Option<Place> {
+        let natural = |number: usize, place: &Place| self.task.natural(number, place);
+        self.moved(at, |number| times * (natural(number, place) - natural(number, &self.found.place)))
+    }
+
+    /// The place at which each parameter is moved by so much; `None` where parameter `at` leaves its range.
+    fn moved(&self, at: usize, by: impl Fn(usize) -> f64) -> Option<Place> {
         let mut place = self.found.place.clone();
         for number in 0..self.task.count() {
-            let with = by * (self.covariance)(number, at) / (self.covariance)(at, at);
             match self.task.model.free.get(number) {
                 Some(free) => {
-                    let natural = free.natural(place.values[number]) + with;
+                    let natural = free.natural(place.values[number]) + by(number);
                     if number == at && !(free.ends().0..=free.ends().1).contains(&natural) {
                         return None;
                     }
                     place.values[number] = free.value(natural).clamp(free.low, free.high);
                 }
-                None => place.contact += with,
+                None => place.contact += by(number),
             }
         }
         Some(place)
@@ -73,7 +86,7 @@ impl Valley<'_> {
     /// The rise of the sum of squares at a place, in units of that at the ends.
     fn risen(&self, place: &Place) -> Option<f64> {
         let rest = self.task.residual(&self.task.answer(place).ok()?);
-        Some((rest.iter().map(|x| x * x).sum::<f64>() - self.found.squares) / self.rise)
+        Some((dot(&rest, &rest) - self.found.squares) / self.rise)
     }
 }
 

@@ -29,6 +29,7 @@ mod answer;
 mod candidates;
 mod compare;
 mod curve;
+mod drive;
 mod fading;
 mod few;
 mod frame;
@@ -41,7 +42,9 @@ mod master;
 mod model;
 mod noise;
 pub mod prony;
+mod ranged;
 mod remembering;
+mod slopes;
 mod solve;
 mod start;
 mod verdict;
@@ -67,7 +70,7 @@ use crate::scene::history::Entry;
 use crate::text::place::{Places, Value};
 use frame::Frame;
 use interval::huber;
-use model::Model;
+use model::{Last, Model};
 use noise::Moments;
 use solve::{Found, Task};
 
@@ -135,8 +138,10 @@ pub struct Question {
 
 /// Points more than parameters that a fit needs.
 const SPARE: usize = 3;
-/// The most points a start is looked for with, where an answer is cheap and where it is not.
-const FEW: (usize, usize) = (200, 60);
+/// The most points a start is searched from with, where an answer is cheap.
+const FEW: usize = 200;
+/// The most points a start is looked for with.
+const FEWEST: usize = 60;
 /// Rounds in which weights or the correlation of the noise are found.
 const ROUNDS: usize = 3;
 /// Times of the sum of squares, not made white, beyond which an answer to white noise has left the data.
@@ -247,18 +252,20 @@ impl Question {
             let what = format!("{} points count: expected at least {needed}", used.len());
             return Err(FitError::Data(what));
         }
-        let model = Model { places: &self.places, free: &self.free, tables, curve, control: self.control };
+        let last = Last::default();
+        let model = Model { places: &self.places, free: &self.free, tables, curve, control: self.control, last: &last };
         let frame = Frame::new(curve.driven(self.control), used, self.options.baseline);
         // Slopes by differences: half of the digits of what the scene is computed to.
         let step = if self.control == Control::Indentation || model.is_cheap() { 1e-7 } else { self.accuracy.sqrt() };
-        let task = Task { model, frame: &frame, touch, step, kept: [None; 2] };
-        let found = self.nearest(&task)?;
+        let task = Task { model, frame: &frame, touch, step, kept: [None; 2], scaling: None };
+        let (found, scaling) = self.nearest(task)?;
+        let task = Task { scaling, ..task };
         let (frame, found) = jumps::left_out(&task, found, TOLERANCE).map_err(FitError::Scene)?;
         let (frame, found) = self.weighed(Task { frame: &frame, ..task }, found)?;
         let weighed = Task { frame: &frame, ..task };
         let carried = self.carried(&weighed, &found, doubts).map_err(FitError::Scene)?;
         let mut fit = answer::told(self, weighed, found)?.widened(&self.free, carried);
-        fit.on_jumps = task.frame.used.iter().copied().filter(|at| !fit.used.contains(at)).collect();
+        fit.on_jumps = task.frame.used.iter().copied().filter(|at| fit.used.binary_search(at).is_err()).collect();
         fit.notes.extend(jumps::told(curve, &fit.on_jumps));
         Ok(fit)
     }
@@ -276,16 +283,26 @@ impl Question {
         (0..drive.len()).filter(way).filter(|&at| (low..=high).contains(&drive[at])).collect()
     }
 
-    /// The nearest of the places found from several starts with a few points, searched for with all of them.
-    fn nearest(&self, task: &Task<'_>) -> Result<Found, FitError> {
+    /// The nearest of the places found from several starts with a few points, searched for with all of them, and the
+    /// parameter that stands for a ratio of all forces.
+    fn nearest(&self, task: Task<'_>) -> Result<(Found, Option<usize>), FitError> {
         let cheap = task.model.is_cheap();
-        let few = task.model.curve.thinned(&task.frame.used, self.control, if cheap { FEW.0 } else { FEW.1 });
-        let frame = Frame::new(few.driven(self.control), (0..few.len()).collect(), self.options.baseline);
-        let rough = Task { model: Model { curve: &few, ..task.model }, frame: &frame, ..*task };
-        let found = start::starts(&rough).into_iter().filter_map(|place| rough.solved(&place, 1e-6).ok());
+        let thinned = |most: usize| {
+            let few = task.model.curve.thinned(&task.frame.used, self.control, most);
+            let frame = Frame::new(few.driven(self.control), (0..few.len()).collect(), self.options.baseline);
+            (few, frame, Last::default())
+        };
+        let (few, frame, last) = thinned(FEWEST);
+        let sketch = Task { model: Model { curve: &few, last: &last, ..task.model }, frame: &frame, ..task };
+        let scaling = start::scaling(&sketch);
+        let starts = start::starts(&Task { scaling, ..sketch });
+        let (few, frame, last) = thinned(if cheap { FEW } else { FEWEST });
+        let rough = Task { model: Model { curve: &few, last: &last, ..task.model }, frame: &frame, scaling, ..task };
+        let task = Task { scaling, ..task };
+        let found = starts.into_iter().filter_map(|place| rough.solved(&place, 1e-6).ok());
         let place = found.min_by(|a, b| a.squares.total_cmp(&b.squares)).map(|found| found.place);
-        let place = place.ok_or_else(|| FitError::Scene(self.why_not(task)))?;
-        task.solved(&place, TOLERANCE).map_err(FitError::Scene)
+        let place = place.ok_or_else(|| FitError::Scene(self.why_not(&task)))?;
+        Ok((task.solved(&place, TOLERANCE).map_err(FitError::Scene)?, scaling))
     }
 
     /// What is wrong with the scene at its own values.

@@ -2,14 +2,19 @@
 
 use super::adhesive::{Branch, Followed, Jump};
 use super::curve::Curve;
+use super::drive::{DRIVE, Drive};
 use super::free::Free;
+use super::ranged::Ranged;
 use super::remembering::{Remembering, goes_in_once};
+use super::slopes::Slopes;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::adhesion::range::RangeDisc;
+use crate::contact::adhesion::{Adhesion, Range};
 use crate::contact::creep::Creep;
 use crate::contact::foundation::Foundation;
-use crate::input::table::{Columns, RawMap, TableError, Tables};
-use crate::material::{Relaxation, Spectrum, Times, Under, joined};
+use crate::input::table::Tables;
+use crate::material::{Joined, Relaxation, Spectrum, Times, Under, joined};
 use crate::run::record::Record;
 use crate::run::{Wanted, run};
 use crate::scene::Scene;
@@ -17,8 +22,8 @@ use crate::scene::history::Entry;
 use crate::scene::law::{ContactLaw, ElasticAdhesion};
 use crate::scene::plan::{Plan, RoundPlan};
 use crate::text::place::{Places, Value};
-use ndarray::Array2;
-use std::path::Path;
+use std::cell::RefCell;
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// A scene under the drive of a curve.
@@ -34,6 +39,19 @@ pub struct Model<'m> {
     pub curve: &'m Curve,
     /// What drives it.
     pub control: Control,
+    /// What was decided last.
+    pub last: &'m Last,
+}
+
+/// The scene that was decided last, with its values: first touch is no part of it.
+#[derive(Default)]
+pub struct Last(RefCell<Option<(Vec<f64>, Rc<Decided>)>>);
+
+/// A scene that is decided for a curve.
+pub struct Decided {
+    plan: Plan,
+    /// E*(t) of bodies that relax, over the times of the curve.
+    relaxation: Option<Arc<Relaxation>>,
 }
 
 /// What a model answers.
@@ -41,18 +59,20 @@ pub struct Model<'m> {
 pub struct Answer {
     /// One per point: force [N], or depth [m] under a force.
     pub response: Vec<f64>,
-    /// Its slope in the drive, where it is known.
-    pub slope: Option<Vec<f64>>,
+    /// Its slopes, where they come with it.
+    slopes: Option<Slopes>,
     /// Where it jumps on the way.
     pub jumps: Vec<Jump>,
-    /// The decision, where the state follows from the depth.
-    plan: Option<Plan>,
 }
 
 impl Answer {
     /// A response of which no more is known.
     fn plain(response: Vec<f64>) -> Self {
         Self { response, ..Self::default() }
+    }
+
+    fn followed(followed: Followed) -> Self {
+        Self { response: followed.forces, slopes: Some(followed.slopes), jumps: followed.jumps }
     }
 }
 
@@ -62,18 +82,58 @@ enum Way<'w> {
     Elastic(Foundation),
     /// It follows from the depth and from whether the bodies hold each other.
     Adhesive(Branch),
+    /// The same of bodies that attract each other over a range.
+    Ranged(Ranged),
     /// It remembers a depth that has risen and fallen, at these times.
     Remembering(Remembering<'w>, &'w [f64]),
     /// A whole run.
     Run,
 }
 
+impl Way<'_> {
+    /// The numbers of the bodies from which the force follows under a given shape; `None` of a run.
+    fn numbers(&self) -> Option<Vec<f64>> {
+        match self {
+            Self::Elastic(ground) => Some(vec![ground.modulus()]),
+            Self::Adhesive(branch) => Some(branch.numbers()),
+            Self::Ranged(contact) => Some(contact.numbers()),
+            Self::Remembering(body, _) => Some(body.numbers()),
+            Self::Run => None,
+        }
+    }
+
+    /// The same of the bodies and the adhesion of another scene.
+    fn numbers_of(&self, scene: &Scene, joined: Joined) -> Option<Vec<f64>> {
+        if !matches!(joined.under, Under::HalfSpaces) {
+            return None;
+        }
+        let adhesion = scene.adhesion.as_ref().map(Adhesion::traits);
+        let modulus = joined.pair.normal;
+        match (self, adhesion.map(|traits| (traits.work, traits.range))) {
+            (Self::Elastic(_), None) => Some(vec![modulus]),
+            (Self::Adhesive(_), Some((work, Range::Vanishing(_)))) => Some(vec![modulus, work]),
+            (Self::Ranged(_), Some((work, Range::Finite(stress)))) => Some(vec![modulus, work, stress]),
+            (Self::Remembering(body, _), None) => {
+                let relaxation = Arc::new(joined.relaxation?);
+                Some(Remembering { relaxation, ..*body }.numbers())
+            }
+            (Self::Elastic(_) | Self::Adhesive(_) | Self::Ranged(_) | Self::Remembering(..) | Self::Run, _) => None,
+        }
+    }
+}
+
+/// Slopes of an answer in the numbers of its bodies, and where they were taken.
+pub struct Sloped {
+    /// The slopes.
+    pub slopes: Slopes,
+    numbers: Vec<f64>,
+    scene: Rc<Decided>,
+}
+
+/// The largest relative change of a number of the bodies over a step by which slopes are taken.
+const SMALL: f64 = 1e-3;
 /// Part of the shortest step down to which a power law is kept to.
 const WITHIN: f64 = 0.1;
-/// Part of the first interval in which the first row is reached.
-const SOON: f64 = 1e-9;
-/// Name of the table that drives.
-const DRIVE: &str = "measured drive";
 
 impl Model<'_> {
     /// The scene with the free values `values` [SI units].
@@ -90,10 +150,10 @@ impl Model<'_> {
     /// # Errors
     /// The scene cannot be computed.
     pub fn answer(&self, values: &[f64], contact: f64) -> Result<Answer, String> {
-        let scene = self.scene(values)?;
-        let plan = scene.resolve(self.tables).map_err(|problems| told(&problems))?;
+        let decided = self.decided(values)?;
+        let plan = &decided.plan;
         if self.control == Control::Force {
-            return match self.creeping(&plan) {
+            return match self.creeping(&decided) {
                 Some((creep, time)) => self.crept(creep, time).map(|mut depths| {
                     // A power law is infinitely stiff at once, its series is not.
                     depths.iter_mut().take(usize::from(plan.times().is_some())).for_each(|depth| *depth = 0.0);
@@ -102,35 +162,88 @@ impl Model<'_> {
                 None => self.by_run(plan.scene.clone(), contact),
             };
         }
-        match self.way(&plan, contact) {
-            Way::Elastic(ground) => {
-                let states = self.curve.depth.iter().map(|d| elastic(&ground, d - contact));
-                let (response, slope) = states.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
-                Ok(Answer { response, slope: Some(slope), plan: Some(plan), jumps: Vec::new() })
-            }
-            Way::Adhesive(branch) => {
-                let Followed { forces, slopes, jumps } = branch.followed(&self.curve.depth, contact)?;
-                Ok(Answer { response: forces, slope: Some(slopes), plan: None, jumps })
-            }
+        match self.way(&decided, contact) {
+            Way::Elastic(ground) => self.pressed(&ground, contact),
+            Way::Adhesive(branch) => Ok(Answer::followed(branch.followed(&self.curve.depth, contact)?)),
+            Way::Ranged(bodies) => Ok(Answer::followed(bodies.followed(&self.curve.depth, contact)?)),
             Way::Remembering(body, time) => Ok(Answer::plain(body.followed(time, &self.curve.depth, contact)?)),
             Way::Run => self.by_run(plan.scene.clone(), contact),
         }
+    }
+
+    /// The scene at the free values `values`, decided.
+    fn decided(&self, values: &[f64]) -> Result<Rc<Decided>, String> {
+        if let Some((known, decided)) = self.last.0.borrow().as_ref()
+            && known == values
+        {
+            return Ok(decided.clone());
+        }
+        let decided = Rc::new(self.decide(values)?);
+        *self.last.0.borrow_mut() = Some((values.to_vec(), decided.clone()));
+        Ok(decided)
+    }
+
+    fn decide(&self, values: &[f64]) -> Result<Decided, String> {
+        let plan = self.scene(values)?.resolve(self.tables).map_err(|problems| told(&problems))?;
+        let relaxation = self.relaxation(&plan);
+        Ok(Decided { plan, relaxation })
+    }
+
+    /// Slopes of the answer at the values `values` in the numbers of its bodies, and those numbers, where no run is needed.
+    ///
+    /// # Errors
+    /// The scene cannot be computed.
+    pub fn slopes(&self, (values, contact): (&[f64], f64), answer: &Answer) -> Result<Option<Sloped>, String> {
+        let decided = self.decided(values)?;
+        let slopes = match (&answer.slopes, self.control) {
+            (_, Control::Force) => None,
+            (Some(slopes), Control::Indentation) => Some(slopes.clone()),
+            (None, Control::Indentation) => match self.way(&decided, contact) {
+                Way::Remembering(body, time) => Some(body.slopes(time, &self.curve.depth, contact)?),
+                Way::Elastic(_) | Way::Adhesive(_) | Way::Ranged(_) | Way::Run => None,
+            },
+        };
+        let numbers = self.way(&decided, contact).numbers();
+        Ok(slopes.zip(numbers).map(|(slopes, numbers)| Sloped { slopes, numbers, scene: decided }))
+    }
+
+    /// By how much the numbers change from those of `base` to other values; `None` where more than numbers changes.
+    pub fn changes(&self, base: &Sloped, values: &[f64], contact: f64) -> Option<Vec<f64>> {
+        let (scene, plan) = (self.scene(values).ok()?, &base.scene.plan);
+        if !plan.fills_half_spaces() || scene.shape != plan.scene.shape {
+            return None;
+        }
+        let joined = joined(&scene.bodies, self.tables, self.times(plan)).ok()??;
+        let numbers = self.way(&base.scene, contact).numbers_of(&scene, joined)?;
+        let changes = numbers.iter().zip(&base.numbers).map(|(there, here)| there - here);
+        // A series of other terms is no change of its numbers.
+        let small = |(change, here): (f64, &f64)| change.abs() <= SMALL * here.abs();
+        let alike = numbers.len() == base.numbers.len() && changes.clone().zip(&base.numbers).all(small);
+        alike.then(|| changes.collect())
+    }
+
+    /// The answer of an elastic ground.
+    fn pressed(&self, ground: &Foundation, contact: f64) -> Result<Answer, String> {
+        let states = self.curve.depth.iter().map(|d| elastic(ground, d - contact));
+        let (response, touch): (Vec<f64>, Vec<f64>) = states.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let by_modulus = response.iter().map(|force| force / ground.modulus()).collect();
+        let slopes = Slopes { numbers: vec![by_modulus], touch };
+        Ok(Answer { response, slopes: Some(slopes), jumps: Vec::new() })
     }
 
     /// Whether an answer takes no run.
     #[must_use]
     pub fn is_cheap(&self) -> bool {
         let values: Vec<f64> = self.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
-        let plan = self.scene(&values).ok().and_then(|scene| scene.resolve(self.tables).ok());
-        let cheap = |plan: &Plan| match self.control {
-            Control::Indentation => !matches!(self.way(plan, f64::NEG_INFINITY), Way::Run),
-            Control::Force => self.creeping(plan).is_some(),
-        };
-        plan.as_ref().is_some_and(cheap)
+        self.decided(&values).is_ok_and(|decided| match self.control {
+            Control::Indentation => !matches!(self.way(&decided, f64::NEG_INFINITY), Way::Run),
+            Control::Force => self.creeping(&decided).is_some(),
+        })
     }
 
     /// A contact that grows under a force that never falls, and the times, if it is one.
-    fn creeping(&self, plan: &Plan) -> Option<(Creep, &[f64])> {
+    fn creeping(&self, decided: &Decided) -> Option<(Creep, &[f64])> {
+        let plan = &decided.plan;
         let round = plan.round().filter(|round| round.friction.is_none() && !round.profile.is_plane())?;
         let relaxation = match &round.contact {
             ContactLaw::Continuous { relaxation, edge: None } => relaxation,
@@ -145,19 +258,24 @@ impl Model<'_> {
         let force = &self.curve.force;
         let grows = force.first().is_some_and(|first| *first >= 0.0) && force.windows(2).all(|pair| pair[1] >= pair[0]);
         let time = self.curve.time.as_deref().filter(|_| grows)?;
-        let relaxation = self.relaxation(plan).unwrap_or_else(|| relaxation.clone());
-        Some((Creep::new(Arc::new(Spectrum::new(&relaxation)), round.profile.clone()), time))
+        let relaxation = decided.relaxation.as_ref().unwrap_or(relaxation);
+        Some((Creep::new(Arc::new(Spectrum::new(relaxation)), round.profile.clone()), time))
     }
 
     /// E*(t) of bodies that relax by a power law, over the times of the curve; `None` of others.
     fn relaxation(&self, plan: &Plan) -> Option<Arc<Relaxation>> {
+        let times = self.times(plan)?;
+        let joined = joined(&plan.scene.bodies, self.tables, Some(times)).ok()??;
+        joined.relaxation.map(Arc::new)
+    }
+
+    /// The times between which a power law of the bodies is kept to; `None` of others.
+    fn times(&self, plan: &Plan) -> Option<Times> {
         plan.times()?;
         let time = self.curve.time.as_deref()?;
         let step = time.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::MAX, f64::min);
         let longest = time.last()? - time.first()?;
-        let times = Times { shortest: WITHIN * step, longest, accuracy: plan.accuracy() };
-        let joined = joined(&plan.scene.bodies, self.tables, Some(times)).ok()??;
-        joined.relaxation.map(Arc::new)
+        Some(Times { shortest: WITHIN * step, longest, accuracy: plan.accuracy() })
     }
 
     /// Depths [m] of a contact that creeps; the first force is there at once.
@@ -172,9 +290,9 @@ impl Model<'_> {
     }
 
     /// Who computes a plan under the drive.
-    fn way<'w>(&'w self, plan: &'w Plan, contact: f64) -> Way<'w> {
+    fn way<'w>(&'w self, decided: &'w Decided, contact: f64) -> Way<'w> {
         let simple = |round: &&RoundPlan| round.friction.is_none() && !round.profile.is_plane();
-        let Some(round) = plan.round().filter(simple) else {
+        let Some(round) = decided.plan.round().filter(simple) else {
             return Way::Run;
         };
         match &round.contact {
@@ -183,15 +301,18 @@ impl Model<'_> {
                 Branch::of(EdgeLine::new(round.ground(), *work)).map_or(Way::Run, Way::Adhesive)
             }
             ContactLaw::Continuous { relaxation, edge: None } => {
-                let relaxation = self.relaxation(plan).unwrap_or_else(|| relaxation.clone());
+                let relaxation = decided.relaxation.as_ref().unwrap_or(relaxation).clone();
                 let once = goes_in_once(&self.curve.depth, contact);
                 let time = self.curve.time.as_deref().filter(|_| once && relaxation.viscosity <= 0.0);
                 let flat = round.profile.flat_radius() > 0.0;
                 let body = Remembering { profile: round.profile.as_ref(), relaxation };
                 time.filter(|_| !flat).map_or(Way::Run, |time| Way::Remembering(body, time))
             }
-            ContactLaw::Direct(ElasticAdhesion::Finite { .. })
-            | ContactLaw::Plastic(_)
+            ContactLaw::Direct(ElasticAdhesion::Finite { work, stress }) => {
+                let disc = RangeDisc::new(round.ground(), *work, *stress).ok();
+                disc.and_then(Ranged::of).map_or(Way::Run, Way::Ranged)
+            }
+            ContactLaw::Plastic(_)
             | ContactLaw::Gliding { .. }
             | ContactLaw::Springs { .. }
             | ContactLaw::Continuous { .. }
@@ -199,23 +320,9 @@ impl Model<'_> {
         }
     }
 
-    /// The response with other values, if it is `base` times a factor: that of another modulus alone.
-    pub(super) fn scaled(&self, base: &Answer, values: &[f64]) -> Option<Vec<f64>> {
-        let plan = base.plan.as_ref().filter(|plan| self.fills_half_spaces(&plan.scene))?;
-        let scene = self.scene(values).ok().filter(|scene| scene.shape == plan.scene.shape)?;
-        let factor = scene.resolve(self.tables).ok()?.pair.normal / plan.pair.normal;
-        Some(base.response.iter().map(|force| factor * force).collect())
-    }
-
-    /// Whether nothing but the moduli of the bodies counts.
-    fn fills_half_spaces(&self, scene: &Scene) -> bool {
-        let joined = joined(&scene.bodies, self.tables, None).ok().flatten();
-        joined.is_some_and(|joined| matches!(joined.under, Under::HalfSpaces))
-    }
-
     /// A run led through the curve, from its first row on.
     fn by_run(&self, mut scene: Scene, contact: f64) -> Result<Answer, String> {
-        let drive = Drive::of(self, contact, scene.relaxes())?;
+        let drive = Drive::of((self.curve, self.tables), (self.control, contact), scene.relaxes())?;
         scene.history = vec![Entry::Table(DRIVE.into())];
         let plan = scene.resolve(&drive).map_err(|problems| told(&problems))?;
         let outcome = run(&plan, Wanted { instants: false, ..Wanted::NOTHING }).map_err(|error| error.to_string())?;
@@ -251,64 +358,11 @@ fn told(problems: &[crate::input::problem::Problem]) -> String {
     problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }
 
-/// Force [N] and its slope dF/dd = 2E*a [N/m] at the depth `d` [m].
+/// Force [N] and its slope in first touch, −dF/dd = −2E*a [N/m], at the depth `d` [m].
 fn elastic(ground: &Foundation, d: f64) -> Result<(f64, f64), String> {
     if d <= 0.0 {
         return Ok((0.0, 0.0));
     }
     let a = ground.profile().edge(d).ok_or_else(|| format!("the depth {d:e} m is beyond the end of the profile"))?;
-    Ok((ground.force(a, d - ground.depth(a)), ground.stiffness(a)))
-}
-
-/// The curve as a table that drives a scene, beside the tables of the scene itself.
-struct Drive<'d> {
-    tables: &'d dyn Tables,
-    name: &'static str,
-    time: Vec<f64>,
-    values: Vec<f64>,
-    rows: &'d [usize],
-}
-
-impl<'d> Drive<'d> {
-    fn of(model: &Model<'d>, contact: f64, relaxes: bool) -> Result<Self, String> {
-        let Model { curve, control, .. } = *model;
-        let time = match &curve.time {
-            // What stands in the first row is reached in no time worth it, and not at once: creep needs a way.
-            Some(time) => {
-                let early = SOON * time.get(1).map_or(1.0, |next| next - time[0]);
-                time.iter().map(|t| t - time[0] + early).collect()
-            }
-            None if relaxes => return Err("bodies that relax need the times: expected a column of them".to_owned()),
-            // The order alone matters.
-            None => (0..curve.len()).map(|row| row as f64).collect(),
-        };
-        let values = curve.driven(control).iter().map(|value| value - contact).collect();
-        let name = if control == Control::Force { "force_n" } else { "indentation_m" };
-        Ok(Self { tables: model.tables, name, time, values, rows: &curve.rows })
-    }
-}
-
-impl Tables for Drive<'_> {
-    fn names(&self, path: &Path) -> Result<Vec<String>, TableError> {
-        if path == Path::new(DRIVE) {
-            return Ok(vec!["time_s".to_owned(), self.name.to_owned()]);
-        }
-        self.tables.names(path)
-    }
-
-    fn columns(&self, path: &Path, names: &[&str]) -> Result<Columns, TableError> {
-        if path == Path::new(DRIVE) {
-            let of = |name: &&str| if *name == "time_s" { self.time.clone() } else { self.values.clone() };
-            return Ok(Columns { values: names.iter().map(of).collect(), rows: self.rows.to_vec() });
-        }
-        self.tables.columns(path, names)
-    }
-
-    fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError> {
-        self.tables.heights(path)
-    }
-
-    fn topography(&self, path: &Path) -> Result<RawMap, TableError> {
-        self.tables.topography(path)
-    }
+    Ok((ground.force(a, d - ground.depth(a)), -ground.stiffness(a)))
 }

@@ -4,8 +4,9 @@
 //! counts what the fitted columns X have taken out of the residuals:
 //! −2 ln L = (n − p) ln(S/(n − p)) + ln|XᵀR⁻¹X| − m ln(1 − ρ²), with S = rᵀR⁻¹r after X, p columns, m runs without a gap.
 
-use super::frame::Frame;
+use super::frame::{Frame, dot};
 use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
 
 /// Sums over neighbours from which every ρ is judged without looking at the points again.
 #[derive(Debug, Clone)]
@@ -54,28 +55,18 @@ impl Moments {
         let count = all.len();
         let zero = DMatrix::zeros(count, count);
         let (mut later, mut earlier, mut crossed, mut first) = (zero.clone(), zero.clone(), zero.clone(), zero);
+        let runs = runs(frame);
         for j in 0..count {
             for k in 0..=j {
                 let scale = 1.0 / (scales[j] * scales[k]);
-                let (a, b) = (&all[j], &all[k]);
-                let mut sums = [0.0; 4];
-                for i in 0..frame.len() {
-                    if frame.follows(i) {
-                        sums[0] += a[i] * b[i];
-                        sums[1] += a[i - 1] * b[i - 1];
-                        sums[2] += a[i] * b[i - 1] + a[i - 1] * b[i];
-                    } else {
-                        sums[3] += a[i] * b[i];
-                    }
-                }
+                let sums = neighbours(&all[j], &all[k], &runs);
                 for (matrix, sum) in [&mut later, &mut earlier, &mut crossed, &mut first].into_iter().zip(sums) {
                     matrix[(j, k)] = sum * scale;
                     matrix[(k, j)] = sum * scale;
                 }
             }
         }
-        let runs = (0..frame.len()).filter(|&i| !frame.follows(i)).count();
-        Self { later, earlier, crossed, first, points: frame.len(), runs, scales }
+        Self { later, earlier, crossed, first, points: frame.len(), runs: runs.len(), scales }
     }
 
     /// What is known if neighbours have the correlation `rho`.
@@ -104,13 +95,14 @@ impl Moments {
     #[must_use]
     pub fn most_likely(&self) -> Judged {
         let white = self.judged(0.0);
-        let at = |x: f64| self.judged(x.tanh());
+        let mut triangle = Vec::new();
+        let mut at = |x: f64| (x.tanh(), self.likelihood(x.tanh(), &mut triangle));
         let (mut low, mut high) = (-LARGEST.atanh(), LARGEST.atanh());
         let golden = 0.5 * (5f64.sqrt() - 1.0);
         let (mut left, mut right) = (high - golden * (high - low), low + golden * (high - low));
         let (mut at_left, mut at_right) = (at(left), at(right));
         for _ in 0..STEPS {
-            if at_left.likelihood < at_right.likelihood {
+            if at_left.1 < at_right.1 {
                 (high, right, at_right) = (right, left, at_left);
                 left = high - golden * (high - low);
                 at_left = at(left);
@@ -121,8 +113,64 @@ impl Moments {
             }
         }
         // Twice the standard error is a likelihood ratio of 4.
-        if at_left.likelihood < white.likelihood - 4.0 { at_left } else { white }
+        if at_left.1 < white.likelihood - 4.0 { self.judged(at_left.0) } else { white }
     }
+
+    /// −2 ln L at the correlation `rho`, as of [`judged`](Self::judged): the root of the bordered normal matrix, row by row
+    /// in `triangle`, has the determinant and, last of all, what is left after the columns.
+    fn likelihood(&self, rho: f64, triangle: &mut Vec<f64>) -> f64 {
+        let count = self.scales.len();
+        triangle.clear();
+        let mut determinant = 0.0;
+        let mut squares = 0.0;
+        for j in 0..count {
+            let row = triangle.len();
+            for k in 0..=j {
+                let whole = self.later[(j, k)] + rho * rho * (self.earlier[(j, k)] - self.first[(j, k)])
+                    - rho * self.crossed[(j, k)]
+                    + self.first[(j, k)];
+                let above = k * (k + 1) / 2;
+                let taken: f64 =
+                    triangle[row..].iter().zip(&triangle[above..]).take(k).map(|(one, other)| one * other).sum();
+                let rest = whole - taken;
+                if k < j {
+                    triangle.push(rest / triangle[above + k]);
+                } else if j + 1 == count {
+                    squares = rest.max(0.0);
+                } else if rest > 0.0 {
+                    determinant += rest.ln();
+                    triangle.push(rest.sqrt());
+                } else {
+                    // Columns that cannot be told apart.
+                    return self.judged(rho).likelihood;
+                }
+            }
+        }
+        let freedom = self.points.saturating_sub(count - 1).max(1) as f64;
+        freedom * squares.max(f64::MIN_POSITIVE).ln() + determinant - self.runs as f64 * (1.0 - rho * rho).ln()
+    }
+}
+
+/// Runs of used points without a gap.
+fn runs(frame: &Frame) -> Vec<Range<usize>> {
+    let starts: Vec<usize> = (0..frame.len()).filter(|&i| !frame.follows(i)).collect();
+    let ends = starts.iter().skip(1).copied().chain([frame.len()]);
+    starts.iter().zip(ends).map(|(&start, end)| start..end).collect()
+}
+
+/// Σ ab over points with a neighbour before them, over those neighbours, of each with the other's neighbour, and over the
+/// first points of the runs.
+fn neighbours(a: &[f64], b: &[f64], runs: &[Range<usize>]) -> [f64; 4] {
+    let mut sums = [0.0; 4];
+    for run in runs {
+        let (a, b) = (&a[run.clone()], &b[run.clone()]);
+        let last = a.len() - 1;
+        sums[0] += dot(&a[1..], &b[1..]);
+        sums[1] += dot(&a[..last], &b[..last]);
+        sums[2] += dot(&a[1..], &b[..last]) + dot(&a[..last], &b[1..]);
+        sums[3] += a[0] * b[0];
+    }
+    sums
 }
 
 /// −2 ln L of what is left at the used points, for normal noise of the deviation and the correlation that make it least,
@@ -146,7 +194,7 @@ fn weighted(frame: &Frame, column: &[f64]) -> Vec<f64> {
 }
 
 fn length(column: &[f64]) -> f64 {
-    column.iter().map(|x| x * x).sum::<f64>().sqrt()
+    dot(column, column).sqrt()
 }
 
 /// Quantile of Student's t for 97.5 %, with `freedom` degrees of freedom (expansion of Cornish & Fisher 1938).

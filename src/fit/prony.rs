@@ -98,7 +98,8 @@ impl Moduli {
     pub fn spectrum(&self) -> Result<Spectrum, FitError> {
         self.checked()?;
         let system = System::of(self);
-        let tried = SMOOTHINGS.iter().map(|&smoothing| (smoothing, system.solved(smoothing)));
+        let pressed = system.pressed();
+        let tried = SMOOTHINGS.iter().map(|&smoothing| (smoothing, pressed.solved(&system, smoothing)));
         let best = tried.min_by(|a, b| a.1.foretold.total_cmp(&b.1.foretold));
         let (smoothing, solved) = best.ok_or_else(|| FitError::Data("there is nothing to smooth".to_owned()))?;
         let moduli: Vec<f64> = solved.x.iter().zip(&system.sizes).map(|(x, size)| x * size).collect();
@@ -228,33 +229,53 @@ impl System {
     }
 
     fn solved(&self, smoothing: f64) -> Solved {
+        self.pressed().solved(self, smoothing)
+    }
+
+    /// The same problem in as few rows as it has unknowns.
+    fn pressed(&self) -> Pressed {
+        let qr = self.matrix.clone().qr();
+        let right = qr.q().transpose() * DVector::from_column_slice(&self.right);
+        Pressed { matrix: qr.r(), right, normal: self.matrix.transpose() * &self.matrix }
+    }
+}
+
+/// A system QR x = b as R x = Qᵀb: what is left differs by what no x can reach.
+struct Pressed {
+    /// R.
+    matrix: DMatrix<f64>,
+    /// Qᵀb.
+    right: DVector<f64>,
+    /// AᵀA.
+    normal: DMatrix<f64>,
+}
+
+impl Pressed {
+    fn solved(&self, system: &System, smoothing: f64) -> Solved {
         let (rows, columns) = self.matrix.shape();
         let bends = columns.saturating_sub(3);
         let whole = Array2::from_shape_fn((rows + bends, columns), |(row, column)| {
-            if row < rows { self.matrix[(row, column)] } else { smoothing * self.bend(row - rows, column) }
+            if row < rows { self.matrix[(row, column)] } else { smoothing * system.bend(row - rows, column) }
         });
-        let right = Array1::from_shape_fn(rows + bends, |row| self.right.get(row).copied().unwrap_or(0.0));
+        let right = Array1::from_shape_fn(rows + bends, |row| if row < rows { self.right[row] } else { 0.0 });
         let (x, _) = nnls::nnls(whole.view(), right.view());
-        let rest = (0..rows).map(|row| {
-            let model: f64 = (0..columns).map(|column| self.matrix[(row, column)] * x[column]).sum();
-            (self.right[row] - model).powi(2)
-        });
-        let squares: f64 = rest.sum();
-        let count = rows as f64;
-        let free = (count - self.freedom(x.as_slice().unwrap_or(&[]), smoothing)).max(1.0);
-        Solved { x: x.to_vec(), deviation: (squares / count).sqrt(), foretold: squares * count / (free * free) }
+        let x = DVector::from_vec(x.to_vec());
+        let squares = (DVector::from_column_slice(&system.right) - &system.matrix * &x).norm_squared();
+        let count = system.right.len() as f64;
+        let free = (count - self.freedom((system, x.as_slice()), smoothing)).max(1.0);
+        let foretold = squares * count / (free * free);
+        Solved { x: x.as_slice().to_vec(), deviation: (squares / count).sqrt(), foretold }
     }
 
     /// Effective number of parameters: tr A(AᵀA + λ²DᵀD)⁻¹Aᵀ over the terms above zero.
-    fn freedom(&self, x: &[f64], smoothing: f64) -> f64 {
+    fn freedom(&self, (system, x): (&System, &[f64]), smoothing: f64) -> f64 {
         let kept: Vec<usize> = (0..x.len()).filter(|&column| x[column] > 0.0).collect();
         if kept.is_empty() {
             return 0.0;
         }
-        let bends = self.sizes.len().saturating_sub(3);
-        let matrix = self.matrix.select_columns(&kept);
-        let bend = DMatrix::from_fn(bends, kept.len(), |row, column| smoothing * self.bend(row, kept[column]));
-        let normal = matrix.transpose() * &matrix;
+        let bends = system.sizes.len().saturating_sub(3);
+        let bend = DMatrix::from_fn(bends, kept.len(), |row, column| smoothing * system.bend(row, kept[column]));
+        let normal = self.normal.select_rows(&kept).select_columns(&kept);
         let whole = &normal + bend.transpose() * &bend;
         whole.cholesky().map_or(kept.len() as f64, |root| root.solve(&normal).trace())
     }

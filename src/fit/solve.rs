@@ -1,8 +1,8 @@
 //! The parameters at which a model is nearest to a curve.
 
 use super::curve::Curve;
-use super::frame::Frame;
-use super::model::{Answer, Model};
+use super::frame::{Frame, dot};
+use super::model::{Answer, Model, Sloped};
 use crate::contact::adhesion::equilibrium::Control;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::storage::Owned;
@@ -43,6 +43,8 @@ pub struct Task<'t> {
     pub step: f64,
     /// Numbers of parameters that are kept, first touch last.
     pub kept: [Option<usize>; 2],
+    /// A parameter with all others of whose kind all forces grow in one ratio, if there is one.
+    pub scaling: Option<usize>,
 }
 
 impl Task<'_> {
@@ -89,69 +91,116 @@ impl Task<'_> {
         self.frame.reduced(&self.rest(answer))
     }
 
-    /// Slopes of the answer in the natural parameters, first touch last, at all points.
+    /// Slopes of the answer in the natural parameters, first touch last, at all points; none of what is kept.
     ///
     /// # Errors
     /// The scene cannot be computed beside the place.
     pub fn slopes(&self, place: &Place, answer: &Answer) -> Result<Vec<Vec<f64>>, String> {
-        let mut slopes: Vec<Vec<f64>> = Vec::new();
-        for number in 0..self.model.free.len() {
-            slopes.push(self.slope(number, place, answer)?);
-        }
+        let known = self.model.slopes((&place.values, place.contact), answer)?;
+        let free = 0..self.model.free.len();
+        let nothing = || Ok(Vec::new());
+        let mut slopes = free
+            .map(
+                |number| {
+                    if self.keeps(number) { nothing() } else { self.slope(number, place, (answer, known.as_ref())) }
+                },
+            )
+            .collect::<Result<Vec<Vec<f64>>, String>>()?;
         if self.touch {
-            slopes.push(self.slope_of_touch(place, answer)?);
+            slopes.push(match known {
+                Some(known) => known.slopes.touch,
+                None => self.slope_of_touch(place, answer)?,
+            });
         }
         Ok(slopes)
     }
 
-    fn slope(&self, number: usize, place: &Place, answer: &Answer) -> Result<Vec<f64>, String> {
+    fn slope(
+        &self,
+        number: usize,
+        place: &Place,
+        (answer, known): (&Answer, Option<&Sloped>),
+    ) -> Result<Vec<f64>, String> {
         let free = &self.model.free[number];
         let (natural, (low, high)) = (free.natural(place.values[number]), free.ends());
         let step = if free.is_ratio() { self.step } else { self.step * (high - low) };
         let step = if natural + step > high { -step } else { step };
         let mut beside = place.clone();
         beside.values[number] = free.value(natural + step);
-        let response = match self.model.scaled(answer, &beside.values) {
-            Some(response) => response,
-            None => self.answer(&beside)?.response,
-        };
-        Ok(response.iter().zip(&answer.response).map(|(beside, here)| (beside - here) / step).collect())
+        let changes = known.and_then(|known| Some((known, self.model.changes(known, &beside.values, place.contact)?)));
+        if let Some((known, changes)) = changes {
+            return Ok(summed(&known.slopes.numbers, &changes, (step, answer.response.len())));
+        }
+        let beside = self.answer(&beside)?;
+        Ok(beside.response.iter().zip(&answer.response).map(|(beside, here)| (beside - here) / step).collect())
     }
 
     fn slope_of_touch(&self, place: &Place, answer: &Answer) -> Result<Vec<f64>, String> {
-        if let Some(slope) = &answer.slope {
-            return Ok(slope.iter().map(|slope| -slope).collect());
-        }
         let step = self.step * self.span();
         let beside = self.answer(&Place { contact: place.contact + step, ..place.clone() })?;
         Ok(beside.response.iter().zip(&answer.response).map(|(beside, here)| (beside - here) / step).collect())
     }
 
-    /// The nearest place, searched from `start` on (Levenberg 1944, Marquardt 1963).
+    /// The nearest place, searched from `start` on (Levenberg 1944, Marquardt 1963); a ratio in which all forces grow is
+    /// projected out (Golub & Pereyra 1973, with the slopes of Kaufman 1975).
     ///
     /// # Errors
     /// The scene cannot be computed at the start.
     pub fn solved(&self, start: &Place, tolerance: f64) -> Result<Found, String> {
-        let answer = self.answer(start)?;
-        let residual = self.residual(&answer);
-        if self.moving() == 0 {
-            let squares = residual.iter().map(|x| x * x).sum();
-            return Ok(Found { place: start.clone(), answer, squares, converged: true });
+        let Some(number) = self.scaling.filter(|_| self.kept == [None; 2]) else {
+            let task = Task { scaling: None, ..*self };
+            return task.searched(start, tolerance).map(|search| search.0.found(search.1));
+        };
+        let (search, ended) = Task { kept: [Some(number), None], ..*self }.searched(start, tolerance)?;
+        let place = self.scaled(&search.place, search.left.factor);
+        if let Some(place) = place.clone().filter(|_| self.is_inside(&search.place)) {
+            let answer = self.answer(&place)?;
+            let squares = squares(&self.residual(&answer));
+            return Ok(Found { place, answer, squares, converged: ended });
         }
-        let size = residual.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let away = vec![1e3 * size.max(f64::MIN_POSITIVE) / (residual.len() as f64).sqrt(); residual.len()];
-        let search =
-            Search { task: *self, here: self.coordinates(start), place: start.clone(), answer, residual, away };
-        let rule =
-            LevenbergMarquardt::new().with_ftol(tolerance).with_xtol(tolerance).with_gtol(1e-14).with_patience(12);
-        let (search, report) = rule.minimize(search);
-        let squares = search.residual.iter().map(|x| x * x).sum();
-        Ok(Found {
-            place: search.place,
-            answer: search.answer,
-            squares,
-            converged: report.termination.was_successful(),
+        // An end of a range is met.
+        Task { scaling: None, ..*self }.solved(&place.unwrap_or(search.place), tolerance)
+    }
+
+    /// Whether no parameter is at an end of its range.
+    fn is_inside(&self, place: &Place) -> bool {
+        self.model.free.iter().zip(&place.values).all(|(free, &value)| {
+            let ((low, high), here) = (free.ends(), free.natural(value));
+            (here - low).min(high - here) > NEAR_END * (high - low)
         })
+    }
+
+    /// What an answer leaves, in the best ratio if one is projected out.
+    fn left(&self, answer: &Answer) -> Left {
+        if self.scaling.is_none() {
+            return Left { rest: self.residual(answer), factor: 1.0, along: None };
+        }
+        let mut along = self.frame.reduced(&self.frame.chosen(&answer.response));
+        let measured = self.frame.reduced(&self.frame.chosen(self.curve().answered(self.control())));
+        let size = squares(&along).sqrt();
+        if size <= 0.0 {
+            return Left { rest: measured, factor: 1.0, along: None };
+        }
+        along.iter_mut().for_each(|x| *x /= size);
+        let part = dot(&along, &measured);
+        let rest = measured.iter().zip(&along).map(|(y, x)| y - part * x).collect();
+        Left { rest, factor: part / size, along: Some(along) }
+    }
+
+    /// The best ratio of the answer at a place, and the sum of squares in it; none if it is no ratio.
+    pub fn best_ratio(&self, answer: &Answer) -> Option<(f64, f64)> {
+        let left = self.scaling.map(|_| self.left(answer))?;
+        (left.factor > 0.0).then(|| (left.factor, squares(&left.rest)))
+    }
+
+    /// The place with all that forces grow with times `factor`; `None` outside of the ranges.
+    pub fn scaled(&self, place: &Place, factor: f64) -> Option<Place> {
+        let of = |(free, &value): (&super::Free, &f64)| {
+            let value = if free.scales_force() { value * factor } else { value };
+            (free.low..=free.high).contains(&value).then_some(value)
+        };
+        let values = self.model.free.iter().zip(&place.values).map(of).collect::<Option<Vec<f64>>>()?;
+        Some(Place { values, contact: place.contact })
     }
 
     /// Unbounded coordinates: an arc whose sine goes from end to end of a range; first touch in parts of the way.
@@ -190,8 +239,56 @@ impl Task<'_> {
     }
 }
 
+impl<'t> Task<'t> {
+    /// The search, and whether it ended by itself.
+    fn searched(self, start: &Place, tolerance: f64) -> Result<(Search<'t>, bool), String> {
+        let answer = self.answer(start)?;
+        let left = self.left(&answer);
+        let size = squares(&left.rest).sqrt();
+        let away = vec![1e3 * size.max(f64::MIN_POSITIVE) / (left.rest.len() as f64).sqrt(); left.rest.len()];
+        let search = Search { task: self, here: self.coordinates(start), place: start.clone(), answer, left, away };
+        if self.moving() == 0 {
+            return Ok((search, true));
+        }
+        // However roughly squares are asked for, errors of parameters may be small parts of them.
+        let rule = LevenbergMarquardt::new().with_ftol(tolerance).with_xtol(tolerance.min(CLOSE)).with_gtol(1e-14);
+        let rule = rule.with_patience(12);
+        let (search, report) = rule.minimize(search);
+        Ok((search, report.termination.was_successful()))
+    }
+}
+
+/// Σ x².
+fn squares(values: &[f64]) -> f64 {
+    dot(values, values)
+}
+
+/// Σ slopes times changes, over a step.
+fn summed(slopes: &[Vec<f64>], changes: &[f64], (step, count): (f64, usize)) -> Vec<f64> {
+    let mut sum = vec![0.0; count];
+    for (slope, change) in slopes.iter().zip(changes).filter(|(_, change)| change.abs() > 0.0) {
+        let rate = change / step;
+        sum.iter_mut().zip(slope).for_each(|(sum, slope)| *sum += rate * slope);
+    }
+    sum
+}
+
+/// Largest relative change of the parameters at which a search ends.
+const CLOSE: f64 = 1e-8;
+/// Part of a range from its ends within which a parameter may be held by them.
+const NEAR_END: f64 = 1e-4;
 /// How far from the ends of its range, as a part of half of it, a parameter starts.
 const INSIDE: f64 = 1.0 - 1e-6;
+
+/// What an answer leaves.
+struct Left {
+    /// What is left, white and without the baseline.
+    rest: Vec<f64>,
+    /// Ratio in which the answer counts.
+    factor: f64,
+    /// The answer, white, without the baseline, and of length one, where its ratio was projected out.
+    along: Option<Vec<f64>>,
+}
 
 /// A search under way.
 struct Search<'t> {
@@ -199,9 +296,28 @@ struct Search<'t> {
     here: DVector<f64>,
     place: Place,
     answer: Answer,
-    residual: Vec<f64>,
+    left: Left,
     /// What is said of a place at which the scene cannot be computed.
     away: Vec<f64>,
+}
+
+impl Search<'_> {
+    fn found(self, converged: bool) -> Found {
+        let squares = squares(&self.left.rest);
+        Found { place: self.place, answer: self.answer, squares, converged }
+    }
+
+    /// A column of the slopes of what is left.
+    fn column(&self, slope: &[f64], rate: f64) -> DVector<f64> {
+        let mut column = self.task.frame.reduced(&self.task.frame.chosen(slope));
+        let rate = -rate * self.left.factor;
+        column.iter_mut().for_each(|value| *value *= rate);
+        if let Some(along) = &self.left.along {
+            let part = dot(along, &column);
+            column.iter_mut().zip(along).for_each(|(value, x)| *value -= part * x);
+        }
+        DVector::from_vec(column)
+    }
 }
 
 impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
@@ -214,10 +330,10 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
         self.place = self.task.place(x, &self.place);
         match self.task.answer(&self.place) {
             Ok(answer) => {
-                self.residual = self.task.residual(&answer);
+                self.left = self.task.left(&answer);
                 self.answer = answer;
             }
-            Err(_) => self.residual.clone_from(&self.away),
+            Err(_) => self.left.rest.clone_from(&self.away),
         }
     }
 
@@ -226,11 +342,11 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        Some(DVector::from_column_slice(&self.residual))
+        Some(DVector::from_column_slice(&self.left.rest))
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let Task { frame, model, .. } = self.task;
+        let Task { model, .. } = self.task;
         let slopes = self.task.slopes(&self.place, &self.answer).ok()?;
         let moving = slopes.into_iter().enumerate().filter(|&(at, _)| !self.task.keeps(at));
         let columns = moving.zip(&self.here).map(|((at, slope), x)| {
@@ -238,8 +354,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
                 Some(free) => 0.5 * (free.ends().1 - free.ends().0) * x.cos(),
                 None => self.task.span(),
             };
-            let column = frame.reduced(&frame.chosen(&slope));
-            DVector::from_vec(column.into_iter().map(|value| -rate * value).collect())
+            self.column(&slope, rate)
         });
         Some(DMatrix::from_columns(&columns.collect::<Vec<_>>()))
     }

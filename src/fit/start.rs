@@ -1,6 +1,7 @@
 //! Where a search starts: the best of a few places, looked at with a few of the points.
 
 use super::curve::Curve;
+use super::frame::dot;
 use super::solve::{Place, Task};
 use crate::contact::adhesion::equilibrium::Control;
 
@@ -12,6 +13,8 @@ const DRAWS: (usize, usize) = (16, 8);
 const TOUCHES: usize = 16;
 /// The best of them, tried with all draws.
 const KEPT: usize = 3;
+/// Part of the largest force by which twice the moduli may miss twice the force.
+const ALIKE: f64 = 1e-10;
 /// Ratio to the value of the scene within which a parameter is drawn.
 const NEAR: f64 = 1e3;
 /// Part of the response that is more than the baseline, and in standard deviations of it.
@@ -50,21 +53,40 @@ fn free_ratios(task: &Task<'_>) -> usize {
 
 /// The sum of squares at a place, all moduli scaled so that it is least.
 fn tried_at(task: &Task<'_>, place: Place) -> Option<(f64, Place)> {
-    let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let answer = task.answer(&place).ok()?;
+    let exact = task.best_ratio(&answer);
+    if let Some((squares, scaled)) = exact.and_then(|(factor, squares)| Some((squares, task.scaled(&place, factor)?))) {
+        return Some((squares, scaled));
+    }
     let here = task.residual(&answer);
     let model = task.frame.reduced(&task.frame.chosen(&answer.response));
-    let size = sum(&model, &model);
     // Measured is model and what is left.
-    let factor = 1.0 + sum(&model, &here) / size;
+    let factor = 1.0 + dot(&model, &here) / dot(&model, &model);
     let scaled = scaled(task, &place, factor).and_then(|place| {
         let rest = task.residual(&task.answer(&place).ok()?);
-        Some((sum(&rest, &rest), place))
+        Some((dot(&rest, &rest), place))
     });
-    Some((sum(&here, &here), place)).into_iter().chain(scaled).min_by(|a, b| a.0.total_cmp(&b.0))
+    Some((dot(&here, &here), place)).into_iter().chain(scaled).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// The place with all that forces grow with times `factor`; compliances under a force.
+/// A parameter with all others of whose kind all forces grow in one ratio: told by an answer with all of them doubled.
+#[must_use]
+pub fn scaling(task: &Task<'_>) -> Option<usize> {
+    let number = task.model.free.iter().position(super::Free::scales_force)?;
+    if task.model.control == Control::Force {
+        return None;
+    }
+    let values: Vec<f64> = task.model.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
+    let doubled = task.model.free.iter().zip(&values).map(|(free, v)| if free.scales_force() { 2.0 * v } else { *v });
+    let contact = if task.touch { first_touch(task.model.curve, task.model.control) } else { 0.0 };
+    let twice = task.answer(&Place { values: doubled.collect(), contact }).ok()?.response;
+    let once = task.answer(&Place { values, contact }).ok()?.response;
+    let largest = once.iter().fold(0.0, |largest: f64, force| largest.max(force.abs()));
+    let off = once.iter().zip(&twice).fold(0.0, |off: f64, (once, twice)| off.max((twice - 2.0 * once).abs()));
+    (largest > 0.0 && off <= ALIKE * largest).then_some(number)
+}
+
+/// The place with all that forces grow with times `factor`, within the ranges; compliances under a force.
 fn scaled(task: &Task<'_>, place: &Place, factor: f64) -> Option<Place> {
     let factor = if task.model.control == Control::Force { factor.recip() } else { factor };
     if !(factor.is_finite() && factor > 0.0) {

@@ -3,7 +3,7 @@
 //! Two questions against the noise before first touch: is more left in contact than noise, and has what is left a smooth
 //! shape? Both compare sums of squares of what is white, of known degrees of freedom.
 
-use super::frame::Frame;
+use super::frame::{Frame, dot};
 use super::noise::Moments;
 
 /// What is left before first touch, where nothing but noise is.
@@ -23,6 +23,8 @@ pub struct Noise {
 pub const ENOUGH: usize = 30;
 /// Degrees of the polynomials a misfit is looked for with.
 const DEGREES: usize = 8;
+/// Part of a column that is left where little of it is taken away.
+const LITTLE: f64 = 0.7;
 /// Standard deviations beyond which chance is no answer: one in two million.
 const SURE: f64 = 5.0;
 
@@ -73,10 +75,11 @@ impl Verdict {
         let chosen = |column: &[f64]| touching.iter().map(|&number| column[number]).collect::<Vec<f64>>();
         let white = part.whitened(&chosen(rest));
         let freedom = white.len().saturating_sub(columns.len()).max(1) as f64;
-        let chi2 = white.iter().map(|x| x * x).sum::<f64>() / freedom / noise.variance;
+        let chi2 = dot(&white, &white) / freedom / noise.variance;
         let spread = (2.0 / freedom + 2.0 / noise.points as f64).sqrt();
         let fitted: Vec<Vec<f64>> = columns.iter().map(|column| part.whitened(&chosen(column))).collect();
-        let smooth = smooth_part(fitted, polynomials(white.len()).map(|column| part.whitened(&column)), &white);
+        let smooth =
+            smooth_part(fitted, polynomials(white.len()).into_iter().map(|column| part.whitened(&column)), &white);
         Self { chi2, size: chi2.ln() / spread, shape: deviations(smooth.0 / noise.variance, smooth.1) }
     }
 
@@ -87,37 +90,37 @@ impl Verdict {
     }
 }
 
-/// Legendre polynomials over the order of `count` points.
-fn polynomials(count: usize) -> impl Iterator<Item = Vec<f64>> {
-    (0..=DEGREES).map(move |degree| {
-        let at = |number: usize| legendre(degree, 2.0 * (number as f64 + 0.5) / count as f64 - 1.0);
-        (0..count).map(at).collect()
-    })
-}
-
-/// P_n(x) by Bonnet's rule.
-fn legendre(degree: usize, x: f64) -> f64 {
-    let step = |(last, here): (f64, f64), n: usize| {
-        let n = n as f64;
-        (here, ((2.0 * n + 1.0) * x * here - n * last) / (n + 1.0))
-    };
-    (0..degree).fold((0.0, 1.0), step).1
+/// Legendre polynomials over the order of `count` points, by Bonnet's rule.
+fn polynomials(count: usize) -> Vec<Vec<f64>> {
+    let x: Vec<f64> = (0..count).map(|number| 2.0 * (number as f64 + 0.5) / count as f64 - 1.0).collect();
+    let mut all = vec![vec![1.0; count], x.clone()];
+    for degree in 1..DEGREES {
+        let n = degree as f64;
+        let (before, here) = (&all[degree - 1], &all[degree]);
+        let next = |((x, before), here): ((&f64, &f64), &f64)| ((2.0 * n + 1.0) * x * here - n * before) / (n + 1.0);
+        all.push(x.iter().zip(before).zip(here).map(next).collect());
+    }
+    all
 }
 
 /// Square of the part of `white` in the columns `smooth` that is not in `fitted`, and its degrees of freedom.
 fn smooth_part(fitted: Vec<Vec<f64>>, smooth: impl Iterator<Item = Vec<f64>>, white: &[f64]) -> (f64, f64) {
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut add = |mut column: Vec<f64>| {
         let whole = dot(&column, &column).sqrt();
-        // Twice is enough (Giraud et al. 2005).
+        let mut size = whole;
+        // Twice is enough, and once where little is taken away (Daniel et al. 1976; Giraud et al. 2005).
         for _ in 0..2 {
+            let before = size;
             for known in &basis {
                 let part = dot(known, &column);
                 column.iter_mut().zip(known).for_each(|(value, a)| *value -= part * a);
             }
+            size = dot(&column, &column).sqrt();
+            if size > LITTLE * before {
+                break;
+            }
         }
-        let size = dot(&column, &column).sqrt();
         let new = size > 1e-6 * whole;
         if new {
             column.iter_mut().for_each(|value| *value /= size);

@@ -253,7 +253,7 @@ fn wave_numbers(grid: &Grid) -> Vec<f64> {
 }
 
 /// Mean of an even quantity over all frequencies: the displacement of a pixel under its own unit pressure.
-fn mean_over_period(quarter: &[f64], size: Size) -> f64 {
+pub(super) fn mean_over_period(quarter: &[f64], size: Size) -> f64 {
     let copies = |index: usize, period: usize| {
         if index == 0 || 2 * index == period { 1.0 } else { 2.0 }
     };

@@ -106,13 +106,26 @@ impl Rectangle {
     }
 
     fn at(&self, row: usize, column: usize) -> f64 {
-        let (x, y) = (column as f64 * self.width, row as f64 * self.height);
+        self.at_place(row as f64, column as f64)
+    }
+
+    /// The same at a place that need not be the centre of a pixel, both at least zero.
+    pub(super) fn at_place(&self, row: f64, column: f64) -> f64 {
+        let (x, y) = (column * self.width, row * self.height);
         let square = x * x + y * y;
         if square > self.far * self.far {
             FRAC_1_PI * self.series(x * x / square, square)
         } else {
             FRAC_1_PI * self.closed(x, y)
         }
+    }
+
+    /// Slope along a row of that, per pixel, both at least zero.
+    pub(super) fn slope_at_place(&self, row: f64, column: f64) -> f64 {
+        let (x, y) = (column * self.width, row * self.height);
+        let (lower, upper) = (y - 0.5 * self.height, y + 0.5 * self.height);
+        let [left, right] = [x - 0.5 * self.width, x + 0.5 * self.width];
+        FRAC_1_PI * self.width * (log_ratio(lower, upper, right) - log_ratio(lower, upper, left))
     }
 
     /// ∫∫ dA/r by multipoles; `c` = cos² of the direction, `square` = r².

@@ -47,6 +47,7 @@ mod pieces;
 mod response;
 mod run;
 mod solution;
+pub mod steady;
 mod transform;
 mod vector;
 mod yielding;

@@ -1,4 +1,5 @@
-//! Products with a real, even multiplier in Fourier space, on real grids.
+//! Products with a multiplier in Fourier space, on real grids: real and even, or of an influence that is even
+//! across the rows alone.
 //!
 //! Rows that are zero are not transformed, the zero half of a padded grid is neither stored nor
 //! transformed along the rows, and the multiplier is kept as the quarter that is not its own mirror.
@@ -41,22 +42,51 @@ pub(super) struct Scratch {
     columns: Vec<Complex<f64>>,
 }
 
+/// What a wave is multiplied by.
+pub(super) trait Symbol: Copy + Send + Sync {
+    /// The number `by` times.
+    fn scaled(self, by: f64) -> Self;
+
+    /// Its product with the amplitude of a wave.
+    fn on(self, amplitude: Complex<f64>) -> Complex<f64>;
+}
+
+impl Symbol for f64 {
+    fn scaled(self, by: f64) -> Self {
+        self * by
+    }
+
+    fn on(self, amplitude: Complex<f64>) -> Complex<f64> {
+        amplitude * self
+    }
+}
+
+impl Symbol for Complex<f64> {
+    fn scaled(self, by: f64) -> Self {
+        self * by
+    }
+
+    fn on(self, amplitude: Self) -> Self {
+        amplitude * self
+    }
+}
+
 /// The map x → F⁻¹[symbol · F x] from a grid to itself, zero-padded up to the period.
-pub(super) struct Multiplier {
+pub(super) struct Multiplier<S = f64> {
     size: Size,
     period: Size,
-    symbol: Vec<f64>,
+    symbol: Vec<S>,
     forward_row: Arc<dyn RealToComplex<f64>>,
     inverse_row: Arc<dyn ComplexToReal<f64>>,
     forward_column: Arc<dyn Fft<f64>>,
     inverse_column: Arc<dyn Fft<f64>>,
 }
 
-impl Multiplier {
+impl<S: Symbol> Multiplier<S> {
     /// Multiplier from its symbol, `half column × half row` frequencies of the period, column first.
-    pub(super) fn new(size: Size, period: Size, mut symbol: Vec<f64>) -> Self {
+    pub(super) fn new(size: Size, period: Size, mut symbol: Vec<S>) -> Self {
         let scale = (period.pixels() as f64).recip();
-        symbol.par_iter_mut().for_each(|value| *value *= scale);
+        symbol.par_iter_mut().for_each(|value| *value = value.scaled(scale));
         let mut real = RealFftPlanner::new();
         let mut complex = FftPlanner::new();
         Self {
@@ -167,10 +197,40 @@ impl Multiplier {
 }
 
 /// Line times an even multiplier given by its first half.
-fn multiply(line: &mut [Complex<f64>], half: &[f64]) {
+fn multiply<S: Symbol>(line: &mut [Complex<f64>], half: &[S]) {
     let (front, back) = line.split_at_mut(half.len());
-    front.iter_mut().zip(half).for_each(|(value, factor)| *value *= factor);
-    back.iter_mut().rev().zip(&half[1..]).for_each(|(value, factor)| *value *= factor);
+    front.iter_mut().zip(half).for_each(|(value, factor)| *value = factor.on(*value));
+    back.iter_mut().rev().zip(&half[1..]).for_each(|(value, factor)| *value = factor.on(*value));
+}
+
+/// Two-dimensional transform of a table even from row to row, given by the upper half of its rows, `row × column` with
+/// all columns of the period; half of the spectrum either way, `column × row`.
+pub(super) fn spectrum_of_even_columns(table: &[f64], period: Size) -> Vec<Complex<f64>> {
+    let (half, quarter) = (period.columns / 2 + 1, period.rows / 2 + 1);
+    let plan = RealFftPlanner::<f64>::new().plan_fft_forward(period.columns);
+    let mut rows = vec![Complex::default(); quarter * half];
+    let make = || (plan.make_input_vec(), plan.make_scratch_vec());
+    rows.par_chunks_mut(half).zip(table.par_chunks(period.columns)).for_each_init(
+        make,
+        |(input, scratch), (spectrum, row)| {
+            input.copy_from_slice(row);
+            // The lengths are those of the plan, the only thing it can object to.
+            let _ = plan.process_with_scratch(input, spectrum, scratch);
+        },
+    );
+    let down = FftPlanner::new().plan_fft_forward(period.rows);
+    let mut turned = vec![Complex::default(); half * quarter];
+    turned.par_chunks_mut(quarter).enumerate().for_each_init(
+        || vec![Complex::default(); period.rows],
+        |line, (column, spectrum)| {
+            for (row, place) in line.iter_mut().enumerate() {
+                *place = rows[row.min(period.rows - row) * half + column];
+            }
+            down.process(line);
+            spectrum.copy_from_slice(&line[..quarter]);
+        },
+    );
+    turned
 }
 
 /// Two-dimensional cosine transform of an even table given by its quarter `row × column`;
@@ -250,6 +310,27 @@ mod tests {
                 // Rounding of a transform: some units of the last place of the largest sum, here below 3000.
                 assert!((value - exact).abs() < 3e-12, "{rows}×{columns} at {row} {column}: {value} {exact}");
             }
+        }
+    }
+
+    /// The same with an influence that is not even along the rows.
+    #[test]
+    fn convolution_is_the_sum_where_it_is_not_even() {
+        let (size, period) = (Size { rows: 5, columns: 9 }, Size { rows: 12, columns: 20 });
+        let kernel =
+            |down: usize, across: i64| 1.0 / (1.0 + (down * down) as f64 + (across as f64 - 0.7).powi(2)).sqrt();
+        let along = |column: usize| if 2 * column <= period.columns { column as i64 } else { column as i64 - 20 };
+        let table: Vec<f64> = (0..7 * 20).map(|k| kernel(k / 20, along(k % 20))).collect();
+        let x: Vec<f64> = (0..size.pixels()).map(|k| ((k * 7919) % 23) as f64 - 5.0).collect();
+        let mut y = vec![0.0; size.pixels()];
+        let symbol = spectrum_of_even_columns(&table, period);
+        Multiplier::new(size, period, symbol).apply(&x, &mut y, &mut Scratch::default());
+        for (index, value) in y.iter().enumerate() {
+            let (row, column) = (index / 9, (index % 9) as i64);
+            let term = |(k, x): (usize, &f64)| x * kernel((k / 9).abs_diff(row), column - (k % 9) as i64);
+            let exact: f64 = x.iter().enumerate().map(term).sum();
+            // Rounding of a transform of sums below 300.
+            assert!((value - exact).abs() < 1e-12, "{row} {column}: {value} {exact}");
         }
     }
 

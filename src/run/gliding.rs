@@ -12,6 +12,7 @@ use crate::contact::viscoelastic::Spectrum;
 use crate::scene::history::Motion;
 use crate::scene::law::{Start, Travel};
 use crate::scene::plan::{RoughPlan, RoundPlan, Shared};
+use crate::scene::surface::Surface;
 use crate::shape::rough::{RoughError, RoughLine};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -36,7 +37,7 @@ fn last_of(records: &[Record], entry: usize) -> Option<&Record> {
 }
 
 /// What is held while a body moves along: the depth [m] or the force [N] to which its history has led.
-fn held(plan: &Shared, travel: &Travel, records: &[Record]) -> (Control, f64) {
+pub(super) fn held(plan: &Shared, travel: &Travel, records: &[Record]) -> (Control, f64) {
     let before = plan.stages.iter().rev().filter(|stage| stage.entry < travel.entry);
     let control = before.filter_map(|stage| stage.control).next().unwrap_or(Control::Indentation);
     let last = last_of(records, travel.entry).map(|record| record.normal).unwrap_or_default();
@@ -129,14 +130,20 @@ pub fn table_beside_theory(plan: &RoughPlan, states: &[SteadyState]) -> Option<T
     if plan.base.is_some() {
         return Some(table);
     }
-    let (spectrum, rings) = (Spectrum::new(&travel.relaxation), &plan.surface.rings);
+    Some(beside_theory(table, (&plan.surface, travel), states))
+}
+
+/// The `table` of steady states on a nominally flat `surface`, and beside it Persson's theory.
+#[must_use]
+pub(super) fn beside_theory(table: Table, (surface, travel): (&Surface, &Travel), states: &[SteadyState]) -> Table {
+    let (spectrum, rings) = (Spectrum::new(&travel.relaxation), &surface.rings);
     let beside = |state: &SteadyState| {
-        let pressure = state.force / plan.surface.length().powi(2);
+        let pressure = state.force / surface.length().powi(2);
         let theory = PerssonGlide { rings, spectrum: &spectrum, pressure };
         (state.speed, (pressure > 0.0).then(|| theory.coefficient(state.speed)))
     };
     let rows: Vec<Beside> = states.iter().map(beside).collect();
-    Some(table.with(&[PERSSON], rows.iter()))
+    table.with(&[PERSSON], rows.iter())
 }
 
 /// The named results.
@@ -184,14 +191,17 @@ fn largest(states: &[SteadyState]) -> Vec<Named> {
     ]
 }
 
-/// The estimate, unless a steady state is known less well.
+/// What the error of a steady state on a bed is.
+pub const OF_CHORDS: &str =
+    "steady motion: force, resistance and depth against those with half as many chords of the profile";
+
+/// The estimate, unless a steady state is known less well; `basis` says from what that is known.
 #[must_use]
-pub fn at_least(estimate: ErrorEstimate, states: &[SteadyState]) -> ErrorEstimate {
+pub fn at_least(estimate: ErrorEstimate, states: &[SteadyState], basis: &str) -> ErrorEstimate {
     let error = states.iter().map(|state| state.error).fold(0.0, f64::max);
     if error <= estimate.relative {
         return estimate;
     }
-    let basis = "steady motion: force, resistance and depth against those with half as many chords of the profile";
     ErrorEstimate { relative: error, basis: basis.to_owned() }
 }
 
@@ -203,6 +213,6 @@ pub fn remark(plan: &RoundPlan) -> Option<String> {
         Motion::Rolls => "rolls",
     };
     Some(format!(
-        "the contact of a body that {name} is not round: its one-dimensional profile on a bed gives the resistance in its order of size and its course over the speed, not exactly (Popov & Heß 2015, ch. 7)"
+        "the contact of a body that {name} is not round: its one-dimensional profile on a bed gives the resistance in its order of size and its course over the speed, not exactly (Popov & Heß 2015, ch. 7): under a ball twice that of the half-space at low speeds, the same at high ones; `solver: HalfSpace()` computes it"
     ))
 }

@@ -142,7 +142,7 @@ pub fn tables(plan: &Plan) -> &'static [&'static str] {
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble", "glides"],
         Plan::RoughImpact(_) => &["ensemble", "impacts"],
-        Plan::HalfSpace(_) => &["distribution"],
+        Plan::HalfSpace(_) => &["distribution", "glides"],
     }
 }
 
@@ -231,7 +231,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
     let outcome = Outcome {
         map: None,
-        error_estimate: gliding::at_least(error::estimate(plan, &run), &glides),
+        error_estimate: gliding::at_least(error::estimate(plan, &run), &glides, gliding::OF_CHORDS),
         plan: parts(plan, &run),
         tables: bed::table(&run)
             .into_iter()

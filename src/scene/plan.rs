@@ -83,6 +83,12 @@ impl Shared {
         one.power_law().or(two.power_law()).and(self.read.times)
     }
 
+    /// Whether nothing but the moduli of the bodies counts: they are alike at all depths.
+    #[must_use]
+    pub fn fills_half_spaces(&self) -> bool {
+        self.read.ground.is_none()
+    }
+
     /// Moduli and friction of a contact with the coefficient `coefficient` μ.
     #[must_use]
     pub fn grip(&self, coefficient: f64) -> Grip {
@@ -190,6 +196,8 @@ pub struct HalfSpacePlan {
     pub attraction: ElasticAdhesion,
     /// Largest pressure [Pa] of a body that yields.
     pub hardness: Option<f64>,
+    /// The steady motion along the surface at the end, if there is one.
+    pub travel: Option<Travel>,
 }
 
 impl HalfSpacePlan {
@@ -307,7 +315,8 @@ impl Plan {
         match self {
             Self::Round(plan) => plan.travel.as_ref(),
             Self::Rough(plan) => plan.travel.as_ref(),
-            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) | Self::HalfSpace(_) => None,
+            Self::HalfSpace(plan) => plan.travel.as_ref(),
+            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) => None,
         }
     }
 

@@ -163,7 +163,9 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
     let (one, other) = &shared.scene.bodies;
     let hardness = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min);
     let ground = shared.read.ground.clone();
+    let travel = travel(&shared);
     HalfSpacePlan {
+        travel,
         shared,
         indenter,
         boundary,

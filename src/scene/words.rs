@@ -140,11 +140,12 @@ impl HalfSpacePlan {
                 "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms{}{}, without friction",
                 self.ground_in_words(),
                 self.bodies_in_words()
-            ),
+            ) + self.travel_in_words(),
         );
         let (mut used, mut left_out) = (vec!["pixels of a half-space"], vec!["springs"]);
         (if self.ground.is_some() { &mut used } else { &mut left_out }).push("layers");
         (if self.relaxation.is_some() { &mut used } else { &mut left_out }).push("relaxation");
+        (if self.travel.is_some() { &mut used } else { &mut left_out }).push(Component::Gliding.name());
         let pulls = self.attraction != ElasticAdhesion::None;
         (if pulls { &mut used } else { &mut left_out }).push("attraction across the gap");
         (if self.hardness.is_some() { &mut used } else { &mut left_out }).push("hardness");
@@ -156,6 +157,15 @@ impl HalfSpacePlan {
     /// What lies under the pixels, in words.
     fn ground_in_words(&self) -> &'static str {
         if self.ground.is_some() { " over the transfer function of what lies beneath" } else { "" }
+    }
+
+    /// How a body that glides is computed, in words.
+    fn travel_in_words(&self) -> &'static str {
+        if self.travel.is_some() {
+            "; in the steady motion each wave answers by the complex modulus at the frequency with which it is passed, by minimal residuals on the contact"
+        } else {
+            ""
+        }
     }
 
     /// What the bodies are, in words.

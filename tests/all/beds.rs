@@ -124,7 +124,8 @@ fn springs_let_go_recover() {
         let decay = (-0.5f64).exp();
         let mut free = 0;
         for (&(x, profile, u, q), &(_, _, later, _)) in one.iter().zip(&other) {
-            assert!(q.abs() <= 0.0 && later <= u && -u <= profile, "{x}");
+            // At the edge u is zero, to the 2e-14 of the greatest that a panel's polynomial has.
+            assert!(q.abs() <= 0.0 && later <= u + 2e-16 && -u <= profile, "{x}: {q:e} {later:e} {u:e} {profile:e}");
             assert!((later - decay * u).abs() < 1e-12 * 0.01, "{x}: {later} {u}");
             free += usize::from(u > 1e-4);
         }

@@ -130,6 +130,33 @@ fn both_ways_of_an_adhesive_lens_are_recovered() {
     near(&found, "contact_point", 5e-6, 1e-6);
 }
 
+/// A lens whose attraction has a range, pressed and torn off: data of a run, found again without one.
+#[test]
+fn the_range_of_an_attraction_is_recovered() {
+    // λ = 1 and 4.
+    for stress in ["78 kPa", "310 kPa"] {
+        let text = |young: &str, work: &str, stress: &str| {
+            format!(
+                r#"(shape: Paraboloid(radius: "2.5 mm"), bodies: (Elastic(young: "{young}", poisson: 0.5), Rigid),
+                adhesion: Maugis(work: "{work}", stress: "{stress}"), history: [Table("drive.csv")])"#
+            )
+        };
+        let depth = triangle(-3e-6, 12e-6, -9e-6, 100);
+        let time: Vec<f64> = (0..depth.len()).map(|k| k as f64).collect();
+        let force = answered(&text("4.8 MPa", "42 mJ/m^2", stress), ["time_s", "indentation_m"], &time, &depth);
+        let moved: Vec<f64> = depth.iter().map(|d| d + 5e-6).collect();
+        let start =
+            text("2 MPa", "100 mJ/m^2", "150 kPa").replace("Table(\"drive.csv\")", "Indent(to: \"1 um\", over: 1)");
+        let free =
+            ["bodies.0.young=100 kPa..100 MPa", "adhesion.work=1 mJ/m^2..1 J/m^2", "adhesion.stress=1 kPa..100 MPa"];
+        let found = fit(&scene(&start), &free, &curve(None, moved, force), Options::default()).unwrap();
+        near(&found, "bodies.0.young", 4.8e6, 1e-6);
+        near(&found, "adhesion.work", 0.042, 1e-6);
+        near(&found, "adhesion.stress", stress.trim_end_matches(" kPa").parse::<f64>().unwrap() * 1e3, 1e-6);
+        near(&found, "contact_point", 5e-6, 1e-6);
+    }
+}
+
 /// An adhesive contact pressed and torn off, every record of the run: first touch and both sides of pull-off among them.
 fn torn_off(text: &str) -> Curve {
     let outcome =

@@ -5,11 +5,12 @@ use crate::check::case::{Attempt, Case, Pairs, Proof};
 use crate::check::sketch::{Sketch, ball, elastic, result, si};
 use crate::check::theory::{WavyParabola, Westergaard};
 use crate::contact::elliptic::EllipticHertz;
+use crate::halfspace::steady::{SteadyContact, SteadyResponse, Travelled};
 use crate::halfspace::{
     Boundary, HalfSpaceError, PlaneBoundary, PlaneProblem, PlaneSolution, Prescribed, PressedMap, Settings, Solution,
     Start, solve, solve_plane,
 };
-use crate::material::{Body, Graded, Joint, Layer, Layered, Winkler};
+use crate::material::{Body, Graded, Joint, Layer, Layered, Relaxation, Spectrum, Winkler};
 use crate::run::record::Record;
 use crate::shape::rough::{SelfAffine, SpectrumSource};
 use crate::shape::{Ellipsoid, RoughShape, Shape};
@@ -31,6 +32,8 @@ pub(super) const CASES: &[Case] = &[
     Case::new("half-space/scene of a ball", Proof::Order, 1.0, "|ε| ≤ (Δ/a)²/8 in force and twice that in energy, a window of three radii found from the contact, under a depth and under a force; printed as the part of the bound used").weak("one ball").by(scene_of_ball),
     Case::new("half-space/scene of an ellipsoid", Proof::Order, 1.0, "|ε| ≤ (Δ/b)²/8 in the force at a depth and three times that in the peak pressure, printed as the part of the bound used").weak("radii 1 to 0.1 and one grid").by(scene_of_ellipsoid),
     Case::new("half-space/layers beside the bed", Proof::Order, 1.0, "a bonded layer between rigid bodies, a stiff film on a soft base, a graded body, springs: |ε| ≤ 3(Δ/a)²/8 in force and twice that in energy, for the stiffness grows with the radius; printed as the part of the bound used").weak("one depth of a ball and one grid").by(over_layers),
+    Case::new("half-space/gliding waves pressed flat", Proof::Rounding, 1e-6, "F_x/A = Σ¼|k||k_x|h²E″(|k_x|v), to the tolerance of 1e-8 times the stiffness of the shortest wave").weak("four waves in four directions on 24²").by(gliding_waves),
+    Case::new("half-space/gliding slowly", Proof::Order, 1.0, "a ball, μ = vΣEᵢτᵢ/(E∞R) for ∂²u/∂x² = −1/R under it; the rim is first order: |ε| ≤ Δ/a, printed as the part of the bound used").weak("two grids").by(gliding_slowly),
     Case::new("half-space/work on a rough surface that repeats", Proof::Other, 1e-4, "dU = F dd with the trapezoid corrected by the stiffness at its ends, fourth order in a step of 1/32 of the force: force, depth, energy and stiffness against each other").weak("one surface; a contact whose pixels change between records is not smooth").by(work_on_rough),
     Case::new("half-plane/Westergaard wave", Proof::Order, 1.0, "half width to a strip, indentation d = Δt(1 − ln t), t = sin²(πa/λ), to (π/n)² of Δ; printed as the part of the bound used").weak("five loads, 1024 strips").by(westergaard),
     Case::new("half-plane/wavy parabola in one piece", Proof::Other, 4e-5, "the Chebyshev series of Kudish et al. 2.12 beside the half-plane solver of 2000 strips: pressure in the middle half, to (strip/wave)²").weak("one roughness and load").by(wavy_parabola),
@@ -72,6 +75,52 @@ fn over_layers() -> Attempt<Pairs> {
         }
     }
     Ok(pairs)
+}
+
+/// A ground of the modulus E∞ = 1 and two times.
+fn rubber() -> Relaxation {
+    Relaxation { equilibrium: 1.0, terms: vec![(2.0, 1.0), (5.0, 0.1)], viscosity: 0.0 }
+}
+
+/// Steady sliding over it.
+fn gliding(heights: &Array2<f64>, travelled: &Travelled, force: f64) -> Result<SteadyContact, HalfSpaceError> {
+    let response = SteadyResponse::new(&Spectrum::new(&rubber()), heights.dim().into(), travelled);
+    response.solve(heights.view(), Prescribed::Force(force), None, &Settings::default())
+}
+
+fn gliding_waves() -> Attempt<Pairs> {
+    let (n, height) = (24, 1e-3);
+    let waves = [(1.0, 0.0, 1.0), (2.0, 3.0, 0.4), (-1.0, 2.0, 0.7), (0.0, 1.0, 0.5)];
+    let at = |i: usize, j: usize| {
+        let (x, y) = (TAU * j as f64 / n as f64, TAU * i as f64 / n as f64);
+        waves.iter().map(|(kx, ky, h)| height * h * (kx * x + ky * y).cos()).sum()
+    };
+    let heights = Array2::from_shape_fn((n, n), |(i, j)| at(i, j));
+    let spectrum = Spectrum::new(&rubber());
+    let at_speed = |speed: f64| -> Attempt<(f64, f64)> {
+        let (pixel, boundary) = ([1.0 / n as f64; 2], Boundary::Periodic);
+        let found = gliding(&heights, &Travelled { pixel, boundary, speed, ground: None }, 1.0)?;
+        let of = |(kx, ky, h): &(f64, f64, f64)| {
+            let (along, whole) = (TAU * kx.abs(), TAU * kx.hypot(*ky));
+            let lost = if along > 0.0 { spectrum.loss(along * speed) } else { 0.0 };
+            0.25 * whole * along * (height * h).powi(2) * lost
+        };
+        Ok((found.resistance, waves.iter().map(of).sum()))
+    };
+    [1e-6, 1e-3, 0.1, 3.0, 1e4].into_iter().map(at_speed).collect()
+}
+
+fn gliding_slowly() -> Attempt<Pairs> {
+    let (force, speed) = (5e-4f64, 1e-4);
+    let (a, lag) = ((0.75 * force).cbrt(), 2.5);
+    let on = |n: usize| -> Attempt<(f64, f64)> {
+        let pixel = 0.2 / n as f64;
+        let heights = Square { n, pixel, offset: 0.0 }.heights(|x, y| 0.5 * (x * x + y * y));
+        let travelled = Travelled { pixel: [pixel; 2], boundary: Boundary::Free, speed, ground: None };
+        let found = gliding(&heights, &travelled, force)?;
+        Ok(((found.resistance / (speed * lag * force) - 1.0) * a / pixel, 0.0))
+    };
+    [64, 128].into_iter().map(on).collect()
 }
 
 fn scene_of_ellipsoid() -> Attempt<Pairs> {

@@ -188,6 +188,13 @@ impl Branches {
         Ok((end, leaps))
     }
 
+    /// The ends of the stable branch at `s`: the parameter and the prescribed quantity at its minimum and at its maximum;
+    /// `None` where it has none.
+    #[must_use]
+    pub fn ends(&self, s: f64) -> [Option<(f64, f64)>; 2] {
+        [self.minimum_below(s), self.next_maximum(s)].map(|turning| turning.map(|turning| (turning.s, turning.value)))
+    }
+
     fn climb(
         &mut self,
         curve: &impl Equilibrium,

@@ -13,6 +13,7 @@
 
 pub mod equilibrium;
 pub mod line;
+pub mod neck;
 pub mod range;
 
 use crate::input::quantity::{ContactAngle, Length, Modulus, Positive, Speed, SurfaceTension, WorkOfAdhesion};

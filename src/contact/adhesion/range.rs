@@ -87,6 +87,18 @@ impl RangeDisc {
         self.stress
     }
 
+    /// Work of adhesion w [J/m²].
+    #[must_use]
+    pub fn work(&self) -> f64 {
+        self.work
+    }
+
+    /// Radius c [m] of attraction at which the bodies touch first.
+    #[must_use]
+    pub fn touch(&self) -> f64 {
+        self.touch
+    }
+
     /// Displacement [m] of the surface at `r` ≥ a by the attraction in the ring a < x < c alone:
     /// −(4σ₀/πE*)∫_a^min(r,c) √(c²−x²) dx/√(r²−x²).
     #[must_use]
@@ -102,7 +114,7 @@ impl RangeDisc {
     }
 
     /// 2σ₀/E*.
-    fn ratio(&self) -> f64 {
+    pub(super) fn ratio(&self) -> f64 {
         2.0 * self.stress / self.ground.modulus()
     }
 
@@ -126,7 +138,7 @@ impl RangeDisc {
     }
 
     /// ∫₀^φ k(c cos ψ, ψ) dψ with panels at the breaks of the profile.
-    fn over_neck(&self, c: f64, phi: f64, mut kernel: impl FnMut(f64, f64) -> f64) -> f64 {
+    pub(super) fn over_neck(&self, c: f64, phi: f64, mut kernel: impl FnMut(f64, f64) -> f64) -> f64 {
         let angles = self.ground.profile().breaks(c).into_iter().map(|x| (x / c).min(1.0).acos());
         let mut breaks: Vec<f64> = angles.filter(|&at| at < phi).collect();
         breaks.reverse();
@@ -140,7 +152,7 @@ impl RangeDisc {
     }
 
     /// Gap h(c) for a = c cos φ.
-    fn gap(&self, c: f64, phi: f64) -> f64 {
+    pub(super) fn gap(&self, c: f64, phi: f64) -> f64 {
         let profile = if self.corner(c, phi).is_some() {
             let edge = self.ground.profile().reduced(c * phi.cos());
             self.over_neck(c, phi, |x, _| self.ground.profile().reduced(x) - edge)
@@ -168,7 +180,7 @@ impl RangeDisc {
     }
 
     /// The neck angle φ = arccos(a/c) in contact.
-    fn neck(&self, c: f64) -> f64 {
+    pub(super) fn neck(&self, c: f64) -> f64 {
         let residual = |phi: f64| self.gap(c, phi) - self.range();
         root::brent(residual, 0.0, FRAC_PI_2).unwrap_or(FRAC_PI_2)
     }
@@ -229,7 +241,7 @@ impl RangeDisc {
 }
 
 /// 1 − cos φ without cancellation.
-fn versine(phi: f64) -> f64 {
+pub(super) fn versine(phi: f64) -> f64 {
     2.0 * (0.5 * phi).sin().powi(2)
 }
 

@@ -219,7 +219,9 @@ impl Front<'_> {
             Spring::Pressed(_) => attraction.strength(slope(), 0.0),
             Spring::Free(_) => attraction.reach(slope()),
         });
-        EdgeSpring { spring, doubt, seen, lengths: self.motion.start.abs() + height, limit }
+        // A profile steeper than a square feels the rounding of its place more than that of its height.
+        let felt = height.max(0.5 * x * self.profile.reduced_slope(x));
+        EdgeSpring { spring, doubt, seen, lengths: self.motion.start.abs() + felt, limit }
     }
 
     /// A place just beyond the edge, on the side of the springs that would move: what is nearer does not count.
@@ -246,8 +248,15 @@ impl Front<'_> {
         }
         let rate = next.urge_rate(self.spectrum, 0.0);
         // At a limit only just reached: whether it is passed is seen a little later.
-        rate > 0.0 && next.urge_then(self.spectrum, &self.instants[1]) > -rounding
+        self.draws_at_touch(way, rate)
+            || rate > 0.0 && next.urge_then(self.spectrum, &self.instants[1]) > -rounding
             || next.urge_then(self.spectrum, &self.instants[1]) > rounding
+    }
+
+    /// Whether bodies that just touch, and do not move apart, are drawn together: the springs beside the first one are
+    /// within reach.
+    fn draws_at_touch(&self, way: Way, rate: f64) -> bool {
+        way == Way::Closing && self.edge <= 0.0 && rate >= 0.0 && self.is_beyond(way, FIRST_STEP * self.start_length())
     }
 
     /// How long the edge stands still [s].

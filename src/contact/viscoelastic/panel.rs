@@ -17,6 +17,8 @@ use std::sync::{Arc, LazyLock};
 const NODES: usize = 16;
 /// What rounding leaves of the last coefficients of a polynomial, relative to the greatest value.
 const ROUNDING: f64 = 2e-14;
+/// What the work of all springs together may miss, as a part of it.
+const COUNTED: f64 = 1e-12;
 /// Most panels of one stretch beyond those its borders ask for: the worst are halved first, and what the others miss
 /// is part of the estimate.
 const MOST_PANELS: usize = 512;
@@ -111,6 +113,8 @@ struct PanelDraft {
     greatest: f64,
     /// The last coefficients of the polynomials, and what they miss at the ends.
     tail: f64,
+    /// ∫ |∫ q dt| dx [N s] over the panel, and what the last coefficients say of it.
+    impulse: [f64; 2],
 }
 
 impl PanelDraft {
@@ -136,7 +140,8 @@ impl PanelDraft {
                 tail = tail.max(0.01 * (seen - value).abs());
             }
         }
-        Self { inner, outer, springs, greatest, tail }
+        let impulse = impulse_and_tail(&springs).map(|value| value * (outer - inner));
+        Self { inner, outer, springs, greatest, tail, impulse }
     }
 
     fn is_smooth(&self, greatest: f64, grain: Grain) -> bool {
@@ -144,10 +149,11 @@ impl PanelDraft {
         self.tail <= (ROUNDING * greatest).max(grain.floor) || self.tail * part <= grain.tolerance * greatest
     }
 
-    /// Whether halving it leads nowhere.
-    fn is_final(&self, greatest: f64, grain: Grain) -> bool {
+    /// Whether halving it leads nowhere; `impulse` [N s] is that of all springs.
+    fn is_final(&self, (greatest, impulse): (f64, f64), grain: Grain) -> bool {
         let middle = 0.5 * (self.inner + self.outer);
-        self.is_smooth(greatest, grain) || middle <= self.inner || middle >= self.outer
+        let counted = self.impulse[1] <= COUNTED * impulse;
+        counted && self.is_smooth(greatest, grain) || middle <= self.inner || middle >= self.outer
     }
 
     fn halves(&self, lived: &dyn Fn(f64) -> Lived) -> [Self; 2] {
@@ -178,6 +184,13 @@ impl PanelDraft {
         };
         (panel, work)
     }
+}
+
+/// The mean of |∫ q dt| [N s/m] of springs at the nodes, and the greater of the last two coefficients.
+fn impulse_and_tail(springs: &[Lived]) -> [f64; 2] {
+    let mean = RULE.weights.iter().zip(springs).map(|(w, lived)| 0.5 * w * lived.impulse.abs()).sum();
+    let last = |row: &[f64; NODES]| row.iter().zip(springs).map(|(r, lived)| r * lived.impulse).sum::<f64>().abs();
+    [mean, RULE.last.iter().map(last).fold(0.0, f64::max)]
 }
 
 /// What the nodes have of the polynomial at −1 ≤ y ≤ 1.
@@ -247,10 +260,12 @@ pub(super) fn panels(
 ) -> (Vec<Panel>, f64) {
     let mut drafts: Vec<PanelDraft> = borders.windows(2).map(|pair| PanelDraft::new(pair[0], pair[1], lived)).collect();
     let greatest = drafts.iter().fold(grain.scale, |most: f64, draft| most.max(draft.greatest));
+    let impulse = drafts.iter().map(|draft| draft.impulse[0]).sum();
     let most = MOST_PANELS + drafts.len();
     let mut done = Vec::new();
     while !drafts.is_empty() {
-        let (ready, rough): (Vec<_>, Vec<_>) = drafts.into_iter().partition(|draft| draft.is_final(greatest, grain));
+        let (ready, rough): (Vec<_>, Vec<_>) =
+            drafts.into_iter().partition(|draft| draft.is_final((greatest, impulse), grain));
         done.extend(ready);
         let spare = most.saturating_sub(done.len() + rough.len());
         drafts = rough;
@@ -291,9 +306,8 @@ impl Panel {
     fn part(&self, spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let here = |x: f64| Lived { spring: self.spring(x), impulse: 0.0 };
         let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| here(x)).collect();
-        PanelDraft { inner, outer, springs, greatest: self.greatest * self.left(), tail: self.missed * self.left() }
-            .finished(spectrum, 0.0)
-            .0
+        let (greatest, tail) = (self.greatest * self.left(), self.missed * self.left());
+        PanelDraft { inner, outer, springs, greatest, tail, impulse: [0.0; 2] }.finished(spectrum, 0.0).0
     }
 
     /// The panel in two, cut at `x`.

@@ -110,7 +110,8 @@ impl Slide {
         root::brent(onwards, from, to).ok()
     }
 
-    /// From the first greatest speed, or the beginning, to the least one behind it.
+    /// From the beginning, or an extreme of the speed, to the first extreme at which the mass would go back: the first or the
+    /// second one, for later ones are less. A slide that begins in balance has one at its very beginning.
     fn falling_half(&self, ahead: f64, (rate, pulse): (f64, f64)) -> Option<(f64, f64)> {
         // z̈ = 0: ż falls between its extremes, at (w cos − C sin)′ = 0.
         let (z, w) = self.start;
@@ -119,11 +120,12 @@ impl Slide {
         // ż = e^{−γt}(w cos ωt − c sin ωt); z̈ ∝ −(γw + ωc) cos ωt + (γc − ωw) sin ωt.
         let (p, q) = (-(rate * w + pulse * c), rate * c - pulse * w);
         let phase = (-p).atan2(q);
-        // Extremes at phase + nπ; between them the sign of z̈ tells where the speed falls.
+        // Extremes at phase + nπ.
         let first = phase.rem_euclid(PI) / pulse;
         let half = PI / pulse;
-        let falls = |t: f64| ahead * (p * (pulse * t).cos() + q * (pulse * t).sin()) < 0.0;
-        if falls(0.5 * first) { Some((0.0, first)) } else { Some((first, first + half)) }
+        let extremes = [0.0, first, first + half, first + 2.0 * half];
+        let between = extremes.windows(2).find(|pair| ahead * self.at(pair[1]).1 < 0.0)?;
+        Some((between[0], between[1]))
     }
 
     /// A bracket for a speed with one extreme at most, at `extreme` [s].
@@ -170,6 +172,20 @@ mod tests {
         let rest = slide.rest(1.0).unwrap();
         assert!((rest - PI / 2.0).abs() < 1e-15, "{rest:e}");
         assert!((slide.at(rest).0 - 2.0 * (5.0 - 3.0) / 8.0).abs() < 1e-15);
+    }
+
+    /// A slide in balance whose far end turns round: the speed falls from an extreme at the beginning, and the mass comes to
+    /// rest and no further.
+    #[test]
+    fn a_slide_in_balance_turns_round() {
+        for damping in [0.01, 0.1, 0.63, 3.0] {
+            for friction in [0.1, 0.26666666666666666, 0.7] {
+                let (drawn, suspension) = (0.0316, Suspension { mass: 0.141, stiffness: 0.708, damping });
+                let slide = Slide::new(&suspension, (friction + damping * drawn, drawn), (friction, -drawn));
+                let rest = slide.rest(1.0).unwrap();
+                assert!(rest > 0.0 && slide.at(rest).1.abs() < 1e-12, "{damping} {friction}: {rest}");
+            }
+        }
     }
 
     /// Whatever the damping, way and speed obey the equation of motion, and the rest is the first.

@@ -13,6 +13,7 @@ mod pressed;
 mod rehearsed;
 mod series;
 mod state;
+mod steady;
 mod told;
 mod way;
 mod window;
@@ -58,23 +59,23 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
     let rehearsed = Rehearsed::of(plan, &pressing);
     let mut series = Series::new(plan, pressing, Depth::Whole, rehearsed.as_ref().map_or(1, |coarse| coarse.steps));
     let records = series.follow(done)?;
-    let map = series.largest.as_ref().filter(|_| wanted.fields).map(|(_, pressed)| ContactMap {
-        pressure: pressed.pressure(),
-        gap: pressed.gap.clone(),
-        pixel: heights.pixel,
-        boundary: plan.boundary,
-        force: pressed.force(),
-    });
+    let glides = steady::steady(plan, &pressing, &records)?;
+    let of =
+        |(pressure, gap, force)| ContactMap { pressure, gap, pixel: heights.pixel, boundary: plan.boundary, force };
+    let resting =
+        || series.largest.as_ref().map(|(_, pressed)| (pressed.pressure(), pressed.gap.clone(), pressed.force()));
+    let gliding = glides.last.as_ref().map(|last| (last.pressure.clone(), pressing.gap(last), last.force()));
+    let map = wanted.fields.then(|| gliding.or_else(resting)).flatten().map(of);
     let estimate = match &rehearsed {
         Some(coarse) => coarse.estimate(&records, &heights),
         None => error::estimate(plan, &pressing, &series),
     };
     Ok(Outcome {
-        results: told::results(plan, &records, &series),
+        results: told::results(plan, &records, &series, &glides),
         fields: Vec::new(),
-        tables: distribution::table(&series.distributions).into_iter().collect(),
-        error_estimate: estimate,
-        warnings: told::warnings(plan, &heights, &series),
+        tables: distribution::table(&series.distributions).into_iter().chain(glides.table(plan)).collect(),
+        error_estimate: glides.at_least(estimate),
+        warnings: told::warnings(plan, &heights, (&series, &glides)),
         plan: parts(plan, &heights, &series),
         records,
         map,

@@ -3,6 +3,8 @@
 use super::heights::Heights;
 use super::series::Series;
 use super::state::State;
+use super::steady::Glides;
+use crate::run::gliding;
 use crate::run::named::Named;
 use crate::run::record::Record;
 use crate::run::results::pull_off;
@@ -25,7 +27,7 @@ const OF_LAYER: f64 = 2.0;
 const PER_WAVE: f64 = 4.0;
 
 /// The named results: those of the largest force, and of the end.
-pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) -> Vec<Named> {
+pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>, glides: &Glides) -> Vec<Named> {
     let mut results = loads(records);
     results.extend(at_largest(plan, records));
     results.extend(
@@ -42,6 +44,7 @@ pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<
         results.extend(known(&[("work", Unit::JOULE, records.last().map(|last| last.normal.stored.elastic))]));
     }
     results.extend(records.last().iter().flat_map(|last| at_end(last)));
+    results.extend(gliding::results(plan.travel.as_ref(), records, &glides.states));
     results
 }
 
@@ -119,12 +122,16 @@ fn known(found: &[(&'static str, Unit, Option<f64>)]) -> Vec<Named> {
 }
 
 /// What leaves the meaning of the answer.
-pub(super) fn warnings(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Vec<String> {
+pub(super) fn warnings(
+    plan: &HalfSpacePlan,
+    heights: &Heights,
+    (series, glides): (&Series<'_>, &Glides),
+) -> Vec<String> {
     let states = || series.states.iter();
     let most = states().max_by(|one, other| one.normal.force.total_cmp(&other.normal.force));
     let found = [
         full(states()),
-        narrow(plan, states()),
+        narrow(plan, states(), glides),
         border(plan),
         most.and_then(|most| coarse(plan, heights, most)),
         ring(plan, heights, series),
@@ -144,8 +151,9 @@ fn full<'s>(states: impl Iterator<Item = &'s State>) -> Option<String> {
 }
 
 /// A tip whose contact meets the border of its window.
-fn narrow<'s>(plan: &HalfSpacePlan, mut states: impl Iterator<Item = &'s State>) -> Option<String> {
-    let meets = plan.surface().is_none() && states.any(|state| state.meets_border && state.count > 0);
+fn narrow<'s>(plan: &HalfSpacePlan, mut states: impl Iterator<Item = &'s State>, glides: &Glides) -> Option<String> {
+    let meets = states.any(|state| state.meets_border && state.count > 0) || glides.meets_border();
+    let meets = plan.surface().is_none() && meets;
     let what = match plan.boundary {
         Boundary::Free => "beyond it the shape is cut off and presses with an edge it does not have",
         Boundary::Periodic => "it runs into that of the neighbouring tip",

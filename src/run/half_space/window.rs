@@ -43,7 +43,15 @@ pub(super) fn of_history(plan: &HalfSpacePlan) -> Result<[f64; 2], SimulationErr
             break;
         }
     }
-    Ok(sides)
+    let wider = relaxed(plan);
+    Ok(sides.map(|side| wider * side))
+}
+
+/// By how much a contact that glides slowly may be wider than the one that has just been pressed: that of a ball under
+/// a force, whose ground has relaxed.
+fn relaxed(plan: &HalfSpacePlan) -> f64 {
+    let Some(travel) = &plan.travel else { return 1.0 };
+    (travel.relaxation.instantaneous() / travel.relaxation.equilibrium).cbrt().min(4.0)
 }
 
 fn tried(plan: &HalfSpacePlan, heights: &Heights) -> Result<Vec<State>, SimulationError> {

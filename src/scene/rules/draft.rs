@@ -216,6 +216,11 @@ impl<'s> Draft<'s> {
         Some(asked)
     }
 
+    /// Whether the scene asks for the half-space solver.
+    pub(super) fn on_pixels(&self) -> Option<bool> {
+        self.seen("solver", Look::Kind, |scene| matches!(scene.solver, Some(SolverChoice::HalfSpace(_))))
+    }
+
     /// Whether the scene says how many records an entry has.
     pub(in crate::scene) fn counts_records(&self) -> Option<bool> {
         self.seen("steps", Look::Whole, |scene| scene.steps.is_some())

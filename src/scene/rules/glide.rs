@@ -16,6 +16,9 @@ fn refused(entry: &EntryTraits<'_>, what: String) -> Option<Problem> {
 pub(super) fn on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let (_, motion) = entry.glide?;
     let shape = draft.shape()?;
+    if draft.on_pixels()? && motion == Motion::Glides {
+        return walled(draft, entry);
+    }
     let why = match (shape.family(), shape, motion) {
         (Family::Tips(_), _, _) => "their places side by side are none of a bed",
         (Family::Wavy(_), _, _) => "a series of the half-plane has no springs to be gone through",
@@ -39,6 +42,19 @@ pub(super) fn on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
         },
     };
     refused(entry, format!("{} of a {} cannot be computed: {why}", entry.name, shape.name()))
+}
+
+/// A wall, as pixels know none.
+fn walled(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let shape = draft.shape()?;
+    matches!(draft.profile()?.rim(), Rim::Wall(_)).then(|| {
+        let what = format!(
+            "{} of a {} cannot be computed: its wall would push the ground before it, which a surface of small slopes does not know",
+            entry.name,
+            shape.name()
+        );
+        Problem::new(entry.place(), what)
+    })
 }
 
 /// A rough line has a steady state where the ground comes back.
@@ -86,11 +102,12 @@ pub(super) fn steep_on_dashpot(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Op
 /// Two half-spaces, of which the one that remembers is gone over.
 pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let (_, motion) = entry.glide?;
-    let (one, two) = draft.bodies(Look::Kind)?;
+    let ((one, two), on_pixels) = (draft.bodies(Look::Kind)?, draft.on_pixels()?);
     let why = match (one, two, motion) {
         (Body::Plastic(_), _, _) | (_, Body::Plastic(_), _) => {
             "a body that yields is left with a groove: expected Elastic or Viscoelastic"
         }
+        (one, two, Motion::Glides) if on_pixels && two.is_uneven() && !one.is_uneven() => return None,
         (one, two, _) if one.is_uneven() || two.is_uneven() => {
             "the springs over such a body stand for radii, not for places one after the other: expected Elastic or Viscoelastic"
         }

@@ -3,7 +3,7 @@
 use super::draft::Draft;
 use crate::contact::adhesion::{AdhesionTraits, Range};
 use crate::input::problem::Problem;
-use crate::scene::history::EntryTraits;
+use crate::scene::history::{EntryTraits, Glide};
 use crate::scene::mended::Look;
 use crate::scene::solver::HalfSpace;
 use crate::shape::{Boundary, Family, Shape};
@@ -68,8 +68,8 @@ pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Proble
     draft.half_space(Look::Kind)?;
     let why = if entry.impact.is_some() {
         "its states have no motion"
-    } else if entry.glide.is_some() {
-        "its pixels lie still under the body, and what one that moves along leaves behind is not computed on them"
+    } else if let Some((glide, _)) = entry.glide {
+        return glides(draft, entry, glide);
     } else if entry.slides() {
         "its pixels carry no shear"
     } else {
@@ -80,6 +80,35 @@ pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Proble
         entry.name
     );
     Some(Problem::new(entry.place(), what))
+}
+
+/// A body that glides, and what the ground behind it must be.
+fn glides(draft: &Draft<'_>, entry: &EntryTraits<'_>, glide: &Glide) -> Option<Problem> {
+    let (one, two) = draft.bodies(Look::Kind)?;
+    let liquid = draft.relaxation().is_some_and(|relaxation| relaxation.equilibrium <= 0.0);
+    let why = match two {
+        _ if !glide.is_steady() => {
+            "how the motion begins is not followed on pixels: expected no `over`, for the steady state"
+        }
+        _ if liquid => {
+            "a ground that flows gives way without an end under a body that stays on it: expected an equilibrium modulus above zero"
+        }
+        two if one.hardness().or(two.hardness()).is_some() => {
+            "a body that yields is left with a groove: expected no hardness"
+        }
+        two if two.is_uneven() && !repeats(draft)? => {
+            "behind a body that stands alone the waves of layers have no end: expected boundary: Periodic and a window: …"
+        }
+        _ => return None,
+    };
+    Some(Problem::new(entry.place(), format!("{} with the solver HalfSpace cannot be computed: {why}", entry.name)))
+}
+
+/// Whether what lies on the pixels repeats.
+fn repeats(draft: &Draft<'_>) -> Option<bool> {
+    let (asked, shape) = (draft.half_space(Look::Whole)?, draft.shape()?);
+    let random = matches!(shape.family(), Family::Line(line) if line.base.is_none());
+    Some(asked.boundary.map_or(random, |boundary| boundary == Boundary::Periodic))
 }
 
 /// What lies on pixels, and where it ends.

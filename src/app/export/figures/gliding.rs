@@ -32,7 +32,12 @@ fn over_speed(states: &Table) -> Option<Vec<Panel>> {
     let marks = |series: Series| if states.rows() <= MARKED { series.marks(Marks::Numbered) } else { series };
     let drawn = Panel::new(log(axis(speed)), axis(coefficient).from(0.0));
     let theory = states.column("persson_coefficient");
-    let name = if theory.is_some() { "bed of the line" } else { "" };
+    let share = states.column("area_fraction");
+    let name = match (theory.is_some(), share.is_some()) {
+        (true, true) => "pixels of the surface",
+        (true, false) => "bed of the line",
+        (false, _) => "",
+    };
     let drawn = drawn.with(marks(Series::new(name, points(speed, coefficient))));
     let drawn = match theory {
         Some(theory) => drawn.with(Series::new("Persson, of the surface", points(speed, theory)).line(Line::Dashed)),
@@ -40,9 +45,12 @@ fn over_speed(states: &Table) -> Option<Vec<Panel>> {
     };
     let edges = ["leading_edge", "trailing_edge"].map(|name| states.column(name));
     let [Some(leading), Some(trailing)] = edges else { return Some(vec![drawn]) };
-    // A rough line has no two edges.
+    // What is rough has no two edges.
     if leading.numbers().iter().all(Option::is_none) {
-        return Some(vec![drawn]);
+        let touching = share.map(|share| {
+            Panel::new(log(axis(speed)), axis(share).from(0.0)).with(marks(Series::new("", points(speed, share))))
+        });
+        return Some([drawn].into_iter().chain(touching).collect());
     }
     let place = crate::app::figure::Axis::linear("edge of the contact", leading.unit.symbol);
     let contact = Panel::new(log(axis(speed)), place)

@@ -1,6 +1,7 @@
 //! A contact on pixels: its area over the force, the map of its pressure, how often pressures and gaps occur.
 
 use super::curve::{axis_of, of_records};
+use super::gliding;
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Cells, Hue, Line, Panel, Points, Series};
 use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, TIME};
@@ -21,7 +22,8 @@ pub fn suiting(plan: &HalfSpacePlan, outcome: &Outcome) -> Vec<Plot> {
     let map = outcome.map.as_ref().map(|_| Plot::Contact);
     let rough = plan.surface().map(|_| Plot::Distribution);
     let leak = plan.leak.map(|_| Plot::Leak);
-    [Plot::Force, Plot::Area].into_iter().chain(leak).chain(map).chain(rough).collect()
+    let glides = plan.travel.iter().flat_map(gliding::suiting);
+    glides.chain([Plot::Force, Plot::Area]).chain(leak).chain(map).chain(rough).collect()
 }
 
 /// What the gap lets through over the force; nothing of a gap that is closed is drawn over decades.

@@ -120,7 +120,7 @@ impl Memory {
     pub fn leave(&mut self) {
         let attraction = self.attraction;
         let reached = self.panels.last().map_or(0.0, |panel| panel.outer);
-        let height = if reached > 0.0 { self.profile.reduced(reached) } else { 0.0 };
+        let height = self.profile.reduced(if reached > 0.0 { reached } else { self.profile.scale() });
         let away = self.depth - 4.0 * (self.depth.abs() + height);
         self.attraction = attraction.map(Attraction::without_work);
         // Upwards no profile ends.

@@ -172,7 +172,9 @@ impl Memory {
         let (u, rest) = (seen.depth(at), motion.duration - at);
         let mut impulse = 0.0;
         let mut pressed = |u: f64, s: &mut [f64], duration: f64| {
-            impulse = spectrum.impulse(&Piece::Pressed { u, s, speed: seen.speed, duration });
+            if self.counts {
+                impulse = spectrum.impulse(&Piece::Pressed { u, s, speed: seen.speed, duration });
+            }
             spectrum.press(s, seen.speed, duration);
         };
         let spring = match (way, self.spring_on(way, x)) {

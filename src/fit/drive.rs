@@ -1,0 +1,72 @@
+//! A measured curve as the history of a scene.
+
+use super::curve::Curve;
+use crate::contact::adhesion::equilibrium::Control;
+use crate::input::table::{Columns, RawMap, TableError, Tables};
+use ndarray::Array2;
+use std::path::Path;
+
+/// Part of the first interval in which the first row is reached.
+const SOON: f64 = 1e-9;
+/// Name of the table that drives.
+pub const DRIVE: &str = "measured drive";
+
+/// The curve as a table that drives a scene, beside the tables of the scene itself.
+pub struct Drive<'d> {
+    tables: &'d dyn Tables,
+    name: &'static str,
+    time: Vec<f64>,
+    values: Vec<f64>,
+    rows: &'d [usize],
+}
+
+impl<'d> Drive<'d> {
+    /// Of a curve whose `control` drives bodies that relax or not, first touch at `contact`; beside other `tables`.
+    ///
+    /// # Errors
+    /// The bodies relax and there are no times.
+    pub fn of(
+        (curve, tables): (&'d Curve, &'d dyn Tables),
+        (control, contact): (Control, f64),
+        relaxes: bool,
+    ) -> Result<Self, String> {
+        let time = match &curve.time {
+            // What stands in the first row is reached in no time worth it, and not at once: creep needs a way.
+            Some(time) => {
+                let early = SOON * time.get(1).map_or(1.0, |next| next - time[0]);
+                time.iter().map(|t| t - time[0] + early).collect()
+            }
+            None if relaxes => return Err("bodies that relax need the times: expected a column of them".to_owned()),
+            // The order alone matters.
+            None => (0..curve.len()).map(|row| row as f64).collect(),
+        };
+        let values = curve.driven(control).iter().map(|value| value - contact).collect();
+        let name = if control == Control::Force { "force_n" } else { "indentation_m" };
+        Ok(Self { tables, name, time, values, rows: &curve.rows })
+    }
+}
+
+impl Tables for Drive<'_> {
+    fn names(&self, path: &Path) -> Result<Vec<String>, TableError> {
+        if path == Path::new(DRIVE) {
+            return Ok(vec!["time_s".to_owned(), self.name.to_owned()]);
+        }
+        self.tables.names(path)
+    }
+
+    fn columns(&self, path: &Path, names: &[&str]) -> Result<Columns, TableError> {
+        if path == Path::new(DRIVE) {
+            let of = |name: &&str| if *name == "time_s" { self.time.clone() } else { self.values.clone() };
+            return Ok(Columns { values: names.iter().map(of).collect(), rows: self.rows.to_vec() });
+        }
+        self.tables.columns(path, names)
+    }
+
+    fn heights(&self, path: &Path) -> Result<Array2<f64>, TableError> {
+        self.tables.heights(path)
+    }
+
+    fn topography(&self, path: &Path) -> Result<RawMap, TableError> {
+        self.tables.topography(path)
+    }
+}

@@ -1,0 +1,279 @@
+//! Pressure under a body that slides: minimal residuals on the present contact, which is then corrected pixel by pixel.
+//!
+//! What slides answers to itself before and behind differently, so that there is no energy whose least the contact would
+//! be, and no conjugate directions. On the contact as it is now the gap is closed by directions whose effects are
+//! orthogonal (Vinsome 1976, Orthomin; it converges where the symmetric part is positive, which it is: what is lost is
+//! never negative); then pixels that pull leave it and pixels that overlap join it, all at once (Hintermüller, Ito & Kunisch 2002).
+
+use crate::halfspace::transform::{Multiplier, Scratch};
+use crate::halfspace::vector::{dot, fold, sum, total, update};
+use crate::halfspace::{HalfSpaceError, Settings};
+use rayon::prelude::*;
+use realfft::num_complex::Complex;
+
+/// Directions that are kept.
+pub(super) const KEPT: usize = 8;
+/// Part of the misfit of a contact that its own gap may be before the contact is corrected.
+const SETTLED: f64 = 0.1;
+/// Steps on one contact before it is corrected in any case.
+const MOST_STEPS: usize = 40;
+/// Corrections of all pixels at once, and of those that are half as far off as the worst; from then on of the worst alone.
+const BOLD: usize = 30;
+const CAREFUL: usize = 150;
+
+/// What is prescribed, in the solver's units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Load {
+    /// The approach.
+    Approach(f64),
+    /// The sum of the pressures.
+    Sum(f64),
+}
+
+/// A body that slides, in the solver's units.
+pub(super) struct SlidingContact<'a> {
+    /// Pressure → displacement.
+    pub(super) influence: &'a Multiplier<Complex<f64>>,
+    /// Roughly displacement → pressure.
+    pub(super) stiffness: &'a Multiplier<Complex<f64>>,
+    /// Heights of the body, +∞ where it has no material.
+    pub(super) heights: &'a [f64],
+    pub(super) load: Load,
+    /// Displacement of a pixel under unit pressure on itself.
+    pub(super) compliance: f64,
+}
+
+/// What was found, in the solver's units.
+pub(super) struct Found {
+    pub(super) pressure: Vec<f64>,
+    pub(super) displacement: Vec<f64>,
+    pub(super) approach: f64,
+    pub(super) residual: f64,
+    pub(super) iterations: usize,
+    pub(super) products: usize,
+}
+
+/// A direction of the pressure, and what it does to the gap.
+struct Direction {
+    pressure: Vec<f64>,
+    effect: Vec<f64>,
+}
+
+/// Where the search is.
+struct Search {
+    pressure: Vec<f64>,
+    displacement: Vec<f64>,
+    contact: Vec<bool>,
+    scratch: Scratch,
+    corrections: usize,
+    iterations: usize,
+    products: usize,
+}
+
+/// How far a pressure is from a solution, relative to the largest displacement.
+struct Misfit {
+    approach: f64,
+    /// Largest gap in contact, or overlap out of it.
+    gap: f64,
+    overlap: f64,
+    scale: f64,
+}
+
+impl SlidingContact<'_> {
+    /// The pressure from `pressure` on.
+    pub(super) fn solve(&self, pressure: Vec<f64>, settings: &Settings) -> Result<Found, HalfSpaceError> {
+        let mut search = self.begin(pressure);
+        loop {
+            let before = self.misfit(&search);
+            let target = settings.tolerance.max(SETTLED * before.overlap.max(SETTLED * before.gap) / before.scale);
+            self.settle(&mut search, [settings.tolerance, target]);
+            let changed = self.correct(&mut search);
+            let misfit = self.misfit(&search);
+            let residual = misfit.gap.max(misfit.overlap) / misfit.scale;
+            if residual <= settings.tolerance && !changed {
+                return Ok(Found {
+                    approach: misfit.approach,
+                    residual,
+                    iterations: search.iterations,
+                    products: search.products,
+                    pressure: search.pressure,
+                    displacement: search.displacement,
+                });
+            }
+            if search.iterations + search.corrections >= settings.max_iterations || !residual.is_finite() {
+                return Err(HalfSpaceError::NotConverged {
+                    iterations: search.iterations,
+                    residual,
+                    tolerance: settings.tolerance,
+                });
+            }
+        }
+    }
+
+    fn begin(&self, mut pressure: Vec<f64>) -> Search {
+        update(&mut pressure, self.heights, |p, height| *p = if height.is_finite() { p.max(0.0) } else { 0.0 });
+        if pressure.iter().all(|&p| p <= 0.0) {
+            update(&mut pressure, self.heights, |p, height| *p = f64::from(u8::from(height.is_finite())));
+            if let Load::Approach(_) = self.load {
+                pressure.fill(0.0);
+            }
+        }
+        let contact = match self.load {
+            Load::Approach(approach) => {
+                pressure.iter().zip(self.heights).map(|(&p, &height)| p > 0.0 || height < approach).collect()
+            }
+            Load::Sum(_) => pressure.iter().map(|&p| p > 0.0).collect(),
+        };
+        let displacement = vec![0.0; pressure.len()];
+        let mut search = Search {
+            pressure,
+            displacement,
+            contact,
+            scratch: Scratch::default(),
+            corrections: 0,
+            iterations: 0,
+            products: 0,
+        };
+        self.refresh(&mut search);
+        search
+    }
+
+    /// The displacement under the pressure, which carries the whole load.
+    fn refresh(&self, search: &mut Search) {
+        if let Load::Sum(wanted) = self.load {
+            let factor = wanted / total(&search.pressure);
+            search.pressure.par_iter_mut().for_each(|p| *p *= factor);
+        }
+        self.influence.apply(&search.pressure, &mut search.displacement, &mut search.scratch);
+        search.products += 1;
+    }
+
+    /// The approach: that prescribed, or the mean over the contact.
+    fn approach(&self, search: &Search) -> f64 {
+        match self.load {
+            Load::Approach(approach) => approach,
+            Load::Sum(_) => self.mean(search, |index| search.displacement[index] + self.heights[index]),
+        }
+    }
+
+    /// Mean over the contact.
+    fn mean(&self, search: &Search, of: impl Fn(usize) -> f64 + Sync) -> f64 {
+        let count = search.contact.iter().filter(|&&contact| contact).count().max(1);
+        let part = |range: std::ops::Range<usize>| range.filter(|&index| search.contact[index]).map(&of).sum();
+        sum(self.heights.len(), part) / count as f64
+    }
+
+    fn misfit(&self, search: &Search) -> Misfit {
+        let approach = self.approach(search);
+        let piece = |range: std::ops::Range<usize>| {
+            let mut worst = [0.0f64, 0.0, f64::MIN_POSITIVE];
+            for index in range {
+                let (p, u) = (search.pressure[index], search.displacement[index]);
+                let gap = u + self.heights[index] - approach;
+                if search.contact[index] {
+                    worst[0] = worst[0].max(gap.abs());
+                    worst[2] = worst[2].max(u.abs()).max(self.compliance * p);
+                } else {
+                    worst[1] = worst[1].max(-gap);
+                }
+            }
+            worst
+        };
+        let join = |one: [f64; 3], two: [f64; 3]| std::array::from_fn(|k| one[k].max(two[k]));
+        let [gap, overlap, scale] = fold(self.heights.len(), piece, [0.0; 3], join);
+        Misfit { approach, gap, overlap, scale }
+    }
+
+    /// Closes the gap of the present contact, down to a part `target` of the largest displacement; some of it in any case,
+    /// unless it is closed to the tolerance.
+    fn settle(&self, search: &mut Search, [tolerance, target]: [f64; 2]) {
+        let mut kept: Vec<Direction> = Vec::new();
+        for step in 0..MOST_STEPS {
+            let misfit = self.misfit(search);
+            let allowed = if step == 0 { tolerance } else { target };
+            if misfit.gap <= allowed * misfit.scale || search.contact.iter().all(|&contact| !contact) {
+                return;
+            }
+            let residual = self.open(search, misfit.approach);
+            let Some(direction) = self.direction(search, &residual, &kept) else { return };
+            let length = dot(&residual, &direction.effect);
+            update(&mut search.pressure, &direction.pressure, |p, d| *p += length * d);
+            if kept.len() == KEPT {
+                kept.remove(0);
+            }
+            kept.push(direction);
+            self.influence.apply(&search.pressure, &mut search.displacement, &mut search.scratch);
+            search.products += 1;
+            search.iterations += 1;
+        }
+    }
+
+    /// What the displacement lacks on the contact.
+    fn open(&self, search: &Search, approach: f64) -> Vec<f64> {
+        let lacks = |index: usize| approach - search.displacement[index] - self.heights[index];
+        let on_contact = |index: usize| if search.contact[index] { lacks(index) } else { 0.0 };
+        (0..self.heights.len()).into_par_iter().map(on_contact).collect()
+    }
+
+    /// A direction for a residual: its effect is of length one and orthogonal to those kept.
+    fn direction(&self, search: &mut Search, residual: &[f64], kept: &[Direction]) -> Option<Direction> {
+        let mut pressure = vec![0.0; residual.len()];
+        self.stiffness.apply(residual, &mut pressure, &mut search.scratch);
+        self.restrict(search, &mut pressure);
+        let mut effect = vec![0.0; residual.len()];
+        self.influence.apply(&pressure, &mut effect, &mut search.scratch);
+        search.products += 1;
+        self.restrict(search, &mut effect);
+        for old in kept {
+            let share = dot(&effect, &old.effect);
+            update(&mut effect, &old.effect, |value, old| *value -= share * old);
+            update(&mut pressure, &old.pressure, |value, old| *value -= share * old);
+        }
+        let length = dot(&effect, &effect).sqrt();
+        if !(length > 0.0 && length.is_finite()) {
+            return None;
+        }
+        [&mut pressure, &mut effect].into_iter().for_each(|values| values.par_iter_mut().for_each(|v| *v /= length));
+        Some(Direction { pressure, effect })
+    }
+
+    /// Zero out of contact; under a prescribed sum zero in the mean, too.
+    fn restrict(&self, search: &Search, values: &mut [f64]) {
+        let mean = match self.load {
+            Load::Approach(_) => 0.0,
+            Load::Sum(_) => self.mean(search, |index| values[index]),
+        };
+        let within = |(value, &contact): (&mut f64, &bool)| *value = if contact { *value - mean } else { 0.0 };
+        values.par_iter_mut().zip(&search.contact).for_each(within);
+    }
+
+    /// Lets go of what pulls and joins what overlaps; whether the contact has changed.
+    fn correct(&self, search: &mut Search) -> bool {
+        let Misfit { approach, scale, overlap, .. } = self.misfit(search);
+        let pulls =
+            |range: std::ops::Range<usize>| search.pressure[range].iter().fold(0.0, |least: f64, &p| least.min(p));
+        let strongest = fold(self.heights.len(), pulls, 0.0, f64::min);
+        search.corrections += 1;
+        // Corrected all at once a contact may come back to where it was.
+        let part = match search.corrections {
+            count if count <= BOLD => 0.0,
+            count if count <= CAREFUL => 0.5,
+            _ => 1.0 - 1e-9,
+        };
+        let least = (f64::EPSILON * scale).max(part * overlap);
+        let mut changed = false;
+        for index in 0..self.heights.len() {
+            let gap = search.displacement[index] + self.heights[index] - approach;
+            let contact = &mut search.contact[index];
+            if *contact && search.pressure[index] < part * strongest {
+                (search.pressure[index], *contact, changed) = (0.0, false, true);
+            } else if !*contact && gap < -least {
+                (*contact, changed) = (true, true);
+            }
+        }
+        if changed {
+            self.refresh(search);
+        }
+        changed
+    }
+}
