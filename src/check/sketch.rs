@@ -118,6 +118,12 @@ impl Sketch {
         self.with(|scene| body.map(|body| scene.bodies.0 = body))
     }
 
+    /// Another body in the place of the rigid one.
+    #[must_use]
+    pub fn other(self, body: Attempt<Body>) -> Self {
+        self.with(|scene| body.map(|body| scene.bodies.1 = body))
+    }
+
     /// A rigid indenter, and what it is pressed on in the place of the other body.
     #[must_use]
     pub fn ground(self, body: Attempt<Body>) -> Self {
@@ -240,7 +246,28 @@ impl Sketch {
     /// Along the surface at a speed [m/s] for `over` [s], or as it is in the end.
     #[must_use]
     pub fn glide(self, speed: f64, over: Option<f64>) -> Self {
-        self.entry(|| Ok(Entry::Glide(Glide { speed: vec![si(speed)?], over: over.map(si).transpose()? })))
+        self.entry(|| {
+            let (speed, over) = (vec![si(speed)?], over.map(si).transpose()?);
+            Ok(Entry::Glide(Glide { speed, over, creepage: None, traction: None }))
+        })
+    }
+
+    /// Rolling steadily at a speed [m/s] with creepages.
+    #[must_use]
+    pub fn creep(self, speed: f64, creepages: &[f64]) -> Self {
+        self.entry(|| {
+            let creepage = Some(creepages.iter().map(|&creepage| si(creepage)).collect::<Attempt<_>>()?);
+            Ok(Entry::Roll(Glide { speed: vec![si(speed)?], over: None, creepage, traction: None }))
+        })
+    }
+
+    /// Rolling steadily at a speed [m/s] with tangential forces [N].
+    #[must_use]
+    pub fn pull(self, speed: f64, tractions: &[f64]) -> Self {
+        self.entry(|| {
+            let traction = Some(tractions.iter().map(|&traction| si(traction)).collect::<Attempt<_>>()?);
+            Ok(Entry::Roll(Glide { speed: vec![si(speed)?], over: None, creepage: None, traction }))
+        })
     }
 
     /// A machine with a mass [kg], a stiffness [N/m] and a damping [N s/m].

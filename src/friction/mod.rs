@@ -26,6 +26,7 @@ pub mod peeling;
 pub mod viscoelastic;
 pub mod sliding;
 pub mod rate_state;
+pub mod rolling;
 pub mod oblique;
 mod load;
 mod slipped;

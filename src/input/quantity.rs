@@ -258,6 +258,8 @@ pub type Temperature = Quantity<Kelvin, AboveZero>;
 pub type TemperatureDifference = Quantity<KelvinApart, AboveZero>;
 /// A plain number, zero or above.
 pub type Ratio = Quantity<Unity, NotNegative>;
+/// Creepage of a body that rolls, of either sign: the difference of the speeds of both surfaces over that of rolling.
+pub type Creepage = Quantity<Unity, Finite>;
 /// A relative error to aim at.
 pub type Accuracy = Quantity<Unity, AccuracyRange>;
 /// Hurst exponent.

@@ -32,7 +32,7 @@ const COLUMNS: [Column<SteadyState>; 7] = [
 ];
 
 /// The last record of the history up to the entry `entry`.
-fn last_of(records: &[Record], entry: usize) -> Option<&Record> {
+pub(super) fn last_of(records: &[Record], entry: usize) -> Option<&Record> {
     records.iter().rfind(|record| record.entry <= entry)
 }
 

@@ -30,6 +30,7 @@ mod fretting;
 mod plane;
 mod plastic;
 mod gliding;
+mod rolling;
 pub mod named;
 pub mod record;
 mod results;
@@ -60,6 +61,7 @@ use crate::scene::plan::{Plan, RoundPlan};
 use curves::sliding;
 use follow::{Run, follow};
 use results::Pressures;
+use rolling::Rolled;
 use stresses::Carried;
 
 /// Why a scene could not be run to its end.
@@ -135,9 +137,19 @@ impl Solved {
 #[must_use]
 pub fn tables(plan: &Plan) -> &'static [&'static str] {
     match plan {
-        Plan::Round(_) => {
-            &["pressure", "stress", "bed", "surface", "fretting", "glides", "profiles", "bounces", "slips"]
-        }
+        Plan::Round(_) => &[
+            "pressure",
+            "stress",
+            "bed",
+            "surface",
+            "fretting",
+            "glides",
+            "tractions",
+            "rolling",
+            "profiles",
+            "bounces",
+            "slips",
+        ],
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
         Plan::Rough(_) => &["ensemble", "glides"],
@@ -222,6 +234,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     let run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
     let fretting = fretting::map(plan, run.path());
     let glides = gliding::steady(plan, &run.records)?;
+    let rolled = rolling::steady(plan, &run.records)?;
     let pressures = Pressures { fields: &run.fields, on_axis: run.pressure_at_largest_force() };
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(results::of_friction(plan, &run.records));
@@ -229,15 +242,21 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     results.extend(plastic::results(plan, &run.records));
     results.extend(wave::results(plan, &run.records));
     results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
+    results.extend(rolled.iter().flat_map(Rolled::results));
+    let estimate = gliding::at_least(error::estimate(plan, &run), &glides, gliding::OF_CHORDS);
     let outcome = Outcome {
         map: None,
-        error_estimate: gliding::at_least(error::estimate(plan, &run), &glides, gliding::OF_CHORDS),
+        error_estimate: match &rolled {
+            Some(rolled) => rolled.at_least(estimate),
+            None => estimate,
+        },
         plan: parts(plan, &run),
         tables: bed::table(&run)
             .into_iter()
             .chain(surface::table(plan, &run))
             .chain(fretting)
             .chain(gliding::table(&glides))
+            .chain(rolled.iter().flat_map(Rolled::tables))
             .collect(),
         results,
         warnings: run
@@ -248,6 +267,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
             .chain(sliding::short_slides(plan, &run.records))
             .chain(wave::remark(plan, &run.records))
             .chain(gliding::remark(plan))
+            .chain(rolled.iter().filter_map(Rolled::remark))
             .collect(),
         records: run.records,
         fields: run.fields,

@@ -60,8 +60,15 @@ impl Unit {
     /// An energy per area.
     pub const JOULE_PER_SQUARE_METRE: Self = Self { symbol: "J/m²", ending: "_j_per_m2", prefixed: true };
 
+    /// A power.
+    pub const WATT: Self = Self { symbol: "W", ending: "_w", prefixed: true };
+    /// A flow of heat.
+    pub const WATT_PER_SQUARE_METRE: Self = Self { symbol: "W/m²", ending: "_w_per_m2", prefixed: true };
+
     /// All units that names end with.
-    const NAMED: [Self; 19] = [
+    const NAMED: [Self; 21] = [
+        Self::WATT,
+        Self::WATT_PER_SQUARE_METRE,
         Self::METRE,
         Self::CUBIC_METRE,
         Self::CUBIC_METRE_PER_PASCAL_SECOND,

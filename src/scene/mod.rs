@@ -53,6 +53,7 @@ pub mod stage;
 pub mod surface;
 mod times;
 pub mod swept;
+pub mod tractive;
 
 use crate::contact::adhesion::Adhesion;
 use crate::drive::machine::Machine;
@@ -164,6 +165,8 @@ pub enum Plot {
     Machine,
     /// Resistance of a body that glides or rolls over a body that remembers: over the speed, or over the time.
     Resistance,
+    /// Traction of a body that rolls over its creepage, and what the places of its contact carry.
+    Traction,
 }
 
 impl Scene {

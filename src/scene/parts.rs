@@ -51,11 +51,12 @@ pub(super) enum Component {
     Wear,
     Springs,
     Gliding,
+    Rolling,
     Machine,
 }
 
 impl Component {
-    const ALL: [Self; 14] = [
+    const ALL: [Self; 15] = [
         Self::Profile,
         Self::VanishingRange,
         Self::FiniteRange,
@@ -69,6 +70,7 @@ impl Component {
         Self::Wear,
         Self::Springs,
         Self::Gliding,
+        Self::Rolling,
         Self::Machine,
     ];
 
@@ -87,6 +89,7 @@ impl Component {
             Self::Wear => "wear of the profile (Archard)",
             Self::Springs => "springs",
             Self::Gliding => "springs under a body that moves along",
+            Self::Rolling => "rolling with traction",
             Self::Machine => "mass of a machine",
         }
     }

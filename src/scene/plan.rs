@@ -22,6 +22,7 @@ use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, Imp
 pub use super::pixelled::PixelledIndenter;
 use super::read::Read;
 use super::surface::Surface;
+use super::tractive::TractiveRolling;
 use crate::contact::foundation::Foundation;
 use crate::contact::rough::EdgeWorks;
 use crate::friction::Grip;
@@ -115,6 +116,8 @@ pub struct RoundPlan {
     pub friction: Option<FrictionLaw>,
     /// The steady motion along the surface at the end, if there is one.
     pub travel: Option<Travel>,
+    /// The steady rolling with traction at the end, if there is one.
+    pub rolling: Option<TractiveRolling>,
     /// How the indenter wears, if it does.
     pub wear: Option<WearLaw>,
     /// The machine of which the contact is a part, if there is one.
@@ -359,8 +362,9 @@ impl Plan {
     /// Whether friction acts in a round contact.
     #[must_use]
     pub fn has_friction(&self) -> bool {
-        let some = self.of_round(|plan| plan.friction.as_ref().map(drop), |plan| plan.ball.as_ref().map(drop));
-        some.is_some()
+        let acts = self
+            .of_round(|plan| Some(plan.friction.is_some() || plan.rolling.is_some()), |plan| Some(plan.ball.is_some()));
+        acts == Some(true)
     }
 
     /// The smooth profile, if there is one over a radius.

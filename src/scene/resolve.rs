@@ -13,6 +13,7 @@ use super::read::{Geometry, Read};
 use super::rules::{self, Draft, Parts, Written};
 use super::solver::{HalfSpace, SolverChoice};
 use super::surface::Surface;
+use super::tractive::TractiveRolling;
 use super::{Scene, limits, pixelled, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::contact::plastic::YieldingBall;
@@ -181,13 +182,16 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
 
 fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let scene = &shared.scene;
-    let friction = scene.friction.as_ref().map(|friction| tangential(&shared, friction));
-    let travel = travel(&shared);
+    let rolling = TractiveRolling::of(scene, &shared.pair);
+    // What rolls steadily has one state, and no way that a tangential contact would follow.
+    let friction = scene.friction.as_ref().filter(|_| rolling.is_none());
+    let friction = friction.map(|friction| tangential(&shared, friction));
+    let travel = travel(&shared).filter(|_| rolling.is_none());
     let contact =
         if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
     let wear = scene.wear.as_ref().map(|Wear::Archard(law)| WearLaw::new(law.coefficient.si(), shared.accuracy()));
     let machine = machine(&shared);
-    RoundPlan { profile, contact, friction, travel, wear, machine, shared }
+    RoundPlan { profile, contact, friction, travel, rolling, wear, machine, shared }
 }
 
 /// The machine and its motions.

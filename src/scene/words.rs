@@ -3,6 +3,7 @@
 use super::law::{ElasticAdhesion, FrictionLaw, WearLaw};
 use super::parts::{Component, Parts, Solver};
 use super::plan::{HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
+use super::tractive::TractiveRolling;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::plane::PlaneContact;
 use crate::friction::TangentialMemory;
@@ -30,9 +31,11 @@ impl RoundPlan {
         let mut used = self.contact.pieces();
         used.extend(self.friction.iter().map(FrictionLaw::piece));
         used.extend(self.travel.iter().map(|_| Component::Gliding));
+        used.extend(self.rolling.iter().map(|_| Component::Rolling));
         used.extend(self.wear.map(|_| Component::Wear));
         used.extend(self.machine.as_ref().map(|_| Component::Machine));
         let mut solver = self.solver();
+        solver.reason.extend(self.rolling.as_ref().map(TractiveRolling::in_words));
         solver.reason.extend(self.wear.map(WearLaw::in_words));
         solver.reason.extend(self.machine.as_ref().map(|machine| machine.in_words(self.friction.as_ref())));
         let tangential = self.friction.as_ref().map_or(0, FrictionLaw::bytes);

@@ -58,6 +58,8 @@ mod validation;
 mod text;
 #[cfg(feature = "text")]
 mod told;
+#[cfg(feature = "text")]
+mod traction;
 mod viscoelastic_scenes;
 #[cfg(feature = "watch")]
 mod watch;

@@ -78,6 +78,9 @@ const ENTRIES: &[&str] = &[
     "Glide(speed: [1, \"2 mm/s\"])",
     "Glide(speed: 1e-3, over: 2)",
     "Roll(speed: [1, 2], over: 1)",
+    "Roll(speed: 1, creepage: [\"1 %\", -2e-3])",
+    "Roll(speed: [1, 2], traction: 1, over: 1)",
+    "Glide(speed: 1, creepage: [], traction: [\"1 N\"])",
     "Table(\"no_such.csv\")",
     "Drive(speed: -1e-3, over: 2)",
     "Ring(amplitude: 1e-9, over: 2)",
@@ -110,6 +113,7 @@ const PLOTS: &[&str] = &[
     "Area",
     "Restitution",
     "Resistance",
+    "Traction",
     "Contact",
     "Distribution",
 ];

@@ -39,6 +39,7 @@ starters!(
     "restitution",
     "oblique",
     "glide",
+    "traction",
     "machine",
     "history",
     "rough",

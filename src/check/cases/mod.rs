@@ -26,6 +26,7 @@ mod lying;
 mod machine;
 mod plastic;
 mod power_law;
+mod rolling;
 mod rough;
 mod shapes;
 mod stress;
@@ -60,6 +61,7 @@ pub fn all() -> Vec<Case> {
         impact::CASES,
         plastic::CASES,
         gliding::CASES,
+        rolling::CASES,
         machine::CASES,
         rough::CASES,
         &half_space,

@@ -178,6 +178,8 @@ pub(super) enum Lead {
     Glide,
     /// A body that is set rolling.
     Roll,
+    /// A body that rolls steadily with a creepage.
+    Traction,
     /// A mass that is drawn along by a spring.
     Drive,
     /// A mass that swings on the contact.
@@ -186,7 +188,7 @@ pub(super) enum Lead {
     Fall,
 }
 
-pub(super) const DRIVES: [(&str, Lead); 13] = [
+pub(super) const DRIVES: [(&str, Lead); 14] = [
     ("depth", Lead::Depth),
     ("force", Lead::Force),
     ("then depth", Lead::ForceThenDepth),
@@ -197,6 +199,7 @@ pub(super) const DRIVES: [(&str, Lead); 13] = [
     ("oblique", Lead::Oblique),
     ("glide", Lead::Glide),
     ("roll", Lead::Roll),
+    ("traction", Lead::Traction),
     ("drive", Lead::Drive),
     ("ring", Lead::Ring),
     ("fall", Lead::Fall),

@@ -145,7 +145,7 @@ impl Cell {
             "JKR" => 0.02 * variation.work * variation.units.of("J/m2"),
             _ => return None,
         };
-        let rests = !["impact", "oblique", "glide", "roll", "ring", "fall"].contains(&drive);
+        let rests = !["impact", "oblique", "glide", "roll", "traction", "ring", "fall"].contains(&drive);
         let modulus = match bodies {
             "elastic" => 2e6 / 0.75,
             "both elastic" => 1e6 / 0.75,

@@ -101,6 +101,7 @@ pub(super) fn history(lead: Lead, slides: bool, scales: &Scales, turns: &[Turn])
         }
         Lead::Glide => pressed(format!("Glide(speed: {:e})", 1e2 * scales.pace * depth / over)),
         Lead::Roll => pressed(format!("Roll(speed: {:e}, over: {over:e})", 1e2 * depth / over)),
+        Lead::Traction => pressed(format!("Roll(speed: {:e}, creepage: 1e-3)", 1e2 * depth / over)),
         Lead::Drive => pressed(format!("Drive(speed: {:e}, over: {over:e})", 15.0 * depth / over)),
         Lead::Ring => pressed(format!("Ring(amplitude: {:e}, over: {over:e})", 1e-2 * scales.pace * depth)),
         Lead::Fall => {
@@ -181,6 +182,7 @@ pub(super) fn machine(lead: Lead, scales: &Scales) -> String {
         | Lead::Impact
         | Lead::Oblique
         | Lead::Glide
-        | Lead::Roll => String::new(),
+        | Lead::Roll
+        | Lead::Traction => String::new(),
     }
 }

@@ -1,7 +1,7 @@
-//! Motion along the surface over a body that remembers.
+//! Motion along the surface: over a body that remembers, or rolling with a traction.
 
-use super::impact::one_or_more;
-use crate::input::quantity::{Duration, Speed};
+use super::list::{one_or_more, some_or_more};
+use crate::input::quantity::{Creepage, Duration, Force, Speed};
 use crate::scene::stage::{Path, Stage};
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +15,13 @@ pub struct Glide {
     /// Duration [s]; without one the steady state at each speed is asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub over: Option<Duration>,
+    /// Creepage of a body that rolls with friction, or a list: by how much its surface goes faster than the other one,
+    /// over the speed of rolling; below zero it brakes.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "some_or_more")]
+    pub creepage: Option<Vec<Creepage>>,
+    /// Tangential force [N] that a body transmits as it rolls with friction, or a list, in the place of the creepage.
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "some_or_more")]
+    pub traction: Option<Vec<Force>>,
 }
 
 /// How a body moves along the surface.
@@ -37,5 +44,11 @@ impl Glide {
     #[must_use]
     pub fn is_steady(&self) -> bool {
         self.over.is_none()
+    }
+
+    /// Whether a creepage or a tangential force is prescribed.
+    #[must_use]
+    pub fn has_traction(&self) -> bool {
+        self.creepage.is_some() || self.traction.is_some()
     }
 }

@@ -13,6 +13,7 @@
 
 mod glide;
 mod impact;
+mod list;
 mod machine;
 mod motion;
 mod ramp;
@@ -153,6 +154,14 @@ impl Entry {
                 ..moves("Table", "", rest)
             },
         }
+    }
+}
+
+impl<'e> EntryTraits<'e> {
+    /// The motion of a body that rolls or glides with a creepage or a tangential force prescribed.
+    #[must_use]
+    pub fn traction(&self) -> Option<(&'e Glide, Motion)> {
+        self.glide.filter(|(glide, _)| glide.has_traction())
     }
 }
 

@@ -133,6 +133,14 @@ impl<'s> Draft<'s> {
         self.joined()?.relaxation.as_ref()
     }
 
+    /// Whether the bodies flow without an end; `None` of bodies that relax in a way not known.
+    pub(super) fn flows(&self) -> Option<bool> {
+        if !self.pair_relaxes()? {
+            return Some(false);
+        }
+        self.relaxation().map(|relaxation| relaxation.equilibrium <= 0.0)
+    }
+
     /// Whether there is adhesion.
     pub(super) fn adheres(&self) -> Option<bool> {
         self.seen("adhesion", Look::Kind, |scene| scene.adhesion.is_some())
@@ -264,6 +272,14 @@ impl<'s> Draft<'s> {
     pub(super) fn moves_along(&self) -> Option<bool> {
         let follows = |entry: &EntryTraits<'_>| entry.glide.is_some_and(|(glide, _)| !glide.is_steady());
         self.knows_history_by_kind().then(|| self.written.entries.iter().any(follows))
+    }
+
+    /// Whether a body rolls with a creepage or a tangential force prescribed.
+    pub(super) fn has_traction(&self) -> Option<bool> {
+        self.knows_history_by_kind().then_some(())?;
+        let has = |entry: &EntryTraits<'_>| entry.traction().is_some();
+        let found = self.entries().find(|entry| entry.is_none_or(has));
+        found.map_or(Some(false), |entry| entry.map(|_| true))
     }
 
     /// The figures wanted, with their numbers.

@@ -12,9 +12,14 @@ fn refused(entry: &EntryTraits<'_>, what: String) -> Option<Problem> {
     Some(Problem::new(entry.place(), what))
 }
 
+/// The motion of a body that feels nothing but the bed; one with a traction has rules of its own.
+fn freely(entry: &EntryTraits<'_>) -> Option<Motion> {
+    entry.glide.filter(|(glide, _)| !glide.has_traction()).map(|(_, motion)| motion)
+}
+
 /// A shape with a bed on which each place stands for itself, and no wall that a gliding body would push before it.
 pub(super) fn on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let (_, motion) = entry.glide?;
+    let motion = freely(entry)?;
     let shape = draft.shape()?;
     if draft.on_pixels()? && motion == Motion::Glides {
         return walled(draft, entry);
@@ -61,7 +66,7 @@ fn walled(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
 fn of_rough(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let (glide, _) = entry.glide?;
     let shape = draft.shape()?;
-    let liquid = draft.relaxation().is_some_and(|relaxation| relaxation.equilibrium <= 0.0);
+    let liquid = draft.flows()?;
     let why = match draft.profile().map(|profile| profile.rim()) {
         _ if !glide.is_steady() => {
             "how a rough line begins is not followed, for each of its springs would have a past of its own: expected no `over`, for the steady state"
@@ -101,7 +106,7 @@ pub(super) fn steep_on_dashpot(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Op
 
 /// Two half-spaces, of which the one that remembers is gone over.
 pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let (_, motion) = entry.glide?;
+    let motion = freely(entry)?;
     let ((one, two), on_pixels) = (draft.bodies(Look::Kind)?, draft.on_pixels()?);
     let why = match (one, two, motion) {
         (Body::Plastic(_), _, _) | (_, Body::Plastic(_), _) => {
@@ -134,12 +139,15 @@ pub(super) fn with_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Optio
 }
 
 pub(super) fn with_friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    entry.glide?;
+    let right = match freely(entry)? {
+        Motion::Glides => "no friction",
+        Motion::Rolls => "no friction, or a creepage or traction of Elastic bodies in Roll",
+    };
     let friction = draft.friction(Look::Kind)?;
     refused(
         entry,
         format!(
-            "{} with {} friction cannot be computed together: the resistance of a bed that remembers adds to that of the surfaces; expected no friction",
+            "{} with {} friction cannot be computed together: the resistance of a bed that remembers adds to that of the surfaces; expected {right}",
             entry.name,
             friction.name()
         ),
@@ -169,7 +177,7 @@ pub(super) fn in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<P
         );
     }
     match glide {
-        Glide { speed, over: Some(_) } if speed.len() > 1 => refused(
+        Glide { speed, over: Some(_), .. } if speed.len() > 1 => refused(
             entry,
             format!(
                 "{} has {} speeds, each of which has a steady state that takes no time: expected no `over`, or one speed",
@@ -190,8 +198,9 @@ pub(super) fn in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<P
 
 /// Motions that are not straight, or of another bed, beside one along the surface.
 pub(super) fn beside(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let glides = |other: &&EntryTraits<'_>| other.glide.is_some_and(|(glide, _)| !glide.is_steady());
-    let glide = draft.entries().flatten().find(glides)?;
+    let glides = |other: &EntryTraits<'_>| other.glide.is_some_and(|(glide, _)| !glide.is_steady());
+    // The first one, unless it may be another.
+    let glide = draft.entries().find(|other| other.is_none_or(glides))??;
     let waves =
         entry.stages.iter().any(|stage| stage.normal.is_wave() || matches!(stage.normal, Path::UntilParted { .. }));
     if !waves {

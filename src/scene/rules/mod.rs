@@ -21,6 +21,7 @@ mod plastic;
 mod pictures;
 mod plots;
 mod power_law;
+mod traction;
 mod wear;
 
 pub use draft::Draft;
@@ -104,7 +105,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 86] = [
+pub const RULES: [Rule; 93] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -186,6 +187,13 @@ pub const RULES: [Rule; 86] = [
     Rule::entry(History, glide::in_history),
     Rule::entry(History, glide::beside),
     Rule::entry(History, glide::both),
+    Rule::entry(History, traction::prescribed),
+    Rule::entry(Shape, traction::on_shape),
+    Rule::entry(Bodies, traction::of_bodies),
+    Rule::entry(Friction, traction::friction),
+    Rule::entry(Wear, traction::with_wear),
+    Rule::entry(Solver, traction::on_pixels),
+    Rule::entry(History, traction::slide_beside),
     Rule::entry(History, history::impact_beside_others),
     Rule::entry(History, history::nothing_to_part),
     Rule::many(History, Shape, depth::too_deep),

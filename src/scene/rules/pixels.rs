@@ -68,6 +68,8 @@ pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Proble
     draft.half_space(Look::Kind)?;
     let why = if entry.impact.is_some() {
         "its states have no motion"
+    } else if entry.traction().is_some() {
+        return None;
     } else if let Some((glide, _)) = entry.glide {
         return glides(draft, entry, glide);
     } else if entry.slides() {
@@ -85,7 +87,7 @@ pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Proble
 /// A body that glides, and what the ground behind it must be.
 fn glides(draft: &Draft<'_>, entry: &EntryTraits<'_>, glide: &Glide) -> Option<Problem> {
     let (one, two) = draft.bodies(Look::Kind)?;
-    let liquid = draft.relaxation().is_some_and(|relaxation| relaxation.equilibrium <= 0.0);
+    let liquid = draft.flows()?;
     let why = match two {
         _ if !glide.is_steady() => {
             "how the motion begins is not followed on pixels: expected no `over`, for the steady state"

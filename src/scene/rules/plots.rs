@@ -59,6 +59,11 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance",
         );
     }
+    if let Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting = plot
+        && draft.has_traction()?
+    {
+        return Some("what rolls steadily slides along no way: expected Traction, Force, Radius or Pressure");
+    }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape | Plot::Bed | Plot::Surface => return None,
         Plot::Radius | Plot::Pressure | Plot::Stress | Plot::Field => {
@@ -84,7 +89,10 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         Plot::Contact | Plot::Distribution | Plot::Leak => (false, "expected solver: HalfSpace(…)"),
         Plot::Area => (draft.adheres()? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
         Plot::Machine => (draft.is_driven()?, "expected a machine, and Drive, Ring or Fall in the history"),
-        Plot::Resistance => (draft.glides()?, "expected Glide or Roll in the history"),
+        Plot::Resistance => {
+            (draft.glides()? && !draft.has_traction()?, "expected Glide or Roll in the history, without a traction")
+        }
+        Plot::Traction => (draft.has_traction()?, "expected Roll with creepage or traction in the history"),
         Plot::Restitution => (draft.speeds()? > 1, "expected an Impact with a list of at least two speeds"),
     };
     (!there).then_some(what)
@@ -109,7 +117,8 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
         | Plot::Area
         | Plot::Restitution
         | Plot::Machine
-        | Plot::Resistance => None,
+        | Plot::Resistance
+        | Plot::Traction => None,
         Plot::Stress | Plot::Field => Some(STRESS_OF_PLANE),
         Plot::Bed => {
             Some("a wave that is solved by a series has no bed of springs: expected Force, Radius, Pressure or Energy")
@@ -150,6 +159,7 @@ fn lacks_on_pixels(plot: Plot, shape: &Shape, asked: &HalfSpace) -> Option<&'sta
         | Plot::Coefficient
         | Plot::Machine
         | Plot::Resistance
+        | Plot::Traction
         | Plot::Restitution => {
             Some("a contact on pixels is drawn as a map: expected Force, Energy, Area, Contact or Distribution")
         }

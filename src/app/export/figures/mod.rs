@@ -11,6 +11,7 @@ mod impacts;
 mod machine;
 mod overlay;
 mod pixels;
+mod rolling;
 mod rough;
 mod shape;
 mod stress;
@@ -51,6 +52,7 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
         Plan::Round(RoundPlan { machine: Some(law), friction, .. }) => machine::suiting(law, friction.as_ref()),
         Plan::Round(RoundPlan { friction: Some(law), .. }) if slides(outcome) => friction::suiting(law, outcome),
         Plan::Round(RoundPlan { travel: Some(travel), .. }) => gliding::suiting(travel),
+        Plan::Round(RoundPlan { rolling: Some(_), .. }) => rolling::suiting(outcome),
         Plan::Round(round) => {
             let pressure = (!outcome.fields.is_empty()).then_some(Plot::Pressure);
             let shape = (!matches!(round.profile.rim(), Rim::Wall(_))).then_some(Plot::Shape);
@@ -121,6 +123,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         },
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
         Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
+        Plot::Traction => rolling::traction(outcome),
         Plot::Machine => plan
             .round()
             .and_then(|round| round.machine.as_ref())
