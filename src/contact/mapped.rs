@@ -161,8 +161,8 @@ impl ContactModel for MappedContact {
         self.bed.creep()
     }
 
-    fn leave(&mut self) {
-        self.bed.leave();
+    fn leave(&mut self) -> Option<f64> {
+        self.bed.leave()
     }
 }
 

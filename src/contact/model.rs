@@ -264,8 +264,11 @@ pub trait ContactModel: Send {
         None
     }
 
-    /// Takes the indenter away at once, whatever holds it.
-    fn leave(&mut self) {}
+    /// Takes the indenter away at once, whatever holds it; the depth [m] at which the bodies part, where they are held and
+    /// it is known.
+    fn leave(&mut self) -> Option<f64> {
+        None
+    }
 }
 
 impl Clone for Box<dyn ContactModel> {

@@ -346,14 +346,12 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
             (f64::MAX, true)
         }
     };
-    // A guess from the stiffness, widened until it brackets the root: the force grows with the speed.
+    // A guess, widened until it brackets the root: the force grows with the speed.
     let still = look(0.0).0;
-    let stiffness = state.stiffness.max(1e-9 * force.abs().max(still.abs()) / depth.abs().max(1e-30));
-    if still.abs() <= UNSEEN * stiffness * depth.abs() {
+    if still.abs() <= UNSEEN * state.stiffness * depth.abs() {
         return Ok(Some(0.0));
     }
-    let near = still.abs() / stiffness / duration;
-    let width = near.max(1e-12 * depth.abs() / duration).max(1e-300).copysign(-still);
+    let width = (first_way(&state, still) / duration).max(1e-300).copysign(-still);
     let Some((inner, width)) = bracket(&mut look, still, width) else { return failed.get().map_or(Ok(None), Err) };
     let speed = root::brent(|speed| look(speed).0, inner.min(width), inner.max(width)).unwrap_or(width);
     // At the end of a profile the search ends where the force is not met.
@@ -363,6 +361,26 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
         None => Ok(Some(speed)),
     }
 }
+
+/// A first guess [m] of how far a contact moves to take the force `still` [N] too much or too little: that of its
+/// stiffness, and where nothing attracts no more than a cone needs, for what is pressed grows stiffer. Bodies apart
+/// have no stiffness but the way between them.
+fn first_way(state: &Normal, still: f64) -> f64 {
+    let (depth, attracts) = (state.indentation.unwrap_or(0.0).abs(), state.stored.surface < 0.0);
+    let linear = still.abs() / state.stiffness;
+    let way = if state.stiffness <= 0.0 {
+        depth
+    } else if attracts || depth <= 0.0 {
+        linear
+    } else {
+        2.0 * linear / (1.0 + (1.0 + 2.0 * linear / depth).sqrt())
+    };
+    way.max(LEAST_WAY * depth).max(LEAST_DEPTH)
+}
+
+/// The least first guess, as a part of the depth and in metres.
+const LEAST_WAY: f64 = 1e-12;
+const LEAST_DEPTH: f64 = 1e-21;
 
 /// Part of a force by which a root may miss it.
 const MET: f64 = 1e-9;

@@ -483,11 +483,13 @@ impl Driver {
         Ok(Some(watch))
     }
 
-    /// The bodies part under a pull, and the indenter is taken away.
-    fn let_go(&self, contact: &mut dyn ContactModel, time: f64) -> Occurrence {
-        let before = contact.state();
-        contact.leave();
-        let after = Normal { indentation: None, ..contact.state() };
+    /// The bodies part under a pull, which acts until they do, and the indenter is taken away.
+    fn let_go(&mut self, contact: &mut dyn ContactModel, time: f64) -> Occurrence {
+        let (before, had) = (self.state(contact), accounted(contact));
+        if let (Some(last), Some(depth)) = (contact.leave(), before.indentation) {
+            self.lost += (before.force * (last - depth) - (accounted(contact) - had)).max(0.0);
+        }
+        let after = Normal { indentation: None, ..self.state(contact) };
         Occurrence { time, before, after, tangential: contact.tangential() }
     }
 

@@ -59,11 +59,14 @@ fn put_in(whole: &Outcome, step: usize) -> f64 {
     taken.windows(2).map(|pair| work(pair[0], pair[1])).sum()
 }
 
-/// Work between two records [J].
+/// Work between two records [J]; what a force does as it tears the bodies apart no record tells, but it is lost, not found.
 fn work(one: &Record, two: &Record) -> f64 {
     let slide = |record: &Record| record.tangential.map_or((0.0, 0.0), |state| (state.slide, state.force));
     let ((from, resisted), (to, resists)) = (slide(one), slide(two));
     let rubbed = 0.5 * (resisted + resists) * (to - from);
-    let (Some(from), Some(to)) = (one.normal.indentation, two.normal.indentation) else { return rubbed };
+    let (Some(from), Some(to)) = (one.normal.indentation, two.normal.indentation) else {
+        let torn = one.normal.indentation.is_some() && one.normal.force < 0.0;
+        return rubbed + if torn { (accounted(two) - accounted(one)).max(0.0) } else { 0.0 };
+    };
     0.5 * (one.normal.force + two.normal.force) * (to - from) + rubbed
 }

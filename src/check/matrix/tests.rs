@@ -99,6 +99,40 @@ fn parted_bodies_stay_apart_without_a_push() {
     assert!((ends[0] / ends[1] - 1.0).abs() < 1e-9, "{ends:?}");
 }
 
+/// Bodies that remember nothing yet touch, tear off and lose as elastic ones do: drawn together where they just touch,
+/// parted by a force that pulls until they are apart.
+#[test]
+fn touching_and_tearing_off_are_those_of_elastic_bodies() {
+    let bodies = [
+        ("Elastic(young: 2e6, poisson: 0.5)", ""),
+        ("Elastic(young: 2e6, poisson: 0.5)", ", closing: 0.0199999999998"),
+        (
+            "Viscoelastic(poisson: 0.5, shear: (equilibrium: 6.666666666666667e5, terms: [(modulus: 1e-6, time: 1)]))",
+            ", edge: Relaxed",
+        ),
+    ];
+    // Each with a pull that is more than it bears.
+    let shapes = [("Paraboloid(radius: 5e-3)", -1e-3), ("Cylinder(radius: 5e-3, datum: 1e-2, width: 1e-2)", -5e-2)];
+    let ends = |pull: f64| {
+        let torn = format!("Press(to: 1e-3, over: 1), Press(to: {pull:e}, over: 1)");
+        ["Indent(to: -1e-6, over: 1), Indent(to: 0, over: 1)".to_owned(), torn]
+    };
+    for (shape, history) in shapes.iter().flat_map(|(shape, pull)| ends(*pull).map(|history| (shape, history))) {
+        let [one, two, three] = bodies.map(|(body, more)| {
+            let adhesion = format!("Jkr(work: 0.02{more})");
+            let parts = format!("shape: {shape}, bodies: ({body}, Rigid), adhesion: {adhesion}, accuracy: 1e-6");
+            last(&parts, &history, &[]).normal
+        });
+        let (force, lost) = (one.force, one.dissipated);
+        assert!(lost > 0.0 && (force < 0.0) == history.starts_with("Indent"), "{shape} {history}: {one:?}");
+        for other in [two, three] {
+            let off = [(other.force - force) / force.min(-1e-300), other.dissipated / lost - 1.0];
+            // Pieces of the depth meet the force to the accuracy.
+            assert!(off.iter().all(|off| off.abs() < 3e-6), "{shape} {history}: {one:?} {other:?}");
+        }
+    }
+}
+
 /// Under a lying body the half width grows nearly as e to the place of the edge in the bed, of which springs tell the
 /// place: the error that a scene states is that of the half width.
 #[test]

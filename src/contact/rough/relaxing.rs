@@ -135,8 +135,9 @@ impl ContactModel for RelaxingRough {
         self.bed.effort()
     }
 
-    fn leave(&mut self) {
+    fn leave(&mut self) -> Option<f64> {
         self.bed.leave();
+        None
     }
 }
 

@@ -116,7 +116,7 @@ impl ContactModel for ContinuousContact {
         free.then(|| Creep::new(self.bed.spectrum(), self.bed.profile()))
     }
 
-    fn leave(&mut self) {
-        self.bed.leave();
+    fn leave(&mut self) -> Option<f64> {
+        self.bed.leave()
     }
 }

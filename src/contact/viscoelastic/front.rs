@@ -254,9 +254,19 @@ impl Front<'_> {
     }
 
     /// Whether bodies that just touch, and do not move apart, are drawn together: the springs beside the first one are
-    /// within reach.
+    /// within reach. Of a lying body those next to it carry and reach nothing that a number can hold.
     fn draws_at_touch(&self, way: Way, rate: f64) -> bool {
-        way == Way::Closing && self.edge <= 0.0 && rate >= 0.0 && self.is_beyond(way, FIRST_STEP * self.start_length())
+        if way != Way::Closing || self.edge > 0.0 || rate < 0.0 {
+            return false;
+        }
+        let first = FIRST_STEP * self.start_length();
+        let places = std::iter::successors(Some(first), |x| Some(2.0 * x)).take_while(|&x| x <= self.scale);
+        let urges = places.map(|x| {
+            let candidate = self.candidate(way, x);
+            (candidate.urge(self.spectrum, 0.0), 4.0 * candidate.rounding(self.spectrum))
+        });
+        let mut told = urges.filter(|(urge, rounding)| urge.abs() > *rounding);
+        told.next().is_some_and(|(urge, _)| urge > 0.0)
     }
 
     /// How long the edge stands still [s].

@@ -159,7 +159,8 @@ impl ContactModel for GrowingBed {
             .then(|| Creep::new(self.bed.shared_spectrum(), self.profile.clone()))
     }
 
-    fn leave(&mut self) {
+    fn leave(&mut self) -> Option<f64> {
         self.bed.leave();
+        None
     }
 }

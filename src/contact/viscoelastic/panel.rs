@@ -17,7 +17,7 @@ use std::sync::{Arc, LazyLock};
 const NODES: usize = 16;
 /// What rounding leaves of the last coefficients of a polynomial, relative to the greatest value.
 const ROUNDING: f64 = 2e-14;
-/// What the work of all springs together may miss, as a part of it.
+/// What the work of the springs that join or leave may miss, as a part of it or of all that was done before.
 const COUNTED: f64 = 1e-12;
 /// Most panels of one stretch beyond those its borders ask for: the worst are halved first, and what the others miss
 /// is part of the estimate.
@@ -149,7 +149,7 @@ impl PanelDraft {
         self.tail <= (ROUNDING * greatest).max(grain.floor) || self.tail * part <= grain.tolerance * greatest
     }
 
-    /// Whether halving it leads nowhere; `impulse` [N s] is that of all springs.
+    /// Whether halving it leads nowhere; `impulse` [N s] is what its own is counted against.
     fn is_final(&self, (greatest, impulse): (f64, f64), grain: Grain) -> bool {
         let middle = 0.5 * (self.inner + self.outer);
         let counted = self.impulse[1] <= COUNTED * impulse;
@@ -245,6 +245,8 @@ pub(super) struct Grain {
     pub scale: f64,
     /// What a polynomial may miss, relative to the greatest state and to the part of the radius it covers.
     pub tolerance: f64,
+    /// ∫ F dt [N s] beside which that of the springs is counted.
+    pub impulse: f64,
     /// What rounding leaves of a state, however small it is: [N/m] or [m].
     pub floor: f64,
 }
@@ -260,7 +262,7 @@ pub(super) fn panels(
 ) -> (Vec<Panel>, f64) {
     let mut drafts: Vec<PanelDraft> = borders.windows(2).map(|pair| PanelDraft::new(pair[0], pair[1], lived)).collect();
     let greatest = drafts.iter().fold(grain.scale, |most: f64, draft| most.max(draft.greatest));
-    let impulse = drafts.iter().map(|draft| draft.impulse[0]).sum();
+    let impulse = grain.impulse + drafts.iter().map(|draft| draft.impulse[0]).sum::<f64>();
     let most = MOST_PANELS + drafts.len();
     let mut done = Vec::new();
     while !drafts.is_empty() {

@@ -303,8 +303,8 @@ impl ContactModel for FrictionalContact {
         self.normal.creep()
     }
 
-    fn leave(&mut self) {
-        self.normal.leave();
+    fn leave(&mut self) -> Option<f64> {
+        self.normal.leave()
     }
 }
 

@@ -101,9 +101,9 @@ impl Memory {
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn reach(&mut self, to: f64, duration: f64) -> Result<(), BedError> {
-        self.advance((to - self.depth) / duration, duration)?;
-        self.depth = to;
-        Ok(())
+        let speed = (to - self.depth) / duration;
+        self.advance(speed, duration)?;
+        self.land(to, speed)
     }
 
     /// Moves along a straight piece, and lands on its end to the last bit.
@@ -112,20 +112,40 @@ impl Memory {
     /// As [`advance`](Self::advance).
     pub fn follow_line(&mut self, line: &Straight) -> Result<(), BedError> {
         self.advance(line.speed, line.duration)?;
-        self.depth = line.to;
+        self.land(line.to, line.speed)
+    }
+
+    /// At the depth `to` [m], reached at the speed `speed` [m/s]: bodies that it brings to where they just touch are drawn
+    /// together there.
+    fn land(&mut self, to: f64, speed: f64) -> Result<(), BedError> {
+        self.depth = to;
+        if speed > 0.0 && self.held == 0 && self.attraction.is_some() {
+            self.phase(&mut Walk::new(Motion { start: to, speed: 0.0, duration: self.spectrum.instant() }))?;
+        }
         Ok(())
     }
 
-    /// Takes the indenter far away at once, whatever holds the edge.
-    pub fn leave(&mut self) {
-        let attraction = self.attraction;
+    /// Takes the indenter far away at once: the edge opens by its own law, and where it takes its time, or holds all the
+    /// way, by none. The depth [m] at which an edge that opens by its own law lets go.
+    pub fn leave(&mut self) -> Option<f64> {
         let reached = self.panels.last().map_or(0.0, |panel| panel.outer);
         let height = self.profile.reduced(if reached > 0.0 { reached } else { self.profile.scale() });
-        let away = self.depth - 4.0 * (self.depth.abs() + height);
-        self.attraction = attraction.map(Attraction::without_work);
+        let far = 4.0 * (self.depth.abs() + height);
+        let instant = self.spectrum.instant();
+        let follows = self.attraction.as_ref().is_none_or(|attraction| !attraction.has_rate());
         // Upwards no profile ends.
-        let _ = self.reach(away, self.spectrum.instant());
-        self.attraction = attraction;
+        let parting = follows.then(|| self.parting(-far / instant, instant).ok().flatten()).flatten();
+        let last = parting.map(|time| self.depth - far * (time / instant));
+        if last.is_some() {
+            let _ = self.reach(self.depth - far, instant);
+        }
+        if self.held > 0 {
+            let attraction = self.attraction;
+            self.attraction = attraction.map(Attraction::without_work);
+            let _ = self.reach(self.depth - far, instant);
+            self.attraction = attraction;
+        }
+        last
     }
 
     /// The bed after a motion, this one left as it is.

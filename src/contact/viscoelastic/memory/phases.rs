@@ -154,7 +154,9 @@ impl Memory {
             Way::Closing => (self.spectrum.equilibrium() * lengths, self.spectrum.instantaneous() * lengths),
             Way::Opening => (lengths, lengths),
         };
-        let grain = Grain { scale, tolerance: self.tolerance(), floor: 2.0 * f64::EPSILON * most };
+        // Beside the work so far a piece of no length or speed has none.
+        let impulse = if motion.speed.abs() > 0.0 { (self.work / motion.speed).abs() } else { f64::MAX };
+        let grain = Grain { scale, impulse, tolerance: self.tolerance(), floor: 2.0 * f64::EPSILON * most };
         let (panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, &lived);
         Change { inner, outer, panels, work }
     }

@@ -317,6 +317,21 @@ proptest! {
     }
 }
 
+/// An edge that moves by parts of a billionth: what rounding leaves of the instants at which springs join and leave is no
+/// reason to tell more of them.
+#[test]
+fn small_swings_take_few_panels() {
+    let spectrum = solid(1.2, &[(2.0, 0.1), (0.8, 3.0)]);
+    let mut bed = bed(spectrum.clone()).with(Attraction::instantaneous(4e-6, &spectrum));
+    bed.reach(2e-3, 1.0).unwrap();
+    let mut most = 0;
+    for k in 1..=40 {
+        bed.reach(2e-3 + 2e-6 * (0.05 * PI * f64::from(k)).sin(), 0.025).unwrap();
+        most = most.max(bed.panels.len())
+    }
+    assert!(most < 30, "{most}");
+}
+
 /// A lying cylinder whose edge closes by less than it opens with: in one motion the state is that of many, and what is lost
 /// is (w − w_c) on the area that has closed. Rounding of the energies, of which the loss is 2.5e-6.
 #[test]
