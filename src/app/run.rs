@@ -95,8 +95,8 @@ pub fn compute_watched(plan: &Plan, formats: &[Format], done: &(dyn Fn(f64) + Sy
     Ok(run::run_watched(plan, wanted, done)?)
 }
 
-/// Endings of the files that hold pressure and gap on pixels.
-const ARRAYS: [&str; 2] = [".pressure.npy", ".gap.npy"];
+/// Endings of the files that hold pressure, gap and shear on pixels.
+const ARRAYS: [&str; 3] = [".pressure.npy", ".gap.npy", ".shear.npy"];
 
 /// Endings of all files a scene can give, known before it is computed.
 #[must_use]
@@ -105,8 +105,9 @@ pub fn endings(plan: &Plan, formats: &[Format]) -> Vec<String> {
     if formats.contains(&Format::Csv) {
         endings.push(".csv".to_owned());
         endings.extend(run::tables(plan).iter().map(|name| format!(".{name}.csv")));
-        if let Plan::HalfSpace(_) = plan {
-            endings.extend(ARRAYS.map(str::to_owned));
+        if let Plan::HalfSpace(plan) = plan {
+            let arrays = ARRAYS.len() - usize::from(plan.friction.is_none());
+            endings.extend(ARRAYS[..arrays].iter().map(|&ending| ending.to_owned()));
         }
     }
     endings.extend(formats.contains(&Format::Json).then(|| ".json".to_owned()));
@@ -131,7 +132,7 @@ pub fn products(plan: &Plan, file: &str, outcome: &Outcome, asked: &Asked) -> Re
         }
     }
     if let Some(map) = outcome.map.as_ref().filter(|_| formats.contains(&Format::Csv)) {
-        let arrays = ARRAYS.into_iter().zip([&map.pressure, &map.gap]);
+        let arrays = ARRAYS.into_iter().zip([&map.pressure, &map.gap].into_iter().chain(&map.shear));
         products
             .extend(arrays.map(|(ending, array)| Product { ending: ending.to_owned(), content: export::npy(array) }));
     }

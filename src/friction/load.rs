@@ -4,6 +4,41 @@
 //! depths; fretting at an amplitude of 10⁻¹² of the depth asks for it between two depths that agree
 //! in twelve digits. A narrow slice is therefore integrated over the depth, a wide one is the
 //! difference of the closed forms of the profile.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::load::{Carried, LinearProduct, NormalLoad, Slice, SpringDepth};
+//! use springbed::friction::{Grip, Pose, TangentialMemory};
+//!
+//! // A contact known by its stiffness, force and energy alone: here 2E*b, 2E*bd and E*bd² of a punch.
+//! struct Punch(f64);
+//!
+//! impl Punch {
+//!     fn carried(&self, at: SpringDepth) -> Carried {
+//!         Carried { radius: self.0, load: self.0 * at.depth(), energy: self.0 * at.depth().powi(2) }
+//!     }
+//! }
+//!
+//! impl NormalLoad for Punch {
+//!     fn place(&self, reference: f64, below: f64) -> Option<SpringDepth> {
+//!         Some(SpringDepth::new((reference, below), self.0))
+//!     }
+//!     fn increment(&self, (lower, upper): Slice) -> f64 {
+//!         self.carried(upper).load - self.carried(lower).load
+//!     }
+//!     fn integral(&self, (lower, upper): Slice, product: LinearProduct) -> f64 {
+//!         Carried::integral(&self.carried(lower), &self.carried(upper), lower.rise(upper), product)
+//!     }
+//! }
+//!
+//! // Pressed to d = 0.2 and slid by 0.07, short of μE*d/G* = 0.075: it sticks, F_x = 2G*bu.
+//! let grip = Grip { normal_modulus: 1.0, tangential_modulus: 0.8, coefficient: 0.3 };
+//! let mut contact = TangentialMemory::over(Punch(0.5), grip);
+//! contact.advance(Pose { indentation: 0.2, slide: 0.0 })?;
+//! contact.advance(Pose { indentation: 0.2, slide: 0.07 })?;
+//! assert!((contact.state().tangential_force - 2.0 * 0.8 * 0.5 * 0.07).abs() < 1e-16);
+//! # Ok::<(), springbed::friction::FrictionError>(())
+//! ```
 
 use crate::numerics::quadrature::node_and_weight;
 use crate::shape::{Profile, Rim};
@@ -33,7 +68,7 @@ const NARROW: f64 = 0.125;
 pub struct SpringDepth {
     reference: f64,
     below: f64,
-    /// Distance x of the spring from the axis [m].
+    /// Distance x of the spring from the axis [m]; of a contact that is not round, that of the round one of its stiffness.
     pub radius: f64,
 }
 
@@ -41,7 +76,14 @@ impl SpringDepth {
     /// The axis, where contact begins.
     pub const AXIS: Self = Self { reference: 0.0, below: 0.0, radius: 0.0 };
 
+    /// The spring at the distance `radius` [m], touched at the depth `reference` − `below` [m].
+    #[must_use]
+    pub fn new((reference, below): (f64, f64), radius: f64) -> Self {
+        Self { reference, below, radius }
+    }
+
     /// Depth h [m] at which the spring is touched.
+    #[must_use]
     pub fn depth(self) -> f64 {
         self.reference - self.below
     }
@@ -52,7 +94,8 @@ impl SpringDepth {
     }
 
     /// How much deeper `upper` is touched [m].
-    fn rise(self, upper: Self) -> f64 {
+    #[must_use]
+    pub fn rise(self, upper: Self) -> f64 {
         self.below(upper.reference) - upper.below
     }
 }
@@ -76,6 +119,13 @@ impl LinearProduct {
         linear(self.first) * linear(self.second)
     }
 
+    /// ∫ P dx over springs of the width `width` \[m\] whose places grow evenly with the depth.
+    #[must_use]
+    pub fn over(self, width: f64) -> f64 {
+        let (a, b) = (self.first, self.second);
+        width * (a.1 * b.1 + 0.5 * (a.1 * (b.0 - b.1) + (a.0 - a.1) * b.1) + (a.0 - a.1) * (b.0 - b.1) / 3.0)
+    }
+
     /// The same product on the part of the slice below the fraction `t`.
     fn below(self, t: f64) -> Self {
         let cut = |(lower, upper): (f64, f64)| (lower, upper + t * (lower - upper));
@@ -83,7 +133,47 @@ impl LinearProduct {
     }
 }
 
-/// The normal load as a function of depth, F(d) = 2E* ∫₀^d a(h) dh.
+/// How the normal load grows with the depth, which is all that Coulomb's friction asks of a contact: F(d) = 2E* ∫₀^d a(h) dh.
+pub trait NormalLoad {
+    /// The place touched at the depth `reference` − `below` [m]; `None` where no contact is that deep.
+    fn place(&self, reference: f64, below: f64) -> Option<SpringDepth>;
+
+    /// ∫ a(h) dh over the slice [m²]; 2E* times it is the increment of the normal force.
+    fn increment(&self, slice: Slice) -> f64;
+
+    /// ∫ P dx over the springs of the slice [m times that of P], P a product of linear functions of the depth.
+    fn integral(&self, slice: Slice, product: LinearProduct) -> f64;
+}
+
+/// What a contact carries at the depth h = g(x).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Carried {
+    /// x [m], its stiffness over 2E*.
+    pub radius: f64,
+    /// ∫₀ˣ (h − g) dx [m²], its force over 2E*.
+    pub load: f64,
+    /// ∫₀ˣ (h − g)² dx [m³], its elastic energy over E*.
+    pub energy: f64,
+}
+
+impl Carried {
+    /// ∫ P dx over the springs between two depths `rise` [m] apart, from the moments ∫ zᵏ dx, z the depth below the upper
+    /// one: ∫₀ˣ (d − g) dx = y x + N(x) and ∫₀ˣ (d − g)² dx = y² x + 2yN(x) + M(x), y = d − g(x).
+    #[must_use]
+    pub fn integral(lower: &Self, upper: &Self, rise: f64, product: LinearProduct) -> f64 {
+        let width = upper.radius - lower.radius;
+        if rise <= 0.0 {
+            return product.at(1.0) * width;
+        }
+        let first = (upper.load - lower.load - rise * lower.radius) / rise;
+        let second = (upper.energy - lower.energy - rise * (rise * lower.radius + 2.0 * lower.load)) / (rise * rise);
+        let (a, b) = (product.first, product.second);
+        let (slope_a, slope_b) = (a.0 - a.1, b.0 - b.1);
+        a.1 * b.1 * width + (a.1 * slope_b + slope_a * b.1) * first + slope_a * slope_b * second
+    }
+}
+
+/// The load of a round contact, from its profile.
 #[derive(Debug, Clone)]
 pub struct LoadCurve {
     /// The profile.
@@ -91,31 +181,14 @@ pub struct LoadCurve {
     wall: f64,
 }
 
-impl LoadCurve {
-    /// The curve of a profile.
-    pub fn new(profile: Arc<dyn Profile>) -> Self {
-        let wall = match profile.rim() {
-            Rim::Wall(b) => profile.reduced(b),
-            Rim::None | Rim::End(_) => f64::INFINITY,
-        };
-        Self { profile, wall }
-    }
-
-    /// The place touched at the depth `reference` − `below`; `None` beyond the end of the profile.
-    pub fn place(&self, reference: f64, below: f64) -> Option<SpringDepth> {
+impl NormalLoad for LoadCurve {
+    fn place(&self, reference: f64, below: f64) -> Option<SpringDepth> {
         let depth = reference - below;
         let radius = if depth > 0.0 { self.profile.edge(depth)? } else { 0.0 };
         Some(SpringDepth { reference, below, radius })
     }
 
-    /// The radius and depth of a vertical wall, if the indentation `d` [m] reaches above it.
-    pub fn wall_below(&self, d: f64) -> Option<SpringDepth> {
-        (d >= self.wall).then_some(())?;
-        Some(SpringDepth { reference: self.wall, below: 0.0, radius: self.profile.edge(d)? })
-    }
-
-    /// ∫ a(h) dh over the slice [m²]; 2E* times it is the increment of the normal force.
-    pub fn increment(&self, (lower, upper): Slice) -> f64 {
+    fn increment(&self, (lower, upper): Slice) -> f64 {
         let rise = lower.rise(upper);
         if lower.depth() >= self.wall {
             return rise * upper.radius;
@@ -126,13 +199,7 @@ impl LoadCurve {
         self.load(upper) - self.load(lower)
     }
 
-    /// ∫₀^h a dh up to the depth h of a place [m²].
-    pub fn load(&self, at: SpringDepth) -> f64 {
-        self.profile.load_integral(at.radius) + at.radius * (at.depth() - self.wall).max(0.0)
-    }
-
-    /// ∫ P dx over the springs of the slice, P a product of linear functions of the depth.
-    pub fn integral(&self, (lower, upper): Slice, product: LinearProduct) -> f64 {
+    fn integral(&self, (lower, upper): Slice, product: LinearProduct) -> f64 {
         let rise = lower.rise(upper);
         if lower.depth() > self.wall {
             return 0.0;
@@ -150,22 +217,37 @@ impl LoadCurve {
         }
         self.wide((lower, upper), product)
     }
+}
 
-    /// The integral of [`integral`](Self::integral) from the moments ∫ zᵏ dx, z the depth below the
-    /// upper place: ∫₀^x (d − g) dx = y x + N(x) and ∫₀^x (d − g)² dx = y² x + 2yN(x) + M(x), y = d − g(x).
+impl LoadCurve {
+    /// The curve of a profile.
+    pub fn new(profile: Arc<dyn Profile>) -> Self {
+        let wall = match profile.rim() {
+            Rim::Wall(b) => profile.reduced(b),
+            Rim::None | Rim::End(_) => f64::INFINITY,
+        };
+        Self { profile, wall }
+    }
+
+    /// The radius and depth of a vertical wall, if the indentation `d` [m] reaches above it.
+    pub fn wall_below(&self, d: f64) -> Option<SpringDepth> {
+        (d >= self.wall).then_some(())?;
+        Some(SpringDepth { reference: self.wall, below: 0.0, radius: self.profile.edge(d)? })
+    }
+
+    /// ∫₀^h a dh up to the depth h of a place [m²].
+    pub fn load(&self, at: SpringDepth) -> f64 {
+        self.profile.load_integral(at.radius) + at.radius * (at.depth() - self.wall).max(0.0)
+    }
+
+    /// The integral from what the profile carries at both places.
     fn wide(&self, (lower, upper): Slice, product: LinearProduct) -> f64 {
-        let rise = lower.rise(upper);
-        let width = upper.radius - lower.radius;
-        if rise <= 0.0 {
-            return product.at(1.0) * width;
-        }
-        let loads = [lower, upper].map(|at| self.profile.load_integral(at.radius));
-        let energies = [lower, upper].map(|at| self.profile.energy_integral(at.radius));
-        let first = (loads[1] - loads[0] - rise * lower.radius) / rise;
-        let second = (energies[1] - energies[0] - rise * (rise * lower.radius + 2.0 * loads[0])) / (rise * rise);
-        let (a, b) = (product.first, product.second);
-        let (slope_a, slope_b) = (a.0 - a.1, b.0 - b.1);
-        a.1 * b.1 * width + (a.1 * slope_b + slope_a * b.1) * first + slope_a * slope_b * second
+        let carried = |at: SpringDepth| Carried {
+            radius: at.radius,
+            load: self.profile.load_integral(at.radius),
+            energy: self.profile.energy_integral(at.radius),
+        };
+        Carried::integral(&carried(lower), &carried(upper), lower.rise(upper), product)
     }
 
     /// (1/π) ∫ g′(x) dx/√(x²−r²) over the springs of the slice beyond `r` [1]: its share of the

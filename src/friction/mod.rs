@@ -28,7 +28,7 @@ pub mod sliding;
 pub mod rate_state;
 pub mod rolling;
 pub mod oblique;
-mod load;
+pub mod load;
 mod slipped;
 pub mod strength;
 pub mod turning;

@@ -5,7 +5,7 @@
 //! which the spring was touched, so the loss of a piece of the memory is a sum of moments, and
 //! every term of it is positive.
 
-use super::load::{LinearProduct, LoadCurve, SpringDepth};
+use super::load::{LinearProduct, NormalLoad, SpringDepth};
 
 /// A vertex of the memory as a new position sees it; displacements are divided by m = μE*/G*.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +50,7 @@ impl SlideStep {
 }
 
 /// ∫ ℓ (y₀ + y₁)/2 dx [m³] over the springs between two vertices, all of which slip.
-pub fn slip_work(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
+pub fn slip_work(curve: &impl NormalLoad, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
     if upper.below < 0.0 && lower.below > 0.0 {
         let edge = between(lower, upper, upper.below / (upper.below - lower.below), motion.edge);
         return held(curve, (lower, edge), motion) + left(curve, (edge, upper), motion);
@@ -61,7 +61,7 @@ pub fn slip_work(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideS
 }
 
 /// Springs still in contact after the step.
-fn held(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
+fn held(curve: &impl NormalLoad, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
     let side = (lower.displacement + upper.displacement).signum();
     let growth = motion.growth(side);
     let way = |node: Node| (side * node.displacement - node.below).max(0.0);
@@ -71,7 +71,7 @@ fn held(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f
 }
 
 /// Springs that have lost contact in the step; at the last they carried nothing.
-fn left(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
+fn left(curve: &impl NormalLoad, (lower, upper): (Node, Node), motion: SlideStep) -> f64 {
     let chord = motion.slide / motion.depth;
     let way = |node: Node| node.displacement - chord * node.below;
     let ways = (way(lower), way(upper));
@@ -86,7 +86,7 @@ fn left(curve: &LoadCurve, (lower, upper): (Node, Node), motion: SlideStep) -> f
     left_one_way(curve, (lower, upper), ways, motion)
 }
 
-fn left_one_way(curve: &LoadCurve, (lower, upper): (Node, Node), ways: (f64, f64), motion: SlideStep) -> f64 {
+fn left_one_way(curve: &impl NormalLoad, (lower, upper): (Node, Node), ways: (f64, f64), motion: SlideStep) -> f64 {
     let growth = motion.growth((ways.0 + ways.1).signum());
     let product = LinearProduct { first: ways, second: ways };
     (-0.5 * growth).max(0.0) * curve.integral((lower.place, upper.place), product)

@@ -38,7 +38,7 @@ mod branch;
 mod whole;
 
 use super::FrictionError;
-use super::load::{LinearProduct, LoadCurve, SpringDepth};
+use super::load::{LinearProduct, LoadCurve, NormalLoad, SpringDepth};
 use super::slipped::{Node, SlideStep, slip_work};
 pub use crate::contact::model::Pose;
 use crate::shape::Profile;
@@ -114,15 +114,26 @@ struct Cut {
 /// Check: a paraboloid, E* = G* = R = 1, μ = 0.3, at d = 1, pushed to u_x = 0.225 has c = 0.5 a and
 /// F_x = μF (1 − c³/a³) = 0.35.
 #[derive(Debug, Clone)]
-pub struct TangentialMemory {
-    curve: LoadCurve,
+pub struct TangentialMemory<L = LoadCurve> {
+    curve: L,
     grip: Grip,
     reach: f64,
     at: Pose,
     contact_radius: f64,
-    stick_radius: f64,
+    stick: SpringDepth,
     dissipated: f64,
     turns: Vec<Turn>,
+}
+
+/// A piece of the memory: the springs touched between two depths, which carry σ of what they slip at more than those below.
+#[derive(Debug, Clone, Copy)]
+pub struct Piece {
+    /// Where it begins.
+    pub lower: SpringDepth,
+    /// Where it ends.
+    pub upper: SpringDepth,
+    /// Slope σ, from −1 to 1.
+    pub slope: f64,
 }
 
 impl TangentialMemory {
@@ -132,9 +143,38 @@ impl TangentialMemory {
     /// Bodies that just touch, without tangential load.
     #[must_use]
     pub fn new(profile: Arc<dyn Profile>, grip: Grip) -> Self {
-        let curve = LoadCurve::new(profile);
+        Self::over(LoadCurve::new(profile), grip)
+    }
+}
+
+impl<L: NormalLoad> TangentialMemory<L> {
+    /// Bodies that just touch, without tangential load, whose normal load grows as `curve` says.
+    ///
+    /// The friction of a contact that is not round is the same sum over turning points (Ciavarella 1998; Jäger 1998), as
+    /// far as what tangential tractions do along the surface is in one ratio to what pressures do across it.
+    #[must_use]
+    pub fn over(curve: L, grip: Grip) -> Self {
         let (reach, at) = (grip.reach(), Pose::default());
-        Self { curve, grip, reach, at, contact_radius: 0.0, stick_radius: 0.0, dissipated: 0.0, turns: Vec::new() }
+        let stick = SpringDepth::AXIS;
+        Self { curve, grip, reach, at, contact_radius: 0.0, stick, dissipated: 0.0, turns: Vec::new() }
+    }
+
+    /// How the normal load grows.
+    #[must_use]
+    pub fn curve(&self) -> &L {
+        &self.curve
+    }
+
+    /// The pieces of the memory from the axis outwards: q = μ Σ σ Δp, Δp the pressure between two depths.
+    pub fn pieces(&self) -> impl Iterator<Item = Piece> {
+        let piece = |pair: &[Turn]| Piece { lower: pair[0].place, upper: pair[1].place, slope: pair[1].slope };
+        self.turns.windows(2).map(piece)
+    }
+
+    /// The outermost spring that sticks while the last step goes on.
+    #[must_use]
+    pub fn stick(&self) -> SpringDepth {
+        self.stick
     }
 
     /// Moves on a straight line to `to`.
@@ -154,7 +194,7 @@ impl TangentialMemory {
             self.advance_in_contact(to)?;
         } else {
             self.turns.clear();
-            self.stick_radius = 0.0;
+            self.stick = SpringDepth::AXIS;
         }
         self.at = to;
         self.contact_radius = edge;
@@ -185,10 +225,7 @@ impl TangentialMemory {
             return Ok(());
         }
         let cut = self.cut(to)?;
-        self.stick_radius = match cut.corner {
-            Some(corner) => corner.place.radius,
-            None => cut.end.place.radius,
-        };
+        self.stick = cut.corner.map_or(cut.end.place, |corner| corner.place);
         self.dissipated += self.slip_work(&cut, to)?;
         self.turns.truncate(cut.kept);
         self.turns.extend(cut.corner);
@@ -275,8 +312,8 @@ impl TangentialMemory {
         TangentialState {
             tangential_force: self.force(self.turns.last().map_or(0.0, |end| end.sum)),
             contact_radius: self.contact_radius,
-            stick_radius: self.stick_radius,
-            stiffness: 2.0 * self.grip.tangential_modulus * self.stick_radius,
+            stick_radius: self.stick.radius,
+            stiffness: 2.0 * self.grip.tangential_modulus * self.stick.radius,
             dissipated: self.dissipated,
         }
     }
@@ -285,6 +322,20 @@ impl TangentialMemory {
         2.0 * self.grip.coefficient * self.grip.normal_modulus * sum
     }
 
+    /// Elastic energy stored in tangential deformation, G* ∫₀^a v² dx [J].
+    #[must_use]
+    pub fn stored(&self) -> f64 {
+        let square = |pair: &[Turn]| {
+            let [lower, upper] = [0, 1].map(|k| self.seen(&pair[k], self.at).displacement);
+            let product = LinearProduct { first: (lower, upper), second: (lower, upper) };
+            self.curve.integral((pair[0].place, pair[1].place), product)
+        };
+        let sum: f64 = self.turns.windows(2).map(square).sum();
+        self.grip.coefficient * self.grip.normal_modulus * self.reach * sum
+    }
+}
+
+impl TangentialMemory {
     /// The tangential force [N] a straight step to `to` would lead to, without taking it.
     ///
     /// # Errors
@@ -299,18 +350,6 @@ impl TangentialMemory {
             return Ok(touched.state().tangential_force);
         }
         Ok(self.force(self.cut(to)?.end.sum))
-    }
-
-    /// Elastic energy stored in tangential deformation, G* ∫₀^a v² dx [J].
-    #[must_use]
-    pub fn stored(&self) -> f64 {
-        let square = |pair: &[Turn]| {
-            let [lower, upper] = [0, 1].map(|k| self.seen(&pair[k], self.at).displacement);
-            let product = LinearProduct { first: (lower, upper), second: (lower, upper) };
-            self.curve.integral((pair[0].place, pair[1].place), product)
-        };
-        let sum: f64 = self.turns.windows(2).map(square).sum();
-        self.grip.coefficient * self.grip.normal_modulus * self.reach * sum
     }
 
     /// Tangential displacement v(x) [m] of the spring at the distance `x` ≥ 0 [m] from the axis.

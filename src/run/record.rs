@@ -29,6 +29,7 @@ use crate::shape::Boundary;
 use crate::wear::Worn;
 use ndarray::Array2;
 use serde::Serialize;
+use std::f64::consts::PI;
 
 /// State of the contact at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,6 +82,12 @@ impl Record {
         self.tangential.map(|state| state.slide).or(self.gliding.map(|state| state.slide))
     }
 
+    /// Area that sticks on pixels \[m²\], if there is friction.
+    #[must_use]
+    pub fn stick_area(&self) -> Option<f64> {
+        self.pixels.and(self.tangential).map(|state| PI * state.stick_radius.powi(2))
+    }
+
     /// Force against the motion along the surface [N], if the scene has one.
     #[must_use]
     pub fn tangential_force(&self) -> Option<f64> {
@@ -123,13 +130,15 @@ impl PixelContact {
     };
 }
 
-/// Pressure and gap on pixels, under the largest force.
+/// Pressure, gap and shear on pixels: under the largest force, or the largest along the surface where bodies slide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactMap {
     /// Pressure [Pa], rows along y and columns along x.
     pub pressure: Array2<f64>,
     /// Distance of the surfaces [m], zero in contact; infinite where there is no material.
     pub gap: Array2<f64>,
+    /// Shear stress [Pa] along x, if there is friction and it is known.
+    pub shear: Option<Array2<f64>>,
     /// Width and height of a pixel [m].
     pub pixel: [f64; 2],
     /// What happens at the edge.
@@ -245,6 +254,11 @@ pub const LEAK: Column<Record> =
     Column::new("leak_conductance", Unit::CUBIC_METRE_PER_PASCAL_SECOND, "leak conductance Q/Δp", |record| {
         record.pixels?.leak
     });
+/// Area that sticks on pixels.
+pub const STICK_AREA: Column<Record> =
+    Column::new("stick_area", Unit::SQUARE_METRE, "area that sticks", Record::stick_area);
+/// Columns of friction on pixels.
+const STICKING: &[Column<Record>] = &[STICK_AREA];
 /// Columns of a gap with a fluid in it.
 const LEAKING: &[Column<Record>] = &[LEAK];
 
@@ -262,6 +276,7 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let wears = records.iter().any(|record| record.worn.is_some());
     let pixels = records.iter().any(|record| record.pixels.is_some());
     let leaks = records.iter().any(|record| record.pixels.is_some_and(|pixels| pixels.leak.is_some()));
+    let sticks = records.iter().any(|record| record.stick_area().is_some());
     let driven = records.iter().any(|record| record.machine.is_some());
     let drawn = records.iter().any(|record| record.machine.is_some_and(|machine| machine.drawn.is_some()));
     let rated = records.iter().any(|record| record.machine.is_some_and(|machine| machine.rated.is_some()));
@@ -269,7 +284,7 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
     std::iter::once((NORMAL, true))
         .chain(parts)
-        .chain([(LEAKING, leaks)])
+        .chain([(STICKING, sticks), (LEAKING, leaks)])
         .chain(machine)
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()

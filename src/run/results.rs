@@ -7,8 +7,8 @@ use crate::friction::peeling::TangentialLoad;
 use crate::run::named::Named;
 use crate::run::record::{Field, Record};
 use crate::run::unit::Unit;
-use crate::scene::law::ContactLaw;
-use crate::scene::plan::RoundPlan;
+use crate::scene::law::{ContactLaw, FrictionLaw};
+use crate::scene::plan::{RoundPlan, Shared};
 
 /// The results the scene has, in a fixed order; `contact` is who computes a round contact.
 #[must_use]
@@ -96,25 +96,38 @@ fn known(found: &[(&'static str, Unit, Option<f64>)]) -> Vec<Named> {
 /// What friction adds.
 #[must_use]
 pub fn of_friction(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
-    let Some(last) = records.last().and_then(|record| record.tangential) else { return Vec::new() };
+    let gross = plan.friction.as_ref().and_then(FrictionLaw::interface).is_some();
+    let mut results = of_sliding(plan, records, gross);
+    results.extend(peeled(plan, records));
+    results
+}
+
+/// What friction adds to a contact, whoever computes it; `gross` if it slides as a whole.
+#[must_use]
+pub fn of_sliding(shared: &Shared, records: &[Record], gross: bool) -> Vec<Named> {
+    let Some((state, last)) = records.last().and_then(|record| Some((record, record.tangential?))) else {
+        return Vec::new();
+    };
     let force = records.iter().filter_map(|record| Some(record.tangential?.force.abs()));
+    // Of a contact that is no disc the sticking part is an area.
+    let radius = (state.pixels.is_none() || state.normal.contact_radius.is_some()).then_some(last.stick_radius);
     let found = [
         ("largest_tangential_force", Unit::NEWTON, Some(force.fold(0.0, f64::max))),
         ("final_slide", Unit::METRE, Some(last.slide)),
         ("final_tangential_force", Unit::NEWTON, Some(last.force)),
-        ("final_stick_radius", Unit::METRE, Some(last.stick_radius)),
+        ("final_stick_radius", Unit::METRE, radius),
+        ("final_stick_area", Unit::SQUARE_METRE, state.stick_area()),
         ("final_tangential_stiffness", Unit::NEWTON_PER_METRE, Some(last.stiffness)),
         ("final_stored_tangential", Unit::JOULE, last.stored),
         ("friction_dissipated", Unit::JOULE, last.dissipated),
-        ("dissipated_per_cycle", Unit::JOULE, per_cycle(plan, records)),
-        ("friction_coefficient", Unit::ONE, coefficient(plan, records)),
+        ("dissipated_per_cycle", Unit::JOULE, per_cycle(shared, records)),
+        ("friction_coefficient", Unit::ONE, coefficient(records).filter(|_| gross)),
     ];
-    known(&found).into_iter().chain(peeled(plan, records)).collect()
+    known(&found)
 }
 
-/// F_x/F of the last slide under a law of gross sliding.
-fn coefficient(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
-    plan.friction.as_ref()?.interface()?;
+/// F_x/F of the last slide.
+fn coefficient(records: &[Record]) -> Option<f64> {
     records.iter().rev().find_map(sliding::slid).map(|(_, coefficient)| coefficient)
 }
 
@@ -145,7 +158,7 @@ fn peeled(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
 }
 
 /// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.
-fn per_cycle(plan: &RoundPlan, records: &[Record]) -> Option<f64> {
+fn per_cycle(plan: &Shared, records: &[Record]) -> Option<f64> {
     let entry = plan.stages.iter().rev().find(|stage| stage.tangential.is_wave())?.entry;
     let shaken = records.iter().filter(|record| record.entry == entry).filter_map(|record| record.tangential);
     let shaken: Vec<Tangential> = shaken.collect();

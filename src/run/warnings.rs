@@ -229,8 +229,13 @@ fn tabor(plan: &Plan) -> Option<String> {
 }
 
 fn coupled(plan: &Plan) -> Option<String> {
+    plan.has_friction().then(|| dissimilar(plan)).flatten()
+}
+
+/// Friction of bodies that are not elastically similar.
+pub(super) fn dissimilar(plan: &Shared) -> Option<String> {
     let beta = plan.pair.coupling;
-    (plan.has_friction() && beta.abs() > 1e-9).then(|| {
+    (beta.abs() > 1e-9).then(|| {
         format!(
             "the pair breaks elastic similarity (Dundurs' β = {beta:.3}): normal and tangential contact are treated as independent, expect errors of this order in friction"
         )

@@ -467,6 +467,18 @@ impl WearLaw {
     }
 }
 
+/// Friction on the pixels of a half-space.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PixelFriction {
+    /// Stick and slip under Coulomb's law, by the memory of turning points.
+    Partial {
+        /// Coefficient of friction μ.
+        coefficient: f64,
+    },
+    /// Gross sliding under a law that acts on the pressure.
+    Gross(Interface),
+}
+
 /// Who computes the tangential contact.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FrictionLaw {

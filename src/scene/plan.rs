@@ -18,7 +18,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::law::{Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, MachineLaw, Travel, WearLaw};
+use super::law::{
+    Bodies, ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, MachineLaw, PixelFriction, Travel, WearLaw,
+};
 pub use super::pixelled::PixelledIndenter;
 use super::read::Read;
 use super::surface::Surface;
@@ -199,6 +201,8 @@ pub struct HalfSpacePlan {
     pub attraction: ElasticAdhesion,
     /// Largest pressure [Pa] of a body that yields.
     pub hardness: Option<f64>,
+    /// What holds it back along the surface, if there is friction.
+    pub friction: Option<PixelFriction>,
     /// The steady motion along the surface at the end, if there is one.
     pub travel: Option<Travel>,
 }

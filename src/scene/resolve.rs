@@ -1,8 +1,8 @@
 //! From a scene as written to the decision who computes it.
 
 use super::law::{
-    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, MachineLaw, SpringCount, Start, Travel,
-    WearLaw,
+    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, MachineLaw, PixelFriction, SpringCount,
+    Start, Travel, WearLaw,
 };
 use super::mended::Mended;
 use super::pixelled::PixelledIndenter;
@@ -165,8 +165,13 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
     let hardness = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min);
     let ground = shared.read.ground.clone();
     let travel = travel(&shared);
+    let friction = shared.scene.friction.as_ref().map(|friction| match friction.slip() {
+        Slip::Local(coefficient) => PixelFriction::Partial { coefficient },
+        Slip::Gross => PixelFriction::Gross(interface(&shared, friction)),
+    });
     HalfSpacePlan {
         travel,
+        friction,
         shared,
         indenter,
         boundary,
@@ -346,11 +351,16 @@ fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
 }
 
 fn gross(shared: &Shared, friction: &Friction) -> FrictionLaw {
-    let interface = Interface { friction: friction.clone(), strength: shared.read.strength.clone() };
+    let interface = interface(shared, friction);
     match &shared.scene.adhesion {
         None => FrictionLaw::Sliding(interface),
         Some(adhesion) => FrictionLaw::Peeling { interface, work: adhesion.traits().work },
     }
+}
+
+/// A friction that slips as a whole, with its table.
+fn interface(shared: &Shared, friction: &Friction) -> Interface {
+    Interface { friction: friction.clone(), strength: shared.read.strength.clone() }
 }
 
 fn impact_plan(shared: Shared, profile: Arc<dyn Profile>, impact: Impact) -> ImpactPlan {

@@ -1,6 +1,6 @@
 //! Plans in words.
 
-use super::law::{ElasticAdhesion, FrictionLaw, WearLaw};
+use super::law::{ElasticAdhesion, FrictionLaw, PixelFriction, WearLaw};
 use super::parts::{Component, Parts, Solver};
 use super::plan::{HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use super::tractive::TractiveRolling;
@@ -140,9 +140,10 @@ impl HalfSpacePlan {
         let solver = Solver::new(
             "half-space",
             format!(
-                "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms{}{}, without friction",
+                "`solver: HalfSpace` asks for it: pressure on {columns} × {rows} pixels over {window}, {boundary} ({because}), by conjugate gradients with transforms{}{}{}",
                 self.ground_in_words(),
-                self.bodies_in_words()
+                self.bodies_in_words(),
+                self.friction_in_words()
             ) + self.travel_in_words(),
         );
         let (mut used, mut left_out) = (vec!["pixels of a half-space"], vec!["springs"]);
@@ -152,6 +153,7 @@ impl HalfSpacePlan {
         let pulls = self.attraction != ElasticAdhesion::None;
         (if pulls { &mut used } else { &mut left_out }).push("attraction across the gap");
         (if self.hardness.is_some() { &mut used } else { &mut left_out }).push("hardness");
+        (if self.friction.is_some() { &mut used } else { &mut left_out }).push("friction");
         (if self.profile().is_some() { &mut used } else { &mut left_out }).push("smooth shape");
         (if self.surface().is_some() { &mut used } else { &mut left_out }).push("rough surface");
         Parts { state_bytes: self.bytes(), ..Parts::new(solver, used, left_out) }
@@ -160,6 +162,17 @@ impl HalfSpacePlan {
     /// What lies under the pixels, in words.
     fn ground_in_words(&self) -> &'static str {
         if self.ground.is_some() { " over the transfer function of what lies beneath" } else { "" }
+    }
+
+    /// What holds it back along the surface, in words.
+    fn friction_in_words(&self) -> &'static str {
+        match &self.friction {
+            None => ", without friction",
+            Some(PixelFriction::Partial { .. }) => {
+                "; stick and slip by the memory of turning points, each of which is a shallower contact that is taken off: what shear does across its own direction, and to the pressures, is left out"
+            }
+            Some(PixelFriction::Gross(_)) => "; in gross sliding the law acts on the pressure of each pixel",
+        }
     }
 
     /// How a body that glides is computed, in words.

@@ -23,6 +23,8 @@ mod ground;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space;
 #[cfg(all(feature = "text", feature = "half-space"))]
+mod half_space_friction;
+#[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_gliding;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_layers;

@@ -86,7 +86,8 @@ impl Scenario {
             notes.extend(self.on_pixels(super::PAST_GRIDS[0]).err().map(|why| format!("half-space: {why}")));
         }
         if self.plan.has_friction() {
-            notes.push("friction: compared is the normal contact, which friction does not change here".to_owned());
+            notes.push("friction: rows compare the normal contact, which friction does not change here".to_owned());
+            notes.push(self.slid_on_pixels().unwrap_or_else(|why| format!("friction on the half-space: {why}")));
         }
         notes.extend(super::WITHOUT.map(str::to_owned));
         if self.depth.is_none() {
@@ -96,6 +97,26 @@ impl Scenario {
             );
         }
         notes
+    }
+
+    /// How far the tangential forces of the history are from those of pixels that follow it.
+    fn slid_on_pixels(&self) -> Attempt<String> {
+        let grid = super::PAST_GRIDS[super::PAST_GRIDS.len() - 1];
+        let own = run::run(&self.plan, Wanted::NOTHING)?;
+        let pixels = run::run(&self.on_pixels(grid)?, Wanted::NOTHING)?;
+        let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
+        for record in &pixels.records {
+            let same = own.records.iter().find(|own| (own.entry, own.time) == (record.entry, record.time));
+            let Some((one, other)) = same.and_then(Record::tangential_force).zip(record.tangential_force()) else {
+                continue;
+            };
+            apart = apart.max((one - other).abs());
+            largest = largest.max(one.abs()).max(other.abs());
+        }
+        let part = if largest > 0.0 { apart / largest } else { 0.0 };
+        Ok(format!(
+            "friction on the half-space: followed through the history on {grid}² pixels, tangential forces are at most {part:.1e} of the largest, {largest:.4e} N, from those of the direct path"
+        ))
     }
 
     fn direct(&self) -> Attempt<Computed> {

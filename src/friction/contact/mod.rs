@@ -33,7 +33,7 @@ mod viscoelastic;
 
 pub use memory::CoulombMemory;
 pub use peeling::Peeling;
-pub use sliding::{Interface, SlidingContact};
+pub use sliding::{GrossSlip, Interface, SlidingContact};
 pub use springs::CoulombSprings;
 pub use viscoelastic::ViscoelasticFriction;
 

@@ -12,14 +12,20 @@ use crate::friction::{Friction, FrictionError};
 use crate::shape::Rim;
 use std::sync::Arc;
 
-/// A contact that slips everywhere at once, or stands.
-///
-/// While it slides, F_x = 2π∫τ(p) r dr against the sliding. While it stands it keeps the tangential
-/// force it was left with, as far as the present load can hold it. Elastic tangential displacements are
-/// left out. Valid without adhesion.
+/// A round contact that slips everywhere at once, or stands. Valid without adhesion.
 #[derive(Clone)]
 pub struct SlidingContact {
     ground: Foundation,
+    slip: GrossSlip,
+}
+
+/// What slips everywhere at once, or stands.
+///
+/// While it slides, F_x = ∫τ(p) dA against the sliding. While it stands it keeps the tangential
+/// force it was left with, as far as the present load can hold it. Elastic tangential displacements are
+/// left out. Valid without adhesion.
+#[derive(Clone)]
+pub struct GrossSlip {
     interface: Interface,
     law: Option<Arc<dyn SlidingLaw>>,
     state: Tangential,
@@ -46,12 +52,69 @@ impl Interface {
     }
 }
 
+impl GrossSlip {
+    /// Bodies that just touch.
+    #[must_use]
+    pub fn new(interface: Interface) -> Self {
+        let state = Tangential { stored: Some(0.0), dissipated: Some(0.0), ..Tangential::default() };
+        Self { interface, law: None, state, limit: 0.0 }
+    }
+
+    /// Slides from one tangential displacement [m] to another at the speed `speed` [m/s], or stands, on a contact of the
+    /// radius `radius` [m] whose friction `limit` \[N\] tells of a law; returns the state in which it sets off.
+    ///
+    /// # Errors
+    /// The speed lies outside the table.
+    pub fn follow(
+        &mut self,
+        (slide, speed): ([f64; 2], f64),
+        radius: f64,
+        limit: impl Fn(&dyn SlidingLaw) -> f64,
+    ) -> Result<Option<Tangential>, FrictionError> {
+        let way = slide[1] - slide[0];
+        if way.abs() <= 0.0 {
+            self.limit = self.law.as_ref().map_or(0.0, |law| limit(law.as_ref()));
+            self.state.force = self.state.force.clamp(-self.limit, self.limit);
+            self.state.stick_radius = radius;
+            return Ok(None);
+        }
+        let before = self.state.force;
+        let law = self.interface.law(speed)?;
+        self.limit = limit(law.as_ref());
+        self.law = Some(law.into());
+        self.state = Tangential { force: way.signum() * self.limit, stick_radius: 0.0, ..self.state };
+        let begins = (before - self.state.force).abs() > 0.0;
+        let onset = begins.then_some(self.state);
+        self.state.slide = slide[1];
+        *self.state.dissipated.get_or_insert(0.0) += self.limit * way.abs();
+        Ok(onset)
+    }
+
+    /// Present state.
+    #[must_use]
+    pub fn state(&self) -> Tangential {
+        self.state
+    }
+
+    /// Shear stress [Pa] under the pressure `pressure` [Pa] inside the contact; `None` where the pressure is, and of a contact
+    /// that has been let go below its limit, for it has slipped somewhere, and how much is not known.
+    #[must_use]
+    pub fn stress(&self, pressure: Option<f64>) -> Option<f64> {
+        match &self.law {
+            Some(law) if self.state.force.abs() >= self.limit => {
+                Some(self.state.force.signum() * law.stress(pressure?))
+            }
+            Some(_) => None,
+            None => Some(0.0),
+        }
+    }
+}
+
 impl SlidingContact {
     /// Bodies that just touch.
     #[must_use]
     pub fn new(ground: Foundation, interface: Interface) -> Self {
-        let state = Tangential { stored: Some(0.0), dissipated: Some(0.0), ..Tangential::default() };
-        Self { ground, interface, law: None, state, limit: 0.0 }
+        Self { ground, slip: GrossSlip::new(interface) }
     }
 
     /// Friction force [N] of the whole contact; only a wall carries a load at the edge.
@@ -64,56 +127,25 @@ impl SlidingContact {
         };
         sliding_force(&Loaded::elastic(self.ground.clone(), a, edge_load), law)
     }
-
-    /// Slides on from the slide it has to `to` [m].
-    fn slide(&mut self, to: f64, step: &Step<'_>) -> Result<(), FrictionError> {
-        let law = self.interface.law(step.speed)?;
-        self.limit = self.limit_of(law.as_ref(), &step.contact.state());
-        self.law = Some(law.into());
-        self.state.force = (to - self.state.slide).signum() * self.limit;
-        self.state.stick_radius = 0.0;
-        Ok(())
-    }
-
-    /// Stands while the load changes.
-    fn stand(&mut self, step: &Step<'_>) {
-        let normal = step.contact.state();
-        self.limit = self.law.as_ref().map_or(0.0, |law| self.limit_of(law.as_ref(), &normal));
-        self.state.force = self.state.force.clamp(-self.limit, self.limit);
-        self.state.stick_radius = normal.contact_radius.unwrap_or(0.0);
-    }
 }
 
 impl TangentialContact for SlidingContact {
     fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
-        let way = step.slide[1] - step.slide[0];
-        if way.abs() <= 0.0 {
-            self.stand(step);
-            return Ok(None);
-        }
-        let before = self.state.force;
-        self.slide(step.slide[1], step)?;
-        let begins = (before - self.state.force).abs() > 0.0;
-        let onset = begins.then_some(self.state);
-        self.state.slide = step.slide[1];
-        *self.state.dissipated.get_or_insert(0.0) += self.limit * way.abs();
+        let normal = step.contact.state();
+        let mut slip = self.slip.clone();
+        let radius = normal.contact_radius.unwrap_or(0.0);
+        let onset = slip.follow((step.slide, step.speed), radius, |law| self.limit_of(law, &normal))?;
+        self.slip = slip;
         Ok(onset)
     }
 
     fn state(&self) -> Tangential {
-        self.state
+        self.slip.state()
     }
 
     fn stress(&self, loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {
-        // A contact that has been let go below its limit has slipped somewhere; how much is not known.
-        let at_limit = self.state.force.abs() >= self.limit;
         let a = loading.contact_radius();
-        let stress = |&r: &f64| match &self.law {
-            _ if r > a => Some(0.0),
-            Some(law) if at_limit => Some(self.state.force.signum() * law.stress(loading.pressure(r)?)),
-            Some(_) => None,
-            None => Some(0.0),
-        };
+        let stress = |&r: &f64| if r > a { Some(0.0) } else { self.slip.stress(loading.pressure(r)) };
         radii.iter().map(stress).collect()
     }
 

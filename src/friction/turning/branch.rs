@@ -1,6 +1,7 @@
 //! The force on the way to the next turning point, of one piece.
 
 use super::{TangentialMemory, Turn, on_side};
+use crate::friction::load::NormalLoad;
 
 /// The tangential force on a way along the surface at a constant depth, from where the memory is up to its next turning point.
 ///

@@ -2,7 +2,7 @@
 
 use super::{TangentialMemory, Turn};
 use crate::friction::FrictionError;
-use crate::friction::load::SpringDepth;
+use crate::friction::load::{NormalLoad, SpringDepth};
 
 /// Two displacements closer than this part of the one that slips the contact as a whole are one.
 const CORNER: f64 = 1e-13;
@@ -89,7 +89,7 @@ impl TangentialMemory {
         let place = self.place(self.at.indentation, 0.0)?;
         let sum = part * self.curve.increment((axis.place, place));
         self.turns = vec![axis, Turn { place, slide: 0.0, behind: 0.0, slope: part, sum }];
-        self.stick_radius = 0.0;
+        self.stick = SpringDepth::AXIS;
         self.dissipated += (before - self.stored()).max(0.0);
         Ok(())
     }

@@ -20,7 +20,7 @@ use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::sliding::{SlidingPoint, amontons_range, friction_curve, full_slip_displacement};
 use crate::run::record::Record;
 use crate::run::sheared;
-use crate::scene::law::FrictionLaw;
+use crate::scene::law::{FrictionLaw, PixelFriction};
 use crate::scene::plan::{Plan, RoundPlan, Shared};
 use crate::scene::stage::Stage;
 use crate::shape::Rim;
@@ -61,10 +61,22 @@ fn way(states: &[Tangential]) -> Option<(SlideDirection, &[Tangential])> {
     (way.abs() > 0.0).then_some((if way > 0.0 { SlideDirection::Forward } else { SlideDirection::Backward }, states))
 }
 
+/// Coefficient of Coulomb friction.
+fn coulomb(plan: &Plan) -> Option<f64> {
+    match plan {
+        Plan::Round(plan) => plan.friction.as_ref()?.coulomb(),
+        Plan::HalfSpace(plan) => match plan.friction.as_ref()? {
+            PixelFriction::Partial { coefficient } => Some(*coefficient),
+            PixelFriction::Gross(_) => None,
+        },
+        Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => None,
+    }
+}
+
 /// μF of Coulomb friction [N], if the load stays while the body slides and the force comes near it.
 #[must_use]
 pub fn limit(plan: &Plan, records: &[Record]) -> Option<f64> {
-    let coefficient = plan.round()?.friction.as_ref()?.coulomb()?;
+    let coefficient = coulomb(plan)?;
     let slides = |pair: &&[Record]| match (pair[0].tangential, pair[1].tangential) {
         (Some(before), Some(after)) => (after.slide - before.slide).abs() > 0.0,
         _ => false,

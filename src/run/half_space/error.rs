@@ -46,6 +46,11 @@ pub(super) fn estimate(plan: &HalfSpacePlan, pressing: &Pressing<'_>, series: &S
     }
 }
 
+/// The larger of two estimates.
+pub(super) fn larger(one: ErrorEstimate, other: ErrorEstimate) -> ErrorEstimate {
+    if one.relative > other.relative { one } else { other }
+}
+
 fn apart(
     plan: &HalfSpacePlan,
     pressing: &Pressing<'_>,

@@ -6,11 +6,13 @@ mod distribution;
 mod error;
 mod heights;
 mod ledger;
+mod load;
 mod memory;
 mod mixed;
 mod pixels;
 mod pressed;
 mod rehearsed;
+mod rubbing;
 mod series;
 mod state;
 mod steady;
@@ -29,8 +31,10 @@ use crate::scene::parts::Parts;
 use crate::scene::plan::HalfSpacePlan;
 use pressed::Pressed;
 use rehearsed::Rehearsed;
+use rubbing::Rubbed;
 use series::{Depth, Series};
 use state::{Pressing, State};
+use steady::Glides;
 
 /// Part of the accuracy asked for that the solver may miss.
 const SHARE: f64 = 0.01;
@@ -56,19 +60,17 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
     let heights = heights(plan)?;
     let response = state::response(plan, &heights);
     let pressing = Pressing::of(plan, &heights, response.as_ref());
+    let pressing = Pressing { tangential: rubbing::tangential_modulus(plan, &pressing), ..pressing };
     let rehearsed = Rehearsed::of(plan, &pressing);
     let mut series = Series::new(plan, pressing, Depth::Whole, rehearsed.as_ref().map_or(1, |coarse| coarse.steps));
     let records = series.follow(done)?;
     let glides = steady::steady(plan, &pressing, &records)?;
-    let of =
-        |(pressure, gap, force)| ContactMap { pressure, gap, pixel: heights.pixel, boundary: plan.boundary, force };
-    let resting =
-        || series.largest.as_ref().map(|(_, pressed)| (pressed.pressure(), pressed.gap.clone(), pressed.force()));
-    let gliding = glides.last.as_ref().map(|last| (last.pressure.clone(), pressing.gap(last), last.force()));
-    let map = wanted.fields.then(|| gliding.or_else(resting)).flatten().map(of);
+    let map = if wanted.fields { map(&pressing, &series, &glides)? } else { None };
+    let alone = || error::estimate(plan, &pressing, &series);
     let estimate = match &rehearsed {
-        Some(coarse) => coarse.estimate(&records, &heights),
-        None => error::estimate(plan, &pressing, &series),
+        Some(coarse) if series.pixels().has_past() => coarse.estimate(plan, &records, &heights),
+        Some(coarse) => error::larger(coarse.estimate(plan, &records, &heights), alone()),
+        None => alone(),
     };
     Ok(Outcome {
         results: told::results(plan, &records, &series, &glides),
@@ -80,6 +82,23 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
         records,
         map,
     })
+}
+
+/// The map of the last speed of what glides, of the largest force along the surface, or of the largest force.
+fn map(pressing: &Pressing<'_>, series: &Series<'_>, glides: &Glides) -> Result<Option<ContactMap>, SimulationError> {
+    let gliding = glides.last.as_ref().map(|last| (last.pressure.clone(), pressing.gap(last), None, last.force()));
+    let rubbed = series.rubbed().map_err(|error| SimulationError::Refused(error.to_string()))?;
+    let rubbed = rubbed.map(|Rubbed { contact, shear }| {
+        let (gap, force) = (pressing.gap(&contact), contact.force());
+        (contact.pressure, gap, Some(shear), force)
+    });
+    let resting = || {
+        let (_, pressed) = series.largest.as_ref()?;
+        Some((pressed.pressure(), pressed.gap.clone(), None, pressed.force()))
+    };
+    let (pixel, boundary) = (pressing.heights.pixel, pressing.boundary);
+    let of = |(pressure, gap, shear, force)| ContactMap { pressure, gap, shear, pixel, boundary, force };
+    Ok(gliding.or(rubbed).or_else(resting).map(of))
 }
 
 /// One state of a contact on pixels.
@@ -129,6 +148,6 @@ fn parts(plan: &HalfSpacePlan, heights: &Heights, series: &Series<'_>) -> Parts 
     let parts = plan.parts();
     let bytes = series.largest.as_ref().map(|(_, pressed)| pressed.contact.bytes);
     let state_bytes = bytes.and_then(|bytes| usize::try_from(bytes).ok()).unwrap_or(parts.state_bytes);
-    let state_bytes = state_bytes.saturating_add(series.pixels().bytes());
+    let state_bytes = state_bytes.saturating_add(series.bytes());
     Parts { reason: format!("{}; the window is {x:.4e} m × {y:.4e} m", parts.reason), state_bytes, ..parts }
 }

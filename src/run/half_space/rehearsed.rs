@@ -3,7 +3,6 @@
 use super::heights::Heights;
 use super::series::{Depth, Series};
 use super::state::{Pressing, response};
-use crate::contact::state::Normal;
 use crate::run::SimulationError;
 use crate::run::record::{ErrorEstimate, Record};
 use crate::scene::plan::HalfSpacePlan;
@@ -23,7 +22,7 @@ pub(super) struct Rehearsed {
 }
 
 impl Rehearsed {
-    /// Of bodies with a past; that of bodies which remember with twice as many steps again and again, until force and
+    /// Of bodies with a past, or friction; that of bodies which remember with twice as many steps again and again, until force and
     /// depth no longer change.
     pub(super) fn of(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> Option<Self> {
         let thinned = pressing.heights.thinned();
@@ -31,7 +30,7 @@ impl Rehearsed {
         let pressing = Pressing { heights: &thinned, response: response.as_ref(), ..*pressing };
         let follow = |steps: u32| {
             let mut series = Series::new(plan, pressing, Depth::Outline, steps);
-            series.pixels().has_past().then(|| series.follow(&|_| ()))
+            series.has_past().then(|| series.follow(&|_| ()))
         };
         let first = Self { records: follow(1)?, steps: 1, of_time: None };
         Some(if plan.relaxation.is_some() { first.refined(plan, follow) } else { first })
@@ -55,15 +54,17 @@ impl Rehearsed {
     }
 
     /// The error of the records on all of the pixels.
-    pub(super) fn estimate(&self, records: &[Record], heights: &Heights) -> ErrorEstimate {
+    pub(super) fn estimate(&self, plan: &HalfSpacePlan, records: &[Record], heights: &Heights) -> ErrorEstimate {
         let (rows, columns) = heights.values.dim();
+        // The radius under Hertz' pressures is not counted in pixels.
+        let hertzian = plan.friction.is_some() && plan.ground.is_none();
         match &self.records {
             Ok(coarse) => {
                 let of_pixels = apart(coarse, records);
                 let of_time = self.of_time.unwrap_or(0.0);
                 let in_words =
                     self.of_time.map_or_else(String::new, |of| format!("; the steps of the time leave {of:.0e}"));
-                let of_edge = of_edge(records, heights.pixel);
+                let of_edge = if hertzian { 0.0 } else { of_edge(records, heights.pixel) };
                 let edge = if of_edge > 0.0 {
                     format!("; the edge lies within half a pixel, {of_edge:.1e} of the radius")
                 } else {
@@ -88,19 +89,20 @@ fn of_edge(records: &[Record], pixel: [f64; 2]) -> f64 {
     if radius > 0.0 { 0.5 * pixel[0].max(pixel[1]) / radius } else { 0.0 }
 }
 
-/// How far two histories are apart at the times that both have, in force and in indentation, of the largest of each.
+/// How far two histories are apart at the times that both have, in forces and in indentation, of the largest of each.
 fn apart(one: &[Record], other: &[Record]) -> f64 {
-    let of = |value: fn(&Normal) -> Option<f64>| {
+    let of = |value: fn(&Record) -> Option<f64>| {
         let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
         for (one, other) in shared(one, other) {
-            if let (Some(one), Some(other)) = (value(&one.normal), value(&other.normal)) {
+            if let (Some(one), Some(other)) = (value(one), value(other)) {
                 apart = apart.max((one - other).abs());
                 largest = largest.max(one.abs()).max(other.abs());
             }
         }
         if largest > 0.0 { apart / largest } else { 0.0 }
     };
-    of(|normal| Some(normal.force)).max(of(|normal| normal.indentation))
+    let normal = of(|record| Some(record.normal.force)).max(of(|record| record.normal.indentation));
+    normal.max(of(Record::tangential_force))
 }
 
 /// Records of the same instants.

@@ -4,6 +4,7 @@ use super::distribution::Distribution;
 use super::ledger::{Entry, Ledger};
 use super::pixels::Pixels;
 use super::pressed::Pressed;
+use super::rubbing::{Rubbed, Rubbing, Sheared, Stroke};
 use super::state::{Pressing, State, of_disc};
 use super::way::Way;
 use crate::contact::adhesion::equilibrium::Control;
@@ -35,6 +36,11 @@ pub(super) struct Series<'p> {
     known: HashMap<(bool, u64), State>,
     pixels: Pixels<'p>,
     ledger: Ledger,
+    rubbing: Option<Rubbing<'p>>,
+    /// Where the body has slid [m].
+    slide: f64,
+    /// The largest force along the surface [N], with the shear under it.
+    sheared: Option<(f64, Sheared)>,
     /// The largest force of all, or area under an attraction, with what was prescribed.
     pub(super) largest: Option<(Prescribed, Pressed)>,
     pub(super) states: Vec<State>,
@@ -68,7 +74,40 @@ impl<'p> Series<'p> {
     pub(super) fn new(plan: &'p HalfSpacePlan, pressing: Pressing<'p>, depth: Depth, steps: u32) -> Self {
         let (known, states, distributions) = (HashMap::new(), Vec::new(), Vec::new());
         let (pixels, ledger) = (Pixels::new(plan, pressing), Ledger::default());
-        Self { plan, pressing, depth, steps, known, pixels, ledger, largest: None, states, distributions }
+        let (rubbing, slide, sheared) = (Rubbing::of(plan, pressing), 0.0, None);
+        Self {
+            plan,
+            pressing,
+            depth,
+            steps,
+            known,
+            pixels,
+            ledger,
+            rubbing,
+            slide,
+            sheared,
+            largest: None,
+            states,
+            distributions,
+        }
+    }
+
+    /// Whether a state tells more than what is prescribed at it.
+    pub(super) fn has_past(&self) -> bool {
+        self.pixels.has_past() || self.rubbing.is_some()
+    }
+
+    /// Bytes of what is kept from state to state.
+    pub(super) fn bytes(&self) -> usize {
+        self.pixels.bytes() + self.rubbing.as_ref().map_or(0, Rubbing::bytes)
+    }
+
+    /// Pressures and shear under the largest force along the surface, if there is one.
+    pub(super) fn rubbed(&self) -> Result<Option<Rubbed>, HalfSpaceError> {
+        match (&self.rubbing, &self.sheared) {
+            (Some(rubbing), Some((_, sheared))) => rubbing.shown(sheared),
+            _ => Ok(None),
+        }
     }
 
     pub(super) fn pixels(&self) -> &Pixels<'p> {
@@ -81,6 +120,7 @@ impl<'p> Series<'p> {
         let (mut records, mut control) = (Vec::new(), Control::Indentation);
         let (mut time, mut behind, mut asked) = (0.0, 0.0, None);
         let first = self.touched()?;
+        let first = self.rub(0, first, Stroke::NONE)?;
         self.push(&mut records, (0, 0.0), first);
         for stage in &self.plan.stages {
             control = stage.control.unwrap_or(control);
@@ -90,7 +130,7 @@ impl<'p> Series<'p> {
                 time = self.pull_off(&mut records, (stage, speed), (time, way.from))?;
                 continue;
             }
-            let mut reached = 0.0;
+            let (mut reached, from) = (0.0, self.slide);
             for part in stage.parts() {
                 let goal = |part: f64, over| Goal { control, value: way.at(part), over, entry: stage.entry };
                 let steps = f64::from(self.steps);
@@ -99,6 +139,13 @@ impl<'p> Series<'p> {
                     self.pass(goal(between, (part - reached) * way.over / steps))?;
                 }
                 let state = self.at(goal(part, (part - reached) * way.over / steps))?;
+                let stroke = Stroke {
+                    control,
+                    values: [way.at(reached), way.at(part)],
+                    slide: [self.slide, stage.tangential.at(from, part, way.over)],
+                    over: (part - reached) * way.over,
+                };
+                let state = self.rub(stage.entry, state, stroke)?;
                 asked = (control == Control::Force && state.parted).then(|| way.at(part));
                 reached = part;
                 self.push(&mut records, (stage.entry, time + part * way.over), state);
@@ -147,6 +194,20 @@ impl<'p> Series<'p> {
         Ok(time)
     }
 
+    /// What holds the body back along the surface in a state, and what has led there.
+    fn rub(&mut self, entry: usize, mut state: State, stroke: Stroke) -> Result<State, SimulationError> {
+        let Some(rubbing) = &mut self.rubbing else { return Ok(state) };
+        let refused = |why| SimulationError::Refused(format!("history[{entry}]: {why}"));
+        let tangential = rubbing.follow(stroke, &state, &self.pressing).map_err(refused)?;
+        self.slide = stroke.slide[1];
+        state.tangential = Some(tangential);
+        let force = tangential.force.abs();
+        if self.depth == Depth::Whole && force > self.sheared.as_ref().map_or(0.0, |sheared| sheared.0) {
+            self.sheared = rubbing.sheared().map(|sheared| (force, sheared)).or(self.sheared.take());
+        }
+        Ok(state)
+    }
+
     fn push(&mut self, records: &mut Vec<Record>, (entry, time): (usize, f64), mut state: State) {
         if self.plan.surface().is_none() {
             // How wide the gap about a tip is in the mean is a matter of the window.
@@ -156,7 +217,7 @@ impl<'p> Series<'p> {
             entry,
             time,
             normal: state.normal,
-            tangential: None,
+            tangential: state.tangential,
             gliding: None,
             worn: None,
             machine: None,
@@ -189,9 +250,11 @@ impl<'p> Series<'p> {
         } else if value <= 0.0 {
             let depth = if control == Control::Force { 0.0 } else { value };
             let state = self.pressing.apart(depth);
+            self.rubbing.iter_mut().for_each(|rubbing| rubbing.press(None));
             return self.leaking(goal.entry, state, || self.pressing.open(depth));
         } else {
-            match self.known.get(&key(control, value)) {
+            let acts_on_pressures = self.rubbing.as_ref().is_some_and(|rubbing| !rubbing.is_partial());
+            match self.known.get(&key(control, value)).filter(|_| !acts_on_pressures) {
                 Some(state) => *state,
                 None => {
                     let state = self.solved(goal)?;
@@ -215,12 +278,13 @@ impl<'p> Series<'p> {
         let Some(pressed) = advanced else {
             return Ok(self.torn_off());
         };
-        let stiffness = match self.depth {
-            Depth::Whole => {
-                self.pressing.stiffness(&pressed.contact).map_err(|error| self.refused(goal.entry, &error))?
-            }
-            Depth::Outline => 0.0,
+        let partial = self.rubbing.as_ref().is_some_and(Rubbing::is_partial);
+        let stiffness = if self.depth == Depth::Whole || partial {
+            self.pressing.stiffness(&pressed.contact).map_err(|error| self.refused(goal.entry, &error))?
+        } else {
+            0.0
         };
+        self.rubbing.iter_mut().for_each(|rubbing| rubbing.press(Some(&pressed.contact)));
         let mut state = self.pressing.told(&pressed, stiffness);
         if self.pixels.attraction().is_some() {
             let normal = &mut state.normal;

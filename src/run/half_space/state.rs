@@ -3,7 +3,7 @@
 use super::heights::Heights;
 use super::pressed::Pressed;
 use super::settings;
-use crate::contact::state::Normal;
+use crate::contact::state::{Normal, Tangential};
 use crate::halfspace::{
     Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, SurfaceResponse, leak, pieces, solve,
     solve_on,
@@ -31,6 +31,8 @@ pub(super) struct State {
     pub(super) parted: bool,
     /// How far what leaks through every second pixel is from what does through all, of the larger.
     pub(super) leak_apart: f64,
+    /// What holds it back along the surface, if there is friction.
+    pub(super) tangential: Option<Tangential>,
 }
 
 /// A surface to be pressed.
@@ -41,6 +43,8 @@ pub(super) struct Pressing<'h> {
     pub(super) touch: f64,
     /// E* [Pa].
     pub(super) modulus: f64,
+    /// G* \[Pa\] along x, of the contact as far as it is drawn out.
+    pub(super) tangential: f64,
     pub(super) boundary: Boundary,
     pub(super) settings: Settings,
     /// What pressures do to a surface that is no half-space.
@@ -60,6 +64,7 @@ impl<'h> Pressing<'h> {
             heights,
             touch: heights.touch_of(&plan.indenter),
             modulus: plan.pair.normal,
+            tangential: plan.pair.tangential,
             boundary: plan.boundary,
             settings: settings(plan),
             response,
@@ -140,6 +145,7 @@ impl<'h> Pressing<'h> {
             full: false,
             parted: true,
             leak_apart: 0.0,
+            tangential: None,
         }
     }
 
@@ -188,6 +194,7 @@ impl<'h> Pressing<'h> {
             full,
             parted: pressed.parted(),
             leak_apart: 0.0,
+            tangential: None,
         }
     }
 

@@ -7,10 +7,11 @@ use super::steady::Glides;
 use crate::run::gliding;
 use crate::run::named::Named;
 use crate::run::record::Record;
-use crate::run::results::pull_off;
+use crate::run::results::{of_sliding, pull_off};
 use crate::run::rough::of_surface;
 use crate::run::unit::Unit;
-use crate::scene::law::ElasticAdhesion;
+use crate::run::warnings::dissimilar;
+use crate::scene::law::{ElasticAdhesion, PixelFriction};
 use crate::scene::plan::HalfSpacePlan;
 use crate::scene::surface::Source;
 use crate::shape::Boundary;
@@ -36,6 +37,9 @@ pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<
     if let Some(surface) = plan.surface() {
         let (squares, peak_to_valley) = of_surface(surface);
         results.extend(squares.into_iter().chain(peak_to_valley));
+    }
+    if let Some(friction) = &plan.friction {
+        results.extend(of_sliding(plan, records, matches!(friction, PixelFriction::Gross(_))));
     }
     if series.pixels().has_past() {
         results.extend(of_past(records).into_iter().flatten());
@@ -137,6 +141,7 @@ pub(super) fn warnings(
         ring(plan, heights, series),
         necks(states()),
         torn(series),
+        slipped(plan),
     ];
     found.into_iter().flatten().collect()
 }
@@ -166,6 +171,11 @@ fn border(plan: &HalfSpacePlan) -> Option<String> {
     let rough = plan.surface()?;
     let (Boundary::Free, None, Source::Map(_)) = (plan.boundary, plan.profile(), &rough.source) else { return None };
     Some("the map ends at its border, where its pressures rise as at the edge of a punch; boundary: Periodic lets it go on instead, with a step where its opposite sides do not meet".to_owned())
+}
+
+/// Stick and slip of bodies whose shear presses.
+fn slipped(plan: &HalfSpacePlan) -> Option<String> {
+    matches!(plan.friction, Some(PixelFriction::Partial { .. })).then(|| dissimilar(plan)).flatten()
 }
 
 /// A force beyond what the attraction bears.

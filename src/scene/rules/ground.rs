@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use crate::contact::adhesion::Range;
+use crate::friction::Slip;
 use crate::input::problem::Problem;
 use crate::material::Body;
 use crate::scene::mended::Look;
@@ -54,9 +55,13 @@ pub(super) fn under_shape(draft: &Draft<'_>) -> Option<Problem> {
     Some(Problem::new(place, what))
 }
 
-/// The stiffness along the surface is another one than across it, and not told.
+/// The stiffness along the surface is another one than across it, and not told; what slides as a whole asks for pressures
+/// alone, which pixels tell.
 pub(super) fn friction(draft: &Draft<'_>) -> Option<Problem> {
     let ((_, name), friction) = (uneven(draft)?, draft.friction(Look::Kind)?);
+    if friction.slip() == Slip::Gross && draft.on_pixels()? {
+        return None;
+    }
     let what = format!(
         "{} on a {name} body cannot be computed, for its stiffness along the surface is not in one ratio to that across it: expected no friction, or Elastic",
         friction.name()

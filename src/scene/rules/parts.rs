@@ -287,6 +287,11 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (friction, shape) = (draft.friction(Look::Kind)?, draft.shape()?);
     match (shape.family(), friction) {
         (Family::Line(_) | Family::Map(..), Friction::Coulomb(_)) => None,
+        (Family::Line(_) | Family::Map(..), Friction::CoulombOrowan(_) | Friction::Pressure(_))
+            if draft.on_pixels()? =>
+        {
+            None
+        }
         (
             Family::Line(_) | Family::Map(..),
             Friction::StaticKinetic(_) | Friction::RateState(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),

@@ -1,7 +1,8 @@
-//! The half-space solver against the other parts: it presses shapes on pixels, without friction.
+//! The half-space solver against the other parts: it presses shapes on pixels, and slides them as far as pressures tell.
 
 use super::draft::Draft;
 use crate::contact::adhesion::{AdhesionTraits, Range};
+use crate::friction::Friction;
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Glide};
 use crate::scene::mended::Look;
@@ -46,13 +47,37 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
     refused("adhesion", what)
 }
 
+/// On pixels friction is told by pressures alone.
 pub(super) fn friction(draft: &Draft<'_>) -> Option<Problem> {
     draft.half_space(Look::Kind)?;
-    let name = draft.friction(Look::Kind)?.name();
+    let friction = draft.friction(Look::Kind)?;
+    let name = friction.name();
+    let (of, why) = match friction {
+        Friction::StaticKinetic(_) | Friction::RateState(_) => (
+            "",
+            "it is followed in a machine, which pixels have none of: expected Coulomb(coefficient: …), or no solver",
+        ),
+        Friction::Coulomb(_) if draft.pair_relaxes()? => (
+            " of a Viscoelastic body",
+            "what stuck at one time has crept at another, so that differences of pressures no longer tell its shear: expected Elastic or Rigid bodies, or no solver",
+        ),
+        Friction::Pressure(_) if draft.adheres()? => (
+            " under adhesion",
+            "how shear weakens what pulls across the gap of each pixel is not known: expected no adhesion, or no solver",
+        ),
+        Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
+    };
+    refused("friction", format!("{name}{of} with the solver HalfSpace cannot be computed, for {why}"))
+}
+
+/// What rubs off changes the heights.
+pub(super) fn wear(draft: &Draft<'_>) -> Option<Problem> {
+    draft.half_space(Look::Kind)?;
+    let name = draft.wear()?;
     let what = format!(
-        "{name} with the solver HalfSpace cannot be computed, for its pixels carry no shear: expected no friction, or no solver"
+        "{name} with the solver HalfSpace cannot be computed, for wear is followed in rings of a round contact: expected no wear, or no solver"
     );
-    refused("friction", what)
+    refused("wear", what)
 }
 
 pub(super) fn springs(draft: &Draft<'_>) -> Option<Problem> {
@@ -72,13 +97,11 @@ pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Proble
         return None;
     } else if let Some((glide, _)) = entry.glide {
         return glides(draft, entry, glide);
-    } else if entry.slides() {
-        "its pixels carry no shear"
     } else {
         return None;
     };
     let what = format!(
-        "{} with the solver HalfSpace cannot be computed, for {why}: expected Indent, Press, Hold, HoldForce, Oscillate, Retract or a Table of depths or forces",
+        "{} with the solver HalfSpace cannot be computed, for {why}: expected Indent, Press, Hold, HoldForce, Oscillate, Retract, Slide, Shake or a Table",
         entry.name
     );
     Some(Problem::new(entry.place(), what))

@@ -8,7 +8,6 @@ use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::Plot;
 use crate::scene::mended::Look;
-use crate::scene::solver::HalfSpace;
 use crate::shape::Shape;
 
 /// Figures of what the scene lacks.
@@ -24,7 +23,7 @@ pub(super) fn not_drawn(draft: &Draft<'_>) -> Vec<Problem> {
 fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     let shape = draft.shape()?;
     if draft.chooses_solver()? {
-        return lacks_on_pixels(plot, shape, draft.half_space(Look::Whole)?);
+        return lacks_on_pixels(draft, plot, shape);
     }
     let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
     let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
@@ -137,12 +136,15 @@ fn lacks_of_plane(plot: Plot) -> Option<&'static str> {
 }
 
 /// What a contact on pixels lacks.
-fn lacks_on_pixels(plot: Plot, shape: &Shape, asked: &HalfSpace) -> Option<&'static str> {
+fn lacks_on_pixels(draft: &Draft<'_>, plot: Plot, shape: &Shape) -> Option<&'static str> {
+    let asked = draft.half_space(Look::Whole)?;
     match plot {
         Plot::Force | Plot::Energy | Plot::Area | Plot::Contact | Plot::Distribution => None,
         Plot::Radius if !shape.is_rough() => None,
         Plot::Leak if asked.leak.is_some() => None,
         Plot::Leak => Some("no fluid is in the gap: expected leak: (viscosity: …) in the solver"),
+        Plot::Friction | Plot::Stick | Plot::Shear if draft.rubs()? => None,
+        Plot::Friction | Plot::Stick | Plot::Shear => Some("the scene has no friction: expected a friction"),
         Plot::Radius
         | Plot::Pressure
         | Plot::Stress
@@ -151,9 +153,6 @@ fn lacks_on_pixels(plot: Plot, shape: &Shape, asked: &HalfSpace) -> Option<&'sta
         | Plot::Surface
         | Plot::Shape
         | Plot::Moduli
-        | Plot::Friction
-        | Plot::Stick
-        | Plot::Shear
         | Plot::Fretting
         | Plot::Wear
         | Plot::Coefficient

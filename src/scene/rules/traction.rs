@@ -97,7 +97,10 @@ pub(super) fn with_wear(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pr
 pub(super) fn on_pixels(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     entry.traction()?;
     draft.on_pixels()?.then_some(())?;
-    refused(entry, "and the solver HalfSpace cannot be computed, for its pixels carry no shear: expected no solver")
+    refused(
+        entry,
+        "and the solver HalfSpace cannot be computed, for what creeps through a rolling contact is followed on lines of springs: expected no solver",
+    )
 }
 
 /// Steady rolling forgets what was slid before, and the path of a slide is not that of the rolling.

@@ -46,12 +46,16 @@ pub fn loops(plan: &Plan, records: &[Record]) -> Panel {
 /// the slip annulus.
 pub fn stick(plan: &Plan, records: &[Record]) -> Panel {
     let width = if plan.scene.shape.is_plane() { "half width" } else { "radius" };
-    let slides = |record: &Record| record.tangential.is_some_and(|state| state.slide.abs() > 0.0);
-    let first = records.iter().position(slides).map_or(0, |first| first.saturating_sub(1));
-    let of = |column| of_records(&records[first..], &TIME, column);
+    let of = |column| of_records(from_first_slide(records), &TIME, column);
     Panel::new(axis_of(&TIME), Axis::linear(width, "m").from(0.0))
         .with(Series::new("contact a", of(&CONTACT_RADIUS)))
         .with(Series::new("stick c", of(&STICK_RADIUS)))
+}
+
+/// The records from the last one before the first slide on.
+pub fn from_first_slide(records: &[Record]) -> &[Record] {
+    let slides = |record: &Record| record.tangential.is_some_and(|state| state.slide.abs() > 0.0);
+    &records[records.iter().position(slides).map_or(0, |first| first.saturating_sub(1))..]
 }
 
 /// Shear stress over the radius at the ends of the last entries, with the limit the pressure sets.

@@ -1,13 +1,15 @@
 //! A contact on pixels: its area over the force, the map of its pressure, how often pressures and gaps occur.
 
 use super::curve::{axis_of, of_records};
+use super::friction::from_first_slide;
 use super::gliding;
+use super::slides;
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Cells, Hue, Line, Panel, Points, Series};
-use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, TIME};
+use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, STICK_AREA, TIME};
 use crate::run::table::Table;
 use crate::scene::Plot;
-use crate::scene::law::ElasticAdhesion;
+use crate::scene::law::{ElasticAdhesion, PixelFriction};
 use crate::scene::plan::HalfSpacePlan;
 use ndarray::{Array2, s};
 
@@ -23,6 +25,12 @@ pub fn suiting(plan: &HalfSpacePlan, outcome: &Outcome) -> Vec<Plot> {
     let rough = plan.surface().map(|_| Plot::Distribution);
     let leak = plan.leak.map(|_| Plot::Leak);
     let glides = plan.travel.iter().flat_map(gliding::suiting);
+    let sheared = outcome.map.as_ref().and_then(|map| map.shear.as_ref());
+    if slides(outcome) {
+        let stick = matches!(plan.friction, Some(PixelFriction::Partial { .. })).then_some(Plot::Stick);
+        let shear = sheared.map(|_| Plot::Shear);
+        return [Plot::Friction].into_iter().chain(stick).chain(map).chain(shear).collect();
+    }
     glides.chain([Plot::Force, Plot::Area]).chain(leak).chain(map).chain(rough).collect()
 }
 
@@ -56,11 +64,35 @@ pub fn area(plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
     Panel::new(axis, axis_of(&AREA).from(0.0)).with(series)
 }
 
+/// Area of the contact and of what sticks of it over time from the first slide on.
+pub fn stick(records: &[Record]) -> Panel {
+    let of = |column| of_records(from_first_slide(records), &TIME, column);
+    Panel::new(axis_of(&TIME), Axis::linear("area", "m²").from(0.0))
+        .with(Series::new("contact A", of(&AREA)))
+        .with(Series::new("stick", of(&STICK_AREA)))
+}
+
 /// The pressure where the bodies touch, with the outline of the contact.
 pub fn contact(outcome: &Outcome) -> Option<Panel> {
     let map = outcome.map.as_ref()?;
-    let shown = Shown::of(map);
-    let (rows, columns) = shown.pressure.dim();
+    let pressure = Axis::linear("pressure p", "Pa");
+    let pulls = map.pressure.iter().any(|&pressure| pressure < 0.0);
+    let axis = if pulls { pressure } else { pressure.from(0.0) };
+    Some(drawn(map, &Shown::of(map, &map.pressure), axis))
+}
+
+/// The shear stress where the bodies touch, with the outline of the contact.
+pub fn shear(outcome: &Outcome) -> Option<Panel> {
+    let map = outcome.map.as_ref()?;
+    let shown = Shown::of(map, map.shear.as_ref()?);
+    let stress =
+        Array2::from_shape_fn(shown.stress.dim(), |at| if shown.touching[at] { shown.stress[at] } else { 0.0 });
+    Some(drawn(map, &Shown { stress, ..shown }, Axis::linear("shear stress τ", "Pa")))
+}
+
+/// A stress on pixels, with the outline of the contact.
+fn drawn(map: &ContactMap, shown: &Shown, axis: Axis) -> Panel {
+    let (rows, columns) = shown.stress.dim();
     let place = |index: usize, count: usize, side: f64| (index as f64 + 0.5 - 0.5 * count as f64) * side;
     let cells = Cells {
         x: (0..columns).map(|column| place(column, columns, shown.side[0])).collect(),
@@ -69,11 +101,7 @@ pub fn contact(outcome: &Outcome) -> Option<Panel> {
             .flat_map(|column| (0..rows).map(move |row| (row, column)))
             .map(|at| shown.value(at))
             .collect(),
-        of: if map.pressure.iter().any(|&pressure| pressure < 0.0) {
-            Axis::linear("pressure p", "Pa")
-        } else {
-            Axis::linear("pressure p", "Pa").from(0.0)
-        },
+        of: axis,
     };
     let panel = Panel::new(Axis::linear("x", "m"), Axis::linear("y", "m"))
         .titled(format!("contact under {}", with_prefix(map.force, "N")))
@@ -81,13 +109,13 @@ pub fn contact(outcome: &Outcome) -> Option<Panel> {
         .cells(cells)
         .with(Series::new("", shown.outline()).colour(Hue::Black).line(Line::Solid));
     let coarser = (shown.block > 1).then(|| format!("A cell is {0} × {0} pixels.", shown.block));
-    Some(coarser.into_iter().fold(panel, Panel::note))
+    coarser.into_iter().fold(panel, Panel::note)
 }
 
 /// A map of few enough cells to be drawn.
 struct Shown {
-    /// Mean pressure [Pa]; zero where less than half of a cell touches and nothing pulls.
-    pressure: Array2<f64>,
+    /// Mean stress [Pa]; zero where less than half of a cell touches and nothing pulls.
+    stress: Array2<f64>,
     /// Whether half of a cell touches.
     touching: Array2<bool>,
     /// Width and height of a cell [m].
@@ -97,8 +125,8 @@ struct Shown {
 }
 
 impl Shown {
-    fn of(map: &ContactMap) -> Self {
-        let (rows, columns) = map.pressure.dim();
+    fn of(map: &ContactMap, stress: &Array2<f64>) -> Self {
+        let (rows, columns) = stress.dim();
         let block = rows.max(columns).div_ceil(SHOWN);
         let inside = |(row, column): (usize, usize)| {
             let (top, left) = (row * block, column * block);
@@ -109,15 +137,15 @@ impl Shown {
             let gap = map.gap.slice(inside(at));
             2 * gap.iter().filter(|&&gap| gap <= 0.0).count() >= gap.len()
         });
-        let pressure = Array2::from_shape_fn(cells, |at| {
-            let mean = map.pressure.slice(inside(at)).mean().unwrap_or(0.0);
+        let stress = Array2::from_shape_fn(cells, |at| {
+            let mean = stress.slice(inside(at)).mean().unwrap_or(0.0);
             if touching[at] { mean } else { mean.min(0.0) }
         });
-        Self { pressure, touching, side: map.pixel.map(|side| side * block as f64), block }
+        Self { stress, touching, side: map.pixel.map(|side| side * block as f64), block }
     }
 
     fn value(&self, at: (usize, usize)) -> Option<f64> {
-        Some(self.pressure[at]).filter(|&pressure| self.touching[at] || pressure < 0.0)
+        Some(self.stress[at]).filter(|&stress| self.touching[at] || stress < 0.0)
     }
 
     /// Whether a cell touches; beyond the border nothing does.
@@ -127,7 +155,7 @@ impl Shown {
 
     /// Sides between cells that touch and cells that do not, neighbours in a line as one.
     fn outline(&self) -> Points {
-        let (rows, columns) = self.pressure.dim();
+        let (rows, columns) = self.stress.dim();
         let mut points = Points::new();
         let x = |column: usize| (column as f64 - 0.5 * columns as f64) * self.side[0];
         let y = |row: usize| (row as f64 - 0.5 * rows as f64) * self.side[1];
@@ -192,13 +220,17 @@ mod tests {
         let at = |(row, column): (usize, usize)| if touching(row, column) { 2.0 } else { 0.0 };
         let pressure = Array2::from_shape_fn((side, side), at);
         let gap = pressure.mapv(|pressure| if pressure > 0.0 { 0.0 } else { 1.0 });
-        ContactMap { gap, pressure, pixel: [1.0; 2], boundary: Boundary::Free, force: 1.0 }
+        ContactMap { gap, pressure, shear: None, pixel: [1.0; 2], boundary: Boundary::Free, force: 1.0 }
+    }
+
+    fn shown(map: &ContactMap) -> Shown {
+        Shown::of(map, &map.pressure)
     }
 
     /// Two pixels beside each other have six sides in four lines, one of them at the border.
     #[test]
     fn the_outline_goes_round_the_contact() {
-        let shown = Shown::of(&map(4, |row, column| row == 0 && column < 2));
+        let shown = shown(&map(4, |row, column| row == 0 && column < 2));
         let points = shown.outline();
         assert_eq!(points.iter().filter(|point| point.is_none()).count(), 4);
         assert!(points.contains(&Some((-2.0, -2.0))) && points.contains(&Some((0.0, -1.0))));
@@ -206,8 +238,8 @@ mod tests {
 
     #[test]
     fn a_large_map_is_drawn_in_cells() {
-        let shown = Shown::of(&map(2 * SHOWN, |row, _| row < 3));
-        assert_eq!((shown.block, shown.pressure.dim()), (2, (SHOWN, SHOWN)));
+        let shown = shown(&map(2 * SHOWN, |row, _| row < 3));
+        assert_eq!((shown.block, shown.stress.dim()), (2, (SHOWN, SHOWN)));
         // Half of the second row of cells touches.
         assert_eq!((shown.value((0, 5)), shown.value((1, 5)), shown.value((2, 5))), (Some(2.0), Some(1.0), None));
     }
