@@ -1,10 +1,10 @@
-//! What histories on pixels cost: a Maxwell body under a dead load, an adhesive ball, a ball that yields; each as a scene,
+//! What histories on pixels cost: a Maxwell body under a dead load, an adhesive ball, a ball that yields, one in partial slip; each as a scene,
 //! from its text to its last record. `cargo run --release -p benches --example pixels_with_a_past -- 128`.
 
 use springbed::prelude::*;
 use std::time::Instant;
 
-const SCENES: [(&str, &str, usize); 3] = [
+const SCENES: [(&str, &str, usize); 4] = [
     (
         "Maxwell creep, 100 records",
         "bodies: (Viscoelastic(poisson: 0.5, shear: (terms: [(modulus: 1, time: 1)])), Rigid), accuracy: 1e-4, \
@@ -22,6 +22,12 @@ const SCENES: [(&str, &str, usize); 3] = [
         "bodies: (Plastic(young: 0.75, poisson: 0.5, hardness: 0.03), Rigid), \
          history: [Indent(to: 0.01, over: 1), Indent(to: 0, over: 1)], steps: 10,",
         20,
+    ),
+    (
+        "a ball slid to and fro, 60 records of partial slip",
+        "bodies: (Elastic(young: 0.75, poisson: 0.5), Rigid), friction: Coulomb(coefficient: 0.5), \
+         history: [Indent(to: 0.01, over: 1), Slide(to: 0.004, over: 1), Slide(to: -0.004, over: 1), Slide(to: 0.004, over: 1)], steps: 20,",
+        60,
     ),
 ];
 

@@ -2,6 +2,7 @@
 //! that elastic bodies obey, and what is said where the answer leaves its meaning.
 
 use ndarray::Array2;
+use springbed::check::theory::{NominallyFlat, area_fraction};
 use springbed::halfspace::{Boundary, Prescribed, PressedMap, Settings, Start, solve};
 use springbed::prelude::*;
 use springbed::run::named::Finding;
@@ -350,4 +351,32 @@ fn tips_lift_each_other_off() {
     assert!(bed.contains("each tip lifts the others off"), "{bed}");
     let none = planned(&pressed("Tips([])", "Indent(to: 0.01, over: 1)", more), &InMemory::default()).unwrap_err();
     assert!(none.contains("has no tip"), "{none}");
+}
+
+/// Persson's area beside that of the pixels, on a flat, elastic, without adhesion, and of nothing else; the pixels find a
+/// quarter to a half more at small loads.
+#[test]
+fn theories_stand_beside_what_they_are_made_for() {
+    let rough = "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 1e-2, long: 1, short: 0.1), length: 1, points: 64)";
+    let flat = |shape: &str, more: &str| {
+        let text = pressed(shape, "Press(to: 5e-3, over: 1)", &format!("steps: 1, {more}"));
+        let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        (NominallyFlat::of(&plan), plan)
+    };
+    let (theory, plan) = flat(rough, "solver: HalfSpace(grid: 64)");
+    let theory = theory.unwrap();
+    let found = last(&run(&plan, FIELDS).unwrap()).pixels.unwrap().area_fraction;
+    let slope = plan.surface().unwrap().roughness().rms_slope;
+    assert!((theory.persson(5e-3) / area_fraction(5e-3, 1.0, slope) - 1.0).abs() < 1e-14);
+    assert!(found / theory.persson(5e-3) > 1.0 && found / theory.persson(5e-3) < 1.6, "{found} {theory:?}");
+    let summits = theory.greenwood_williamson(5e-3).unwrap();
+    assert!(summits > 0.0 && summits < found, "{summits}");
+    let (bed, _) = flat(rough, "");
+    assert_eq!(bed, Some(theory));
+    for (shape, more) in [
+        ("Paraboloid(radius: 1)", "solver: HalfSpace(grid: 64)"),
+        (rough, "solver: HalfSpace(grid: 64), adhesion: Maugis(work: 1e-4, stress: 0.1)"),
+    ] {
+        assert_eq!(flat(shape, more).0, None, "{shape} {more}");
+    }
 }

@@ -22,7 +22,7 @@ mod scaling;
 pub use crate::contact::plane::{
     Connection, GrossSliding, PlaneContact, WavyParabola, Westergaard, flat_punch_load, single_harmonic_load,
 };
-pub use beside::{in_words, of_roughness};
+pub use beside::{NominallyFlat, in_words, of_roughness};
 pub use exact_range::{ExactRange, exact_ranges};
 pub use greenwood_williamson::{GreenwoodWilliamson, SummitStatistics, gaussian_tail};
 pub use persson::{area_fraction, low_load_area_slope};

@@ -118,7 +118,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Distribution => pixels::distribution(outcome),
         Plot::Leak => pixels::leak(outcome).into_iter().collect(),
         Plot::Area => match plan {
-            Plan::HalfSpace(plan) => vec![pixels::area(plan, outcome)],
+            Plan::HalfSpace(pixels) => vec![pixels::area(plan, pixels, outcome)],
             Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => {
                 friction::area(plan, outcome).into_iter().collect()
             }

@@ -6,15 +6,19 @@ use super::gliding;
 use super::slides;
 use crate::app::export::with_prefix;
 use crate::app::figure::{Axis, Cells, Hue, Line, Panel, Points, Series};
+use crate::check::theory::NominallyFlat;
 use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, STICK_AREA, TIME};
 use crate::run::table::Table;
 use crate::scene::Plot;
 use crate::scene::law::{ElasticAdhesion, PixelFriction};
-use crate::scene::plan::HalfSpacePlan;
+use crate::scene::plan::{HalfSpacePlan, Plan};
 use ndarray::{Array2, s};
 
 /// Ratio of the largest conductance to the least from which on both are seen over decades only.
 const DECADE: f64 = 10.0;
+
+/// Pieces of the curve of a theory.
+const THEORY: u32 = 64;
 
 /// Most cells along a side of the map.
 const SHOWN: usize = 128;
@@ -52,7 +56,7 @@ pub fn leak(outcome: &Outcome) -> Option<Panel> {
 }
 
 /// Area of contact over the force; over the time where bodies remember, over the depth where they attract each other.
-pub fn area(plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
+pub fn area(scene: &Plan, plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
     let (across, axis) = match (&plan.relaxation, plan.attraction) {
         (Some(_), _) => (TIME, axis_of(&TIME).from(0.0)),
         (None, ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. }) => {
@@ -60,8 +64,28 @@ pub fn area(plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
         }
         (None, ElasticAdhesion::None) => (FORCE, axis_of(&FORCE).from(0.0)),
     };
-    let series = Series::new("", of_records(&outcome.records, &across, &AREA));
-    Panel::new(axis, axis_of(&AREA).from(0.0)).with(series)
+    let points = of_records(&outcome.records, &across, &AREA);
+    let panel = Panel::new(axis, axis_of(&AREA).from(0.0));
+    match NominallyFlat::of(scene) {
+        Some(flat) => {
+            theories(flat, outcome).into_iter().fold(panel.with(Series::new("computed", points)), Panel::with)
+        }
+        None => panel.with(Series::new("", points)),
+    }
+}
+
+/// What theories of the real contact say up to the largest force.
+fn theories(flat: NominallyFlat, outcome: &Outcome) -> [Series; 2] {
+    let most = outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::max);
+    let over = |share: &dyn Fn(f64) -> Option<f64>| -> Points {
+        let forces = (0..=THEORY).map(|k| most * f64::from(k) / f64::from(THEORY));
+        forces.map(|force| Some((force, flat.area() * share(force)?))).collect()
+    };
+    let summits = |force: f64| if force > 0.0 { flat.greenwood_williamson(force) } else { Some(0.0) };
+    [
+        Series::new("Persson", over(&|force| Some(flat.persson(force)))).line(Line::Dashed),
+        Series::new("Greenwood–Williamson", over(&summits)).line(Line::Dotted),
+    ]
 }
 
 /// Area of the contact and of what sticks of it over time from the first slide on.
