@@ -20,6 +20,8 @@ mod gliding;
 mod half_space;
 #[cfg(feature = "half-space")]
 mod half_space_past;
+#[cfg(feature = "half-space")]
+mod half_space_sliding;
 mod impact;
 mod ground;
 mod lying;
@@ -43,7 +45,7 @@ pub const USUAL: Case = extremes::EXPLICIT_EULER;
 #[must_use]
 pub fn all() -> Vec<Case> {
     #[cfg(feature = "half-space")]
-    let half_space = [half_space::CASES, half_space_past::CASES].concat();
+    let half_space = [half_space::CASES, half_space_sliding::CASES, half_space_past::CASES].concat();
     #[cfg(not(feature = "half-space"))]
     let half_space: Vec<Case> = Vec::new();
     let held = [
