@@ -182,6 +182,11 @@ pub trait ContactModel: Send {
     /// Present state of the normal contact.
     fn state(&self) -> Normal;
 
+    /// Present indentation [m]; `None` where the state has none.
+    fn indentation(&self) -> Option<f64> {
+        self.state().indentation
+    }
+
     /// Whether the bodies touch or attract each other.
     fn joined(&self) -> bool;
 

@@ -125,7 +125,7 @@ const TOUCH: f64 = 1e-9;
 impl ForceDrive {
     /// A ramp that lasts `end` [s], along the exact creep of a contact that has only grown so far.
     ///
-    /// Bodies that a pull has parted stay where they are until it ends.
+    /// Bodies that a pull has parted stay where they are until it ends, and their springs recover.
     #[must_use]
     pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>, parted: bool) -> Self {
         Self { ramp, creep, end, now: 0.0, step: end, parted, pace: Pace::default() }
@@ -155,18 +155,16 @@ impl ForceDrive {
         self.parted
     }
 
-    /// The next piece, to be made by the caller; `None` at the end, and where the bodies part.
+    /// The next piece, to be made by the caller; `None` at the end, and where the bodies part. Once they have been let
+    /// go the next piece is a rest, in which springs recover, until the force pushes again or ends.
     ///
     /// # Errors
     /// The contact would outgrow the profile.
     pub fn next(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
-        if self.now <= 0.0 && self.parted {
-            let wait = if self.ramp.rate > 0.0 { -self.ramp.from / self.ramp.rate } else { f64::INFINITY };
-            self.parted = wait >= self.end;
-            self.now = wait.clamp(0.0, self.end);
-            if self.now > 0.0 {
-                return Ok(Some(Stretch { speed: 0.0, until: self.now }));
-            }
+        if self.parted
+            && let Some(rest) = self.wait()
+        {
+            return Ok(Some(rest));
         }
         while self.now < self.end && !self.parted {
             let last = self.end - self.now <= self.step * (1.0 + 1e-9);
@@ -195,6 +193,17 @@ impl ForceDrive {
             return Ok(Some(Stretch { speed, until }));
         }
         Ok(None)
+    }
+
+    /// The rest of bodies apart, until the force pushes them together or ends; `None` where there is nothing to wait for.
+    fn wait(&mut self) -> Option<Stretch> {
+        let pushes = if self.ramp.rate > 0.0 { -self.ramp.from / self.ramp.rate } else { f64::INFINITY };
+        let until = pushes.min(self.end);
+        (self.parted, self.step, self.pace) = (pushes >= self.end, self.end, Pace::default());
+        (until > self.now).then(|| {
+            self.now = until;
+            Stretch { speed: 0.0, until }
+        })
     }
 
     /// The one piece of a force that jumps, to be made by the caller: what lies between takes no time. `None` where
@@ -316,7 +325,7 @@ pub(super) fn balanced(contact: &dyn ContactModel) -> f64 {
 
 /// Depth [m] of a contact.
 pub(super) fn depth_of(contact: &dyn ContactModel) -> f64 {
-    contact.state().indentation.unwrap_or(0.0)
+    contact.indentation().unwrap_or(0.0)
 }
 
 /// The piece at the speed `speed` [m/s] that lasts `duration` [s] from the present on.

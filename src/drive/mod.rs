@@ -127,8 +127,16 @@ struct Leg {
     begin: f64,
     end: f64,
     watch: Option<Watch>,
-    /// Energy stored and lost at its beginning [J], if a force is prescribed.
-    accounted: Option<f64>,
+    /// What a contact under a prescribed force has at its beginning.
+    outset: Option<Outset>,
+}
+
+/// A contact at the beginning of a leg.
+#[derive(Debug, Clone, Copy)]
+struct Outset {
+    /// Energy stored and lost [J].
+    accounted: f64,
+    joined: bool,
 }
 
 impl Leg {
@@ -262,7 +270,8 @@ impl Driver {
     fn stretched(&self, contact: &dyn ContactModel, Stretch { speed, until }: Stretch) -> Leg {
         let (from, begin) = (depth_of(contact), self.stage.now);
         let to = from + speed * (until - begin);
-        Leg { from, to, speed, begin, end: until, watch: None, accounted: Some(accounted(contact)) }
+        let outset = Outset { accounted: accounted(contact), joined: contact.joined() };
+        Leg { from, to, speed, begin, end: until, watch: None, outset: Some(outset) }
     }
 
     /// What is prescribed at the part `part` of the stage: depth [m] or force [N].
@@ -333,6 +342,28 @@ impl Driver {
         until: f64,
         occurrences: &mut Vec<Occurrence>,
     ) -> Result<(), ContactError> {
+        loop {
+            self.walk_legs(contact, until, occurrences)?;
+            self.parted &= !contact.joined();
+            let Remainder::Force(force) = &self.stage.remainder else { break };
+            if self.parted || !force.parted() {
+                break;
+            }
+            occurrences.push(self.let_go(contact, force.now()));
+            self.parted = true;
+            // What is left of the stage passes for them all the same.
+            self.stage.leg = self.next_leg(contact)?;
+        }
+        Ok(())
+    }
+
+    /// Through the legs up to the time `until` [s], as long as the bodies are not to be let go.
+    fn walk_legs(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        until: f64,
+        occurrences: &mut Vec<Occurrence>,
+    ) -> Result<(), ContactError> {
         while let Some(mut leg) = self.stage.leg.take() {
             let stop = until.min(leg.end);
             self.walk_leg(contact, &mut leg, stop, occurrences)?;
@@ -344,24 +375,16 @@ impl Driver {
             self.note_jump(contact, &leg);
             self.stage.leg = self.next_leg(contact)?;
         }
-        if let Remainder::Force(force) = &self.stage.remainder
-            && force.parted()
-            && !self.parted
-        {
-            occurrences.push(self.let_go(contact, force.now()));
-            self.parted = true;
-        }
-        self.parted &= !contact.joined();
         Ok(())
     }
 
     /// What the prescribed force has done on a leg that is over beyond what the contact took, if the contact jumped: it
-    /// had another force on the way.
+    /// had another force on the way. Bodies that come together have met at no force, and their way until then is none.
     fn note_jump(&mut self, contact: &dyn ContactModel, leg: &Leg) {
-        let (Some(before), Remainder::Force(force)) = (leg.accounted, &self.stage.remainder) else { return };
+        let (Some(outset), Remainder::Force(force)) = (leg.outset, &self.stage.remainder) else { return };
         let mean = 0.5 * (force.prescribed(leg.begin) + force.prescribed(leg.end));
-        let way = leg.to - leg.from;
-        let lost = mean * way - (accounted(contact) - before);
+        let way = if outset.joined { leg.to - leg.from } else { 0.0 };
+        let lost = mean * way - (accounted(contact) - outset.accounted);
         if lost > JUMP * self.accuracy * self.largest.max(balanced(contact)) * way.abs() {
             self.lost += lost;
         }
@@ -455,7 +478,7 @@ impl Driver {
             },
         };
         let speed = (to - depth) / (end - begin);
-        let mut leg = Leg { from: depth, to, speed, begin, end, watch: None, accounted: None };
+        let mut leg = Leg { from: depth, to, speed, begin, end, watch: None, outset: None };
         leg.watch = self.watch(contact, &leg)?;
         Ok(Some(leg))
     }
@@ -483,12 +506,15 @@ impl Driver {
         Ok(Some(watch))
     }
 
-    /// The bodies part under a pull, which acts until they do, and the indenter is taken away.
+    /// The bodies part under a pull, and the indenter is taken away: the pull acts until they do, and until it has done
+    /// what springs that give at once do not give of the work of adhesion. The rest of its work is lost.
     fn let_go(&mut self, contact: &mut dyn ContactModel, time: f64) -> Occurrence {
         let (before, had) = (self.state(contact), accounted(contact));
-        if let (Some(last), Some(depth)) = (contact.leave(), before.indentation) {
-            self.lost += (before.force * (last - depth) - (accounted(contact) - had)).max(0.0);
-        }
+        let last = contact.leave();
+        let way = last.zip(before.indentation).map_or(0.0, |(last, depth)| last - depth);
+        let spare = before.force * way - (accounted(contact) - had);
+        let owed = before.dissipated - self.state(contact).dissipated;
+        self.lost += spare.max(owed).max(0.0);
         let after = Normal { indentation: None, ..self.state(contact) };
         Occurrence { time, before, after, tangential: contact.tangential() }
     }
@@ -578,6 +604,9 @@ fn prescribed(state: &Normal, control: Control) -> f64 {
         Control::Force => state.force,
     }
 }
+
+#[cfg(test)]
+mod parting_tests;
 
 #[cfg(test)]
 mod tests {

@@ -6,11 +6,13 @@ use crate::run::record::{MachineState, Outcome, Record};
 /// What the trapezoidal rule between records may miss of the work.
 const TRAPEZOIDS: f64 = 2e-3;
 
-/// Work by the trapezoidal rule between records, against what is stored and lost; nothing lost is found again unless the
-/// contact `finds` it.
+/// Work by the trapezoidal rule between records, against what is stored and lost; nothing lost is found again but by an
+/// edge that `finds` it, and never as a pull tears the bodies apart.
 pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String> {
     let energy = Largest::of(whole).energy;
-    if let Some(why) = regained(whole, exact * energy).filter(|_| !finds) {
+    let tears = |one: &Record, two: &Record| one.normal.indentation.is_some() && two.normal.indentation.is_none();
+    let counts = |one: &Record, two: &Record| !finds || tears(one, two);
+    if let Some(why) = regained(whole, exact * energy, counts) {
         return Some(why);
     }
     let (first, last) = (whole.records.first()?, whole.records.last()?);
@@ -21,10 +23,11 @@ pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String>
     (off > bound || off.is_nan()).then(|| format!("the ledger is open by {:e} of the energies", off / energy))
 }
 
-/// Where dissipation falls by more than `bound` [J].
-fn regained(whole: &Outcome, bound: f64) -> Option<String> {
+/// Where dissipation falls by more than `bound` [J] between two records that count.
+fn regained(whole: &Outcome, bound: f64, counts: impl Fn(&Record, &Record) -> bool) -> Option<String> {
     let lost = |record: &Record| record.normal.dissipated;
-    let back = whole.records.windows(2).map(|pair| lost(&pair[0]) - lost(&pair[1])).fold(0.0, f64::max);
+    let pairs = whole.records.windows(2).filter(|pair| counts(&pair[0], &pair[1]));
+    let back = pairs.map(|pair| lost(&pair[0]) - lost(&pair[1])).fold(0.0, f64::max);
     (back > bound).then(|| format!("dissipation falls by {:e} of the energies", back / Largest::of(whole).energy))
 }
 

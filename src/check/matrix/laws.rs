@@ -156,8 +156,10 @@ impl Cell {
         (shape == "ball" && friction == "none" && rests).then_some(ball)
     }
 
-    /// Whether something lost may be found again: a spring that leaves an edge held by the relaxed modulus faster than
-    /// it relaxes has taken less than the work of adhesion.
+    /// Whether an edge may find again what was lost. A spring that leaves it at the load q = −√(2πaE∞w) moves by −q/E∞
+    /// alone, and its dashpots slip as far under the load S of its elements: where these still pull, S < 0, they give
+    /// back Sq/E∞ per length. The work of adhesion is w whatever S is, and a spring that was stretched faster than it
+    /// relaxes has taken less.
     fn finds_losses(&self) -> bool {
         let [_, bodies, adhesion, ..] = self.names();
         bodies.contains("viscoelastic") && ["JKR", "JKR, rate", "JKR, closing"].contains(&adhesion)

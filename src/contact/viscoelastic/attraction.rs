@@ -72,12 +72,6 @@ impl Attraction {
         Self { longest, ..self }
     }
 
-    /// What is left when the edge is let go at once.
-    #[must_use]
-    pub fn without_work(self) -> Self {
-        Self { work: 0.0, closing: 0.0, rate: None, ..self }
-    }
-
     /// Work of adhesion w [J/m²].
     #[must_use]
     pub fn work(&self) -> f64 {

@@ -82,6 +82,10 @@ impl ContactModel for ContinuousContact {
         }
     }
 
+    fn indentation(&self) -> Option<f64> {
+        Some(self.bed.indentation())
+    }
+
     fn joined(&self) -> bool {
         self.bed.radius() > 0.0
     }

@@ -192,8 +192,10 @@ impl Front<'_> {
     /// rounding: then it has ended.
     pub(super) fn is_spent(&self, way: Way, t: f64) -> bool {
         let pulls = self.attraction.is_some_and(|attraction| attraction.work() > 0.0);
-        let axis = self.candidate(way, 0.0);
-        way == Way::Opening && !pulls && axis.urge(self.spectrum, t) >= -axis.own_rounding(self.spectrum)
+        way == Way::Opening && !pulls && {
+            let axis = self.candidate(way, 0.0);
+            axis.urge(self.spectrum, t) >= -axis.own_rounding(self.spectrum)
+        }
     }
 
     /// Whether a phase leads anywhere.
@@ -345,10 +347,12 @@ impl Front<'_> {
             Way::Opening => border < x && to < border * (1.0 + BESIDE),
             Way::Closing => border > x && to > border * (1.0 - BESIDE),
         };
-        let next = match way {
-            Way::Opening => self.borders.iter().rev().copied().find(ahead),
-            Way::Closing => self.borders.iter().copied().find(ahead),
+        // The nearest that way, or none.
+        let nearest = match way {
+            Way::Opening => self.borders.partition_point(|&border| border < x).checked_sub(1),
+            Way::Closing => Some(self.borders.partition_point(|&border| border <= x)),
         };
+        let next = nearest.and_then(|k| self.borders.get(k).copied()).filter(ahead);
         let stop = |border: f64| {
             let (near, far) = match way {
                 Way::Opening => (border * (1.0 + BESIDE), border * (1.0 - BESIDE)),
@@ -362,7 +366,8 @@ impl Front<'_> {
 
     /// The border beside which `x` is, if it is beside one.
     fn border_at(&self, x: f64) -> Option<f64> {
-        self.borders.iter().copied().find(|&border| is_beside(x, border))
+        let first = self.borders.partition_point(|&border| border < x && !is_beside(x, border));
+        self.borders.get(first).copied().filter(|&border| is_beside(x, border))
     }
 
     /// Steps of a search: from fine to coarse, and fine again beyond a border.

@@ -284,6 +284,26 @@ pub(super) fn panels(
 }
 
 impl Panel {
+    /// Free springs of which nothing is known.
+    pub(super) fn unknown(spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
+        let (totals, states) = (Totals::new(spectrum), Arc::new([]));
+        let (memory, kept) = (Vec::new(), Vec::new());
+        Self { inner, outer, held: false, states, age: 0.0, memory, kept, totals, missed: 0.0, greatest: 0.0 }
+    }
+
+    /// Panels side by side, all held or all free, as one of which only the sums are known; `None` of none.
+    pub(super) fn sum_of(spectrum: &Spectrum, panels: &[Self]) -> Option<Self> {
+        let (first, last) = (panels.first()?, panels.last()?);
+        let mut sum = Self { held: first.held, ..Self::unknown(spectrum, first.inner, last.outer) };
+        panels.iter().for_each(|panel| sum.totals.join(&panel.totals));
+        Some(sum)
+    }
+
+    /// Whether its springs are not known one by one.
+    pub(super) fn is_sum(&self) -> bool {
+        self.states.is_empty()
+    }
+
     /// The spring at the distance `x` from the axis, now.
     pub(super) fn spring(&self, x: f64) -> Spring {
         let y = (2.0 * x - self.inner - self.outer) / (self.outer - self.inner);
@@ -319,7 +339,7 @@ impl Panel {
 
     /// One panel for two, if one polynomial tells both.
     pub(super) fn joined_with(&self, next: &Self, spectrum: &Spectrum, tolerance: f64) -> Option<Self> {
-        if self.held != next.held {
+        if self.held != next.held || self.is_sum() || next.is_sum() {
             return None;
         }
         let lived = |x: f64| Lived { spring: if x < next.inner { self } else { next }.spring(x), impulse: 0.0 };

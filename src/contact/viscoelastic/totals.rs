@@ -36,6 +36,15 @@ impl Totals {
         }
     }
 
+    /// Adds the sums over other springs.
+    pub(super) fn join(&mut self, others: &Self) {
+        let pairs =
+            [(&mut self.loads, &others.loads), (&mut self.squares, &others.squares), (&mut self.modes, &others.modes)];
+        for (sums, added) in pairs {
+            sums.iter_mut().zip(added).for_each(|(sum, more)| *sum += more);
+        }
+    }
+
     /// A motion at the speed `v` in which no spring is touched or released; `weight` = Σ w of the pressed.
     pub(super) fn evolve(&mut self, spectrum: &Spectrum, (weight, v): (f64, f64), duration: f64) {
         for (i, term) in spectrum.terms().iter().enumerate() {

@@ -6,6 +6,8 @@
 //! alike. The bed falls into panels in which the springs are smooth; the force is
 //! F = 2E∞ ∫₀^a (d − g) dx + Σ ∫ 2 sᵢ dx, the second part made with the panel and evolved like a spring from then on.
 
+#[cfg(test)]
+mod look_tests;
 mod phases;
 #[cfg(test)]
 mod tests;
@@ -21,6 +23,7 @@ use crate::contact::model::Straight;
 use crate::shape::Profile;
 use phases::Walk;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Bed without discretization in space or time.
 #[derive(Debug, Clone)]
@@ -37,7 +40,12 @@ pub struct Memory {
     work: f64,
     /// Whether work is counted: a look needs none.
     counts: bool,
+    /// Of a look that does not know all springs: whether it has asked for another one.
+    is_asked_too_much: Option<Arc<AtomicBool>>,
 }
+
+/// Panels on either side of the edge that a look at the bed knows one by one.
+const NEAR: usize = 24;
 
 impl Memory {
     /// A bed never touched, the indenter just above it.
@@ -55,6 +63,7 @@ impl Memory {
             time: 0.0,
             work: 0.0,
             counts: true,
+            is_asked_too_much: None,
         }
     }
 
@@ -89,7 +98,7 @@ impl Memory {
     pub fn advance(&mut self, speed: f64, duration: f64) -> Result<(), BedError> {
         let motion = Motion { start: self.depth, speed, duration };
         let mut walk = Walk::new(motion);
-        while walk.rest.duration > 0.0 {
+        while walk.rest.duration > 0.0 && !self.fails() {
             self.phase(&mut walk)?;
         }
         (self.depth, self.speed, self.time) = (motion.end(), speed, self.time + duration);
@@ -125,26 +134,20 @@ impl Memory {
         Ok(())
     }
 
-    /// Takes the indenter far away at once: the edge opens by its own law, and where it takes its time, or holds all the
-    /// way, by none. The depth [m] at which an edge that opens by its own law lets go.
+    /// Takes the indenter far away at once: in no time every element of a spring gives alike, whatever held it. The depth
+    /// [m] at which an edge that opens by its own law lets go; `None` where that takes its time, or holds all the way.
     pub fn leave(&mut self) -> Option<f64> {
         let reached = self.panels.last().map_or(0.0, |panel| panel.outer);
         let height = self.profile.reduced(if reached > 0.0 { reached } else { self.profile.scale() });
         let far = 4.0 * (self.depth.abs() + height);
         let instant = self.spectrum.instant();
-        let follows = self.attraction.as_ref().is_none_or(|attraction| !attraction.has_rate());
+        let has_rate = self.attraction.as_ref().is_some_and(Attraction::has_rate);
+        let follows = !has_rate && self.spectrum.viscosity() <= 0.0;
         // Upwards no profile ends.
         let parting = follows.then(|| self.parting(-far / instant, instant).ok().flatten()).flatten();
         let last = parting.map(|time| self.depth - far * (time / instant));
-        if last.is_some() {
-            let _ = self.reach(self.depth - far, instant);
-        }
-        if self.held > 0 {
-            let attraction = self.attraction;
-            self.attraction = attraction.map(Attraction::without_work);
-            let _ = self.reach(self.depth - far, instant);
-            self.attraction = attraction;
-        }
+        self.let_go();
+        self.depth -= far;
         last
     }
 
@@ -163,18 +166,53 @@ impl Memory {
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn force_after(&self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
-        let mut bed = Self { counts: false, ..self.clone() };
-        bed.advance(speed, duration)?;
-        Ok((bed.force(), bed.radius()))
+        let whole = || Self { counts: false, ..self.clone() };
+        let mut bed = self.outline();
+        let mut outcome = bed.advance(speed, duration);
+        if bed.fails() {
+            bed = Self { is_asked_too_much: Some(Arc::default()), ..whole() };
+            outcome = bed.advance(speed, duration);
+        }
+        if bed.fails() {
+            bed = whole();
+            outcome = bed.advance(speed, duration);
+        }
+        outcome.map(|()| (bed.force(), bed.radius()))
+    }
+
+    /// The bed as a look needs it, however many panels lie behind: those near the edge and the one at the axis, and of the
+    /// others, which all move alike, the sums. A look that leads to them has to be made at the whole bed.
+    fn outline(&self) -> Self {
+        let (axis, first) = (self.held.min(1), self.held.saturating_sub(NEAR));
+        let last = (self.held + NEAR).min(self.panels.len());
+        let (inner, outer) = (self.panels.get(axis..first).unwrap_or(&[]), &self.panels[last..]);
+        let mut panels = Vec::with_capacity(2 * NEAR + 3);
+        panels.extend_from_slice(&self.panels[..axis]);
+        panels.extend(Panel::sum_of(&self.spectrum, inner));
+        panels.extend_from_slice(&self.panels[first.max(axis)..last]);
+        panels.extend(Panel::sum_of(&self.spectrum, outer));
+        let held = self.held - inner.len() + usize::from(!inner.is_empty());
+        let (spectrum, profile) = (self.spectrum.clone(), self.profile.clone());
+        let is_asked_too_much = Some(Arc::default());
+        Self { spectrum, profile, panels, held, counts: false, is_asked_too_much, ..*self }
+    }
+
+    /// Whether a look has asked for a spring that it does not know.
+    fn fails(&self) -> bool {
+        self.is_asked_too_much.as_ref().is_some_and(|asked| asked.load(Ordering::Relaxed))
     }
 
     /// The panel at the distance `x` from the axis, at the edge the one whose springs may go `way`.
     fn panel(&self, way: Way, x: f64) -> Option<&Panel> {
         let k = self.panels.partition_point(|panel| panel.outer < x);
-        self.panels.get(match way {
+        let panel = self.panels.get(match way {
             Way::Opening => k.min(self.held.saturating_sub(1)),
             Way::Closing => k.max(self.held),
-        })
+        });
+        if let (Some(asked), true) = (&self.is_asked_too_much, panel.is_some_and(Panel::is_sum)) {
+            asked.store(true, Ordering::Relaxed);
+        }
+        panel
     }
 
     fn spring_on(&self, way: Way, x: f64) -> Spring {

@@ -17,6 +17,9 @@ const PROGRESS: f64 = 1e-4;
 /// Phases that get nowhere before the edge stands still for a while.
 const MOST_STALLS: u32 = 256;
 
+/// Part of the radius beside the edge in which a look at the bed knows the springs that have been let go.
+const BESIDE_EDGE: f64 = 1e-3;
+
 /// What is left of a motion on the way through it.
 pub(super) struct Walk {
     pub rest: Motion,
@@ -144,11 +147,45 @@ impl Memory {
     fn change(&self, way: Way, to: f64, motion: &Motion, instant: &dyn Fn(f64) -> f64) -> Change {
         let edge = self.radius();
         let (inner, outer) = (edge.min(to), edge.max(to));
+        let lived = |x: f64| self.lived(way, x, motion, instant(x));
+        if self.is_asked_too_much.is_none() || way == Way::Closing {
+            return self.changed(way, (inner, outer), motion, &lived);
+        }
+        // Of springs let go a look asks for those beside the edge alone.
+        let told = (inner + BESIDE_EDGE * outer).min(outer);
+        let mut change = self.changed(way, (inner, told), motion, &lived);
+        if told < outer {
+            change.panels.push(Panel::unknown(&self.spectrum, told, outer));
+        }
+        Change { outer, ..change }
+    }
+
+    /// Lets all springs go at once, where they are: no work is done.
+    pub(super) fn let_go(&mut self) {
+        if self.held == 0 {
+            return;
+        }
+        let motion = Motion { start: self.depth, speed: 0.0, duration: 0.0 };
+        let freed = |x: f64| Lived { spring: self.freed(x), impulse: 0.0 };
+        let change = self.changed(Way::Opening, (0.0, self.radius()), &motion, &freed);
+        self.take(&motion, Some(change));
+    }
+
+    /// The spring held at `x` let go at once: it gives by q/E(0), its elements with it, and behind a dashpot not at all.
+    fn freed(&self, x: f64) -> Spring {
+        let (spectrum, u) = (&self.spectrum, self.depth - self.profile.reduced(x));
+        let Spring::Pressed(mut s) = self.spring_on(Way::Opening, x) else { return Spring::untouched(spectrum) };
+        let back = spectrum.load(u, &s, 0.0) * spectrum.glass_compliance();
+        s.iter_mut().zip(spectrum.terms()).for_each(|(s, term)| *s -= term.modulus * back);
+        Spring::Free(spectrum.let_go(u - back, &s))
+    }
+
+    /// The springs between two radii, as `lived` tells them after a motion in which they join or leave.
+    fn changed(&self, way: Way, (inner, outer): (f64, f64), motion: &Motion, lived: &dyn Fn(f64) -> Lived) -> Change {
         let own = self.panels.iter().map(|panel| panel.outer).chain(self.profile.breaks(outer));
         let mut borders: Vec<f64> = own.filter(|&x| inner < x && x < outer).chain([inner, outer]).collect();
         borders.sort_by(f64::total_cmp);
         borders.dedup();
-        let lived = |x: f64| self.lived(way, x, motion, instant(x));
         let lengths = motion.start.abs().max(motion.end().abs()) + self.profile.reduced(outer);
         let (scale, most) = match way {
             Way::Closing => (self.spectrum.equilibrium() * lengths, self.spectrum.instantaneous() * lengths),
@@ -157,7 +194,7 @@ impl Memory {
         // Beside the work so far a piece of no length or speed has none.
         let impulse = if motion.speed.abs() > 0.0 { (self.work / motion.speed).abs() } else { f64::MAX };
         let grain = Grain { scale, impulse, tolerance: self.tolerance(), floor: 2.0 * f64::EPSILON * most };
-        let (panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, &lived);
+        let (panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, lived);
         Change { inner, outer, panels, work }
     }
 
