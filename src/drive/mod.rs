@@ -220,8 +220,13 @@ impl Driver {
     }
 
     fn begin_depth(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+        let course = self.stage.course;
+        // What a pull has parted is led from first touch, as elastic bodies are; what is to be parted is so already.
+        if self.parted && !matches!(course.normal, Path::UntilParted { .. }) {
+            contact.follow(&Straight::between(depth_of(contact), 0.0, 0.0))?;
+        }
         (self.creep, self.parted) = (None, false);
-        let (course, depth) = (self.stage.course, depth_of(contact));
+        let depth = depth_of(contact);
         self.stage.remainder = match course.normal {
             Path::Wave(wave) => Remainder::Chords(Chords::new(depth, wave, course.over, self.accuracy)),
             Path::To(to) if course.over <= 0.0 => {

@@ -95,6 +95,53 @@ fn what_a_pull_has_parted_relaxes_in_the_rest_of_its_entry() {
     }
 }
 
+/// What a pull has parted is led to a depth from first touch on, as elastic bodies are, and held there it stays there; a
+/// retraction leaves it apart.
+#[test]
+fn what_a_pull_has_parted_is_led_from_touch() {
+    let spectrum = relaxing();
+    for law in [Attraction::relaxed(0.02, &spectrum), Attraction::relaxed(0.02, &spectrum).closing(5e-3)] {
+        for (normal, half) in [(Path::To(1e-6), 5e-7), (Path::Stay, 0.0), (Path::To(-1e-6), -5e-7)] {
+            let mut contact = adhesive(&ball(), law);
+            let mut driver = Driver::new(&contact, 1e-4);
+            let course =
+                |control, normal| Course { control, normal, tangential: Path::Stay, over: 1.0, extent: Extent::Entry };
+            for force in [1e-3, -4e-3] {
+                driver.begin(&mut contact, course(Control::Force, Path::To(force)), 0.0).unwrap();
+                driver.advance(&mut contact, 1.0).unwrap();
+            }
+            assert!(driver.state(&contact).indentation.is_none());
+            driver.begin(&mut contact, course(Control::Indentation, normal), 0.0).unwrap();
+            driver.advance(&mut contact, 0.5).unwrap();
+            let state = driver.state(&contact);
+            assert!((state.indentation.unwrap() - half).abs() < 1e-18, "{law:?}: {state:?}");
+            driver.advance(&mut contact, 1.0).unwrap();
+            // Held at touch, what is left of the dent keeps the ball off for as long as it recovers.
+            assert_eq!(contact.joined(), half > 0.0, "{law:?} {normal:?}");
+        }
+        let mut contact = adhesive(&ball(), law);
+        let mut driver = Driver::new(&contact, 1e-4);
+        let pull = Course {
+            control: Control::Force,
+            normal: Path::To(-4e-3),
+            tangential: Path::Stay,
+            over: 1.0,
+            extent: Extent::Entry,
+        };
+        driver.begin(&mut contact, pull, 0.0).unwrap();
+        driver.advance(&mut contact, 1.0).unwrap();
+        driver
+            .begin(
+                &mut contact,
+                Course { control: Control::Indentation, normal: Path::UntilParted { speed: 1e-6 }, ..pull },
+                0.0,
+            )
+            .unwrap();
+        driver.advance(&mut contact, 1.0).unwrap();
+        assert!(!contact.joined());
+    }
+}
+
 /// After forty times λ nothing is left, and all of it is heat.
 #[test]
 fn what_is_stored_at_parting_falls_to_zero() {

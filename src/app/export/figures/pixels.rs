@@ -102,20 +102,25 @@ pub fn contact(outcome: &Outcome) -> Option<Panel> {
     let pressure = Axis::linear("pressure p", "Pa");
     let pulls = map.pressure.iter().any(|&pressure| pressure < 0.0);
     let axis = if pulls { pressure } else { pressure.from(0.0) };
-    Some(drawn(map, &Shown::of(map, &map.pressure), axis))
+    let speed = outcome.table("glides").and_then(|glides| glides.column("speed")?.numbers().last().copied().flatten());
+    let at = speed.map_or_else(String::new, |speed| format!(" at {}", with_prefix(speed, "m/s")));
+    let title = format!("contact under {}{at}", with_prefix(map.force, "N"));
+    Some(drawn(&Shown::of(map, &map.pressure), axis, title))
 }
 
 /// The shear stress where the bodies touch, with the outline of the contact.
 pub fn shear(outcome: &Outcome) -> Option<Panel> {
     let map = outcome.map.as_ref()?;
-    let shown = Shown::of(map, map.shear.as_ref()?);
+    let shear = map.shear.as_ref()?;
+    let shown = Shown::of(map, shear);
+    let title = format!("shear of {}", with_prefix(shear.sum() * map.pixel[0] * map.pixel[1], "N"));
     let stress =
         Array2::from_shape_fn(shown.stress.dim(), |at| if shown.touching[at] { shown.stress[at] } else { 0.0 });
-    Some(drawn(map, &Shown { stress, ..shown }, Axis::linear("shear stress τ", "Pa")))
+    Some(drawn(&Shown { stress, ..shown }, Axis::linear("shear stress τ", "Pa"), title))
 }
 
 /// A stress on pixels, with the outline of the contact.
-fn drawn(map: &ContactMap, shown: &Shown, axis: Axis) -> Panel {
+fn drawn(shown: &Shown, axis: Axis, title: String) -> Panel {
     let (rows, columns) = shown.stress.dim();
     let place = |index: usize, count: usize, side: f64| (index as f64 + 0.5 - 0.5 * count as f64) * side;
     let cells = Cells {
@@ -128,7 +133,7 @@ fn drawn(map: &ContactMap, shown: &Shown, axis: Axis) -> Panel {
         of: axis,
     };
     let panel = Panel::new(Axis::linear("x", "m"), Axis::linear("y", "m"))
-        .titled(format!("contact under {}", with_prefix(map.force, "N")))
+        .titled(title)
         .ratio(columns as f64 * shown.side[0] / (rows as f64 * shown.side[1]))
         .cells(cells)
         .with(Series::new("", shown.outline()).colour(Hue::Black).line(Line::Solid));
