@@ -117,7 +117,11 @@ pub fn of_sliding(shared: &Shared, records: &[Record], gross: bool) -> Vec<Named
         ("final_tangential_force", Unit::NEWTON, Some(last.force)),
         ("final_stick_radius", Unit::METRE, radius),
         ("final_stick_area", Unit::SQUARE_METRE, state.stick_area()),
-        ("final_tangential_stiffness", Unit::NEWTON_PER_METRE, Some(last.stiffness)),
+        (
+            "final_tangential_stiffness",
+            Unit::NEWTON_PER_METRE,
+            Some(last.stiffness).filter(|stiffness| stiffness.is_finite()),
+        ),
         ("final_stored_tangential", Unit::JOULE, last.stored),
         ("friction_dissipated", Unit::JOULE, last.dissipated),
         ("dissipated_per_cycle", Unit::JOULE, per_cycle(shared, records)),

@@ -1,6 +1,7 @@
 //! Friction on the pixels of a half-space: against the bed, closed forms of ellipses, and under the laws that hold whatever
 //! the surface is.
 
+use super::half_space_past::apart;
 use proptest::prelude::*;
 use springbed::prelude::*;
 use springbed::run::record::{Outcome, Record};
@@ -42,19 +43,6 @@ fn dissipated(record: &Record) -> f64 {
 
 fn last(outcome: &Outcome) -> &Record {
     outcome.records.last().unwrap()
-}
-
-/// Largest difference of what `of` tells of records of the same instants, of the largest there is.
-fn apart(one: &Outcome, other: &Outcome, of: fn(&Record) -> f64) -> f64 {
-    let (mut apart, mut largest, mut shared) = (0.0_f64, 0.0_f64, 0);
-    for record in &one.records {
-        let Some(same) = other.records.iter().find(|same| (same.time - record.time).abs() < 1e-12) else { continue };
-        apart = apart.max((of(record) - of(same)).abs());
-        largest = largest.max(of(record).abs());
-        shared += 1;
-    }
-    assert!(shared > 3, "{shared} records of the same times");
-    if largest > 0.0 { apart / largest } else { 0.0 }
 }
 
 /// Depths in tenths of 1e-5 m and slides in tenths of what slips all at 1e-5 m, as entries and as they are led to.
@@ -360,4 +348,15 @@ fn what_pixels_cannot_slide_is_refused() {
     let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap();
     let error = run(&plan, Wanted::NOTHING).unwrap_err().to_string();
     assert!(error.contains("full contact of a surface that repeats"), "{error}");
+    // Pressed flat and let go without a slide it carries nothing, and slides then as one never pressed flat.
+    let rest = format!("steps: 2, {COULOMB}, solver: HalfSpace(grid: 32)");
+    let [flat, never] =
+        ["Press(to: 1, over: 1), Press(to: 1e-4, over: 1)", "Press(to: 1e-4, over: 2)"].map(|history| {
+            let outcome = outcome(ROUGH, &format!("{history}, Slide(to: 5e-8, over: 1)"), &rest);
+            assert!(outcome.records.iter().all(|record| record.time > 2.0 || tangential(record).abs() <= 0.0));
+            tangential(last(&outcome))
+        });
+    // Each takes the stiffness along the way from the waves of its own greatest load: 1 − G*/E* = 0.18 of what their mean
+    // direction differs by, of which a surface of four waves along a side has some tenths.
+    assert!((flat / never - 1.0).abs() < 0.03, "{flat} {never}");
 }

@@ -102,8 +102,8 @@ impl Scenario {
     /// How far the tangential forces of the history are from those of pixels that follow it.
     fn slid_on_pixels(&self) -> Attempt<String> {
         let grid = super::PAST_GRIDS[super::PAST_GRIDS.len() - 1];
-        let own = run::run(&self.plan, Wanted::NOTHING)?;
         let pixels = run::run(&self.on_pixels(grid)?, Wanted::NOTHING)?;
+        let own = run::run(&self.plan, Wanted::NOTHING)?;
         let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
         for record in &pixels.records {
             let same = own.records.iter().find(|own| (own.entry, own.time) == (record.entry, record.time));

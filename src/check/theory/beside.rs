@@ -7,6 +7,7 @@ use crate::material::Body;
 use crate::numerics::root::RootError;
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::Plan;
+use crate::scene::surface::Source;
 use crate::shape::rough::Roughness;
 
 /// Hardness over yield stress of metals (Tabor 1951).
@@ -91,7 +92,14 @@ impl NominallyFlat {
             Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) => false,
         };
         let surface = plan.surface().filter(|_| bare && plan.profile().is_none())?;
-        let area = surface.length() * surface.length();
+        let area = match (plan, &surface.source) {
+            (Plan::HalfSpace(pixels), Source::Map(map)) => {
+                let cut = |side: f64| pixels.window.map_or(side, |window| window.min(side));
+                let (x, y) = map.sides();
+                cut(x) * cut(y)
+            }
+            (_, Source::Map(_) | Source::Spectrum(_)) => surface.length() * surface.length(),
+        };
         Some(Self { roughness: surface.roughness(), modulus: plan.pair.normal, area })
     }
 

@@ -111,6 +111,13 @@ impl<'p> Rubbing<'p> {
         match self {
             Self::Partial(memory) => {
                 if is_rigid(state, pressing) {
+                    // What has never been slid carries nothing, and its way through the depths leaves no trace.
+                    if stroke.slide.iter().all(|slide| slide.abs() <= 0.0)
+                        && memory.state().tangential_force.abs() <= 0.0
+                    {
+                        let stick_radius = round(state.pixels.area);
+                        return Ok(Tangential { stick_radius, stiffness: f64::INFINITY, ..told(memory) });
+                    }
                     return Err("friction in full contact of a surface that repeats cannot be computed, for its pixels stick at any slide or slip all at once: expected less force".to_owned());
                 }
                 memory.curve().learn(state);
