@@ -92,6 +92,7 @@ pub mod halfspace;
 pub mod scene;
 pub mod run;
 #[cfg(feature = "text")]
+#[expect(clippy::wildcard_enum_match_arm, reason = "values and errors of other crates may get new kinds")]
 pub mod text;
 #[cfg(feature = "text")]
 pub mod sweep;
@@ -100,6 +101,7 @@ pub mod fit;
 pub mod prelude;
 pub mod check;
 #[cfg(feature = "cli")]
+#[expect(clippy::wildcard_enum_match_arm, reason = "values and errors of other crates may get new kinds")]
 pub mod app;
 
 #[cfg(test)]

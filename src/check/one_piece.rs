@@ -150,12 +150,12 @@ fn round(profile: &dyn Profile, modulus: f64, limit: f64) -> Vec<String> {
 /// The same profile as a cylinder on a half-plane: the sufficient condition of Kudish et al. and the least loads.
 fn plane(plan: &Plan, profile: &dyn Profile, limit: f64) -> Vec<String> {
     let Some(radius) = mean_curvature_radius(&plan.scene.shape, profile, limit) else { return Vec::new() };
-    let slope = |x: f64| match &plan.scene.shape {
-        Shape::WavyParaboloid(wavy) => {
-            let wave_number = TAU / wavy.wavelength.si();
-            wavy.amplitude.si() * wave_number * (wave_number * x).sin()
-        }
-        _ => differenced(profile, 1e-5 * limit, x) - x / radius,
+    let slope = |x: f64| {
+        let Shape::WavyParaboloid(wavy) = &plan.scene.shape else {
+            return differenced(profile, 1e-5 * limit, x) - x / radius;
+        };
+        let wave_number = TAU / wavy.wavelength.si();
+        wavy.amplitude.si() * wave_number * (wave_number * x).sin()
     };
     let parabola = WavyParabola { modulus: plan.pair.normal, radius, slope: &slope };
     // P = πE*c²/4R of the smooth parabola.
@@ -187,15 +187,13 @@ fn differenced(profile: &dyn Profile, step: f64, x: f64) -> f64 {
 
 /// Radius of the parabola under a wavy or measured profile [m]; `None` for other shapes.
 fn mean_curvature_radius(shape: &Shape, profile: &dyn Profile, limit: f64) -> Option<f64> {
-    match shape {
-        Shape::WavyParaboloid(wavy) => Some(wavy.radius.si()),
-        Shape::Table(_) => {
-            // Least squares of f = r²/2R: R = Σr⁴ / 2Σr²f.
-            let places = (1..=STEPS).map(|k| limit * f64::from(k) / f64::from(STEPS));
-            let sums = places.map(|r| (r.powi(4), r * r * profile.height(r)));
-            let (fourth, mixed) = sums.fold((0.0, 0.0), |sum, term| (sum.0 + term.0, sum.1 + term.1));
-            Some(0.5 * fourth / mixed).filter(|radius| radius.is_finite() && *radius > 0.0)
-        }
-        _ => None,
+    if let Shape::WavyParaboloid(wavy) = shape {
+        return Some(wavy.radius.si());
     }
+    let Shape::Table(_) = shape else { return None };
+    // Least squares of f = r²/2R: R = Σr⁴ / 2Σr²f.
+    let places = (1..=STEPS).map(|k| limit * f64::from(k) / f64::from(STEPS));
+    let sums = places.map(|r| (r.powi(4), r * r * profile.height(r)));
+    let (fourth, mixed) = sums.fold((0.0, 0.0), |sum, term| (sum.0 + term.0, sum.1 + term.1));
+    Some(0.5 * fourth / mixed).filter(|radius| radius.is_finite() && *radius > 0.0)
 }

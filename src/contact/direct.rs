@@ -346,8 +346,10 @@ impl QuasiStatic {
         let balance = self.present.balance;
         match &self.attraction {
             ElasticAttraction::Range(disc) if self.present.joined => Loaded::attracted(disc.clone(), balance),
-            _ => Loaded::elastic(self.ground().clone(), balance.contact_radius, self.edge_load())
-                .at_depth(balance.indentation),
+            ElasticAttraction::Range(_) | ElasticAttraction::Line(_) => {
+                Loaded::elastic(self.ground().clone(), balance.contact_radius, self.edge_load())
+                    .at_depth(balance.indentation)
+            }
         }
     }
 
@@ -362,7 +364,7 @@ impl QuasiStatic {
             ElasticAttraction::Line(line) if self.present.joined && !self.is_smooth() => {
                 line.ground().modulus() * (indentation - line.ground().depth(contact_radius))
             }
-            _ => 0.0,
+            ElasticAttraction::Line(_) | ElasticAttraction::Range(_) => 0.0,
         }
     }
 }

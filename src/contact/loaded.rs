@@ -127,7 +127,7 @@ impl Loaded {
     pub fn reach(&self) -> f64 {
         match &self.bed {
             Bed::Elastic(_, Some((_, balance))) => balance.reach,
-            _ => self.contact_radius,
+            Bed::Elastic(_, None) | Bed::Remembered(..) => self.contact_radius,
         }
     }
 
@@ -252,7 +252,7 @@ impl Loaded {
     fn drawn(&self, r: f64) -> f64 {
         match &self.bed {
             Bed::Elastic(_, Some((disc, balance))) => attraction(disc.stress(), balance, r),
-            _ => 0.0,
+            Bed::Elastic(_, None) | Bed::Remembered(..) => 0.0,
         }
     }
 

@@ -64,8 +64,8 @@ pub struct SpringBed {
 pub fn reach_for(profile: &dyn Profile, largest: f64) -> f64 {
     match profile.rim() {
         Rim::Wall(end) if largest >= end => end,
-        _ if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
-        _ => profile.scale(),
+        Rim::None | Rim::Wall(_) | Rim::End(_) if largest > 0.0 => (1.0 + 1.0 / 16.0) * largest,
+        Rim::None | Rim::Wall(_) | Rim::End(_) => profile.scale(),
     }
 }
 

@@ -150,7 +150,7 @@ impl Input {
         };
         let law = match self.law {
             Law::FreePlane(datum) => Law::FreePlane(datum / self.unit()),
-            other => other,
+            Law::FreeSpace | Law::PeriodicSpace | Law::PeriodicPlane => self.law,
         };
         let pixel = self.pixel.map(|side| side / self.unit());
         let grid = Grid { size: self.size, pixel, heights };

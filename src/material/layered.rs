@@ -162,10 +162,7 @@ const SAME: f64 = 1e-12;
 pub(super) fn layered(body: &Layered, path: &str, known: Known<'_>) -> Result<Alone, Vec<Problem>> {
     let layers = body.layers.iter().enumerate();
     let layers = layers.map(|(k, layer)| Material::of(&layer.body, &format!("{path}.layers[{k}].body"), known));
-    let base = match body.base.as_ref() {
-        Body::Rigid => None,
-        other => Some(Material::of(other, &format!("{path}.base"), known)),
-    };
+    let base = (!matches!(*body.base, Body::Rigid)).then(|| Material::of(&body.base, &format!("{path}.base"), known));
     let (materials, problems): (Vec<_>, Vec<_>) = layers.chain(base).partition(Result::is_ok);
     let problems: Vec<Problem> = problems.into_iter().filter_map(Result::err).collect();
     let materials: Vec<Material> = materials.into_iter().flatten().collect();

@@ -96,10 +96,15 @@ impl Geometry {
         let shape = &scene.shape;
         let rough = |surface, base| Self::Rough(Arc::new(surface), base);
         Ok(match shape.family() {
-            Family::Round => Self::Round(match shape {
-                Shape::PlaneWave(wave) if !is_of_the_present(scene) => Arc::new(Lying::from(wave).kept_open()),
-                _ => profile(shape, tables)?,
-            }),
+            Family::Round => Self::Round(
+                if let Shape::PlaneWave(wave) = shape
+                    && !is_of_the_present(scene)
+                {
+                    Arc::new(Lying::from(wave).kept_open())
+                } else {
+                    profile(shape, tables)?
+                },
+            ),
             Family::Line(line) => rough(surface::of_line(line, tables)?, base(line, tables)?),
             Family::Map(MapSource::Plain(path, pixel)) => rough(surface::of_map(path, pixel, tables)?, None),
             Family::Map(MapSource::Treated(of)) => rough(surface::of_topography(of, tables)?, None),

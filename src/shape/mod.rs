@@ -185,7 +185,20 @@ impl Shape {
             Self::WavyParaboloid(shape) => Some(shape.radius.si()),
             Self::Ellipsoid(shape) => Some(shape.effective_radius()),
             Self::Spheres(shape) => Some(shape.effective_radius()),
-            _ => None,
+            Self::Cone(_)
+            | Self::Power(_)
+            | Self::FlatPunch(_)
+            | Self::TruncatedCone(_)
+            | Self::TruncatedParaboloid(_)
+            | Self::RoundedPunch(_)
+            | Self::Table(_)
+            | Self::RoughLine(_)
+            | Self::HeightMap(..)
+            | Self::Topography(_)
+            | Self::Tips(_)
+            | Self::Cylinder(_)
+            | Self::PlaneWave(_)
+            | Self::PlaneWavy(_) => None,
         }
     }
 

@@ -45,7 +45,7 @@ pub fn validation(cases: &[Case], rows: &[Row]) -> String {
             Question::Over(over) => {
                 (format!("{}; {}", over.against, case.because), format!("tried over {}", over.range))
             }
-            _ => (case.because.to_owned(), case.weak.to_owned()),
+            Question::Numbers(_) | Question::Stated(_) => (case.because.to_owned(), case.weak.to_owned()),
         };
         // A text that ends no cell of a table.
         let [because, weak] = [because, weak].map(|text| text.replace('|', "\\|"));

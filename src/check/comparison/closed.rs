@@ -44,13 +44,11 @@ fn elliptic(ellipsoid: &Ellipsoid, modulus: f64, depth: f64) -> Attempt<(&'stati
 
 fn plain(shape: &Shape, modulus: f64, contact: ClosedForm) -> (&'static str, Found) {
     let mean = modulus * contact.force / (PI * contact.radius * contact.radius);
-    let peak_pressure_pa = match shape {
-        Shape::Paraboloid(_) => Some(1.5 * mean),
-        Shape::Power(power) if power.exponent.si() > 1.0 => {
-            let n = power.exponent.si();
-            Some(modulus * n * contact.indentation / (PI * (n - 1.0) * contact.radius))
-        }
-        _ => None,
+    let of_power = |n: f64| modulus * n * contact.indentation / (PI * (n - 1.0) * contact.radius);
+    let peak_pressure_pa = if let Shape::Power(power) = shape {
+        Some(power.exponent.si()).filter(|n| *n > 1.0).map(of_power)
+    } else {
+        matches!(shape, Shape::Paraboloid(_)).then_some(1.5 * mean)
     };
     let found = Found {
         indentation_m: Some(contact.indentation),
@@ -101,7 +99,17 @@ fn axisymmetric(shape: &Shape, d: f64) -> Attempt<Option<ClosedForm>> {
             }
             at_angle(&|angle| closed_forms::rounded_cone(s.radius.si(), s.slope.si(), angle))
         }
-        _ => Ok(None),
+        Shape::Spheres(_)
+        | Shape::WavyParaboloid(_)
+        | Shape::Ellipsoid(_)
+        | Shape::Table(_)
+        | Shape::RoughLine(_)
+        | Shape::HeightMap(..)
+        | Shape::Topography(_)
+        | Shape::Tips(_)
+        | Shape::Cylinder(_)
+        | Shape::PlaneWave(_)
+        | Shape::PlaneWavy(_) => Ok(None),
     }
 }
 

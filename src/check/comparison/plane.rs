@@ -103,11 +103,15 @@ mod strips {
 
     fn solved(plan: &Plan, force: f64, strips: usize) -> Attempt<Computed> {
         let modulus = plan.pair.normal;
-        let pressed = match &plan.scene.shape {
-            Shape::PlaneWave(shape) => wave(shape),
-            Shape::PlaneWavy(shape) => wavy(shape, modulus, force),
-            Shape::Cylinder(shape) => lying(shape, modulus, force),
-            other => return Err(format!("{} is not long across", other.name()).into()),
+        let shape = &plan.scene.shape;
+        let pressed = if let Shape::PlaneWave(shape) = shape {
+            wave(shape)
+        } else if let Shape::PlaneWavy(shape) = shape {
+            wavy(shape, modulus, force)
+        } else if let Shape::Cylinder(shape) = shape {
+            lying(shape, modulus, force)
+        } else {
+            return Err(format!("{} is not long across", shape.name()).into());
         };
         let step = pressed.window / strips as f64;
         let place = |i: usize| (i as f64 - (strips / 2) as f64) * step;

@@ -244,11 +244,12 @@ fn pressed(plan: &Plan, to: f64) -> Attempt<QuasiStatic> {
 
 /// Whether the pressure of a shape is singular somewhere under compression: at an apex or an edge.
 fn is_sharp(shape: &Shape) -> bool {
-    match shape {
-        Shape::Power(power) => power.exponent.si() <= 1.0,
-        Shape::Cone(_) | Shape::FlatPunch(_) | Shape::TruncatedCone(_) | Shape::TruncatedParaboloid(_) => true,
-        _ => false,
-    }
+    let pointed = |shape: &Shape| matches!(shape, Shape::Power(power) if power.exponent.si() <= 1.0);
+    pointed(shape)
+        || matches!(
+            shape,
+            Shape::Cone(_) | Shape::FlatPunch(_) | Shape::TruncatedCone(_) | Shape::TruncatedParaboloid(_)
+        )
 }
 
 /// Where the pressure is largest [m].

@@ -199,7 +199,7 @@ impl Written {
                 Leg::Ramp { name: "Indent", to, over } => [time + over, to, slide],
                 Leg::Ramp { name: "Slide", to, over } => [time + over, depth, to],
                 Leg::Held { name: "Hold", over } => [time + over, depth, slide],
-                _ => return None,
+                Leg::Ramp { .. } | Leg::Held { .. } | Leg::Rows(_) | Leg::Whole(_) => return None,
             });
         }
         Some(Self { history: vec![Leg::Rows(rows)], ..self.clone() })

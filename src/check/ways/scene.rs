@@ -68,7 +68,7 @@ fn refined(plan: &Plan, springs: Option<NonZeroUsize>, accuracy: f64) -> Result<
 fn numbers(outcome: &Outcome) -> Vec<(String, f64)> {
     let number = |named: &Named| match named.finding {
         Finding::Number(number) if number.is_finite() && number.abs() > 1e-30 => Some((named.name(), number)),
-        _ => None,
+        Finding::Number(_) | Finding::Answer(_) | Finding::Count(_) => None,
     };
     let noise = |named: &&Named| matches!(named.quantity, "work" | "dissipated");
     outcome.results.iter().filter(|named| !noise(named)).filter_map(number).collect()

@@ -339,16 +339,15 @@ impl<'p> Series<'p> {
     }
 
     fn refused(&self, entry: usize, error: &HalfSpaceError) -> SimulationError {
-        SimulationError::Refused(match error {
-            HalfSpaceError::FullContact { indentation, mean } => {
-                let touch = self.pressing.touch;
-                format!(
-                    "history[{entry}]: {:.4e} m is deeper than {:.4e} m, at which a surface that repeats is in full contact and its depth no longer decides the load: prescribe the force instead",
-                    indentation - touch,
-                    mean - touch
-                )
-            }
-            other => format!("history[{entry}]: {other}"),
+        SimulationError::Refused(if let HalfSpaceError::FullContact { indentation, mean } = error {
+            let touch = self.pressing.touch;
+            format!(
+                "history[{entry}]: {:.4e} m is deeper than {:.4e} m, at which a surface that repeats is in full contact and its depth no longer decides the load: prescribe the force instead",
+                indentation - touch,
+                mean - touch
+            )
+        } else {
+            format!("history[{entry}]: {error}")
         })
     }
 }

@@ -217,13 +217,13 @@ fn meets_border(contact: &Array2<bool>) -> bool {
 /// Radius [m] of a contact about the tip of a smooth shape: of Hertzian pressures from their second moments, else from
 /// the area.
 pub fn radius_of(shape: &Shape, solution: &Solution) -> f64 {
-    match shape {
-        Shape::Paraboloid(_) | Shape::Ellipsoid(_) => {
-            let [a, b] = solution.hertzian_semi_axes();
-            (a * b).sqrt()
-        }
-        Shape::FlatPunch(_) => solution.contact_radius(),
-        _ => radius_of_area(solution),
+    if let Shape::Paraboloid(_) | Shape::Ellipsoid(_) = shape {
+        let [a, b] = solution.hertzian_semi_axes();
+        (a * b).sqrt()
+    } else if let Shape::FlatPunch(_) = shape {
+        solution.contact_radius()
+    } else {
+        radius_of_area(solution)
     }
 }
 

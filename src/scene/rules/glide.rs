@@ -86,11 +86,8 @@ fn of_rough(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
 pub(super) fn steep_on_dashpot(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     entry.glide?;
     let (shape, relaxation) = (draft.shape()?, draft.relaxation()?);
-    let steep = match shape {
-        Shape::TruncatedCone(_) | Shape::TruncatedParaboloid(_) => true,
-        Shape::Power(power) => power.exponent.si() <= 0.5,
-        _ => false,
-    };
+    let root = |shape: &Shape| matches!(shape, Shape::Power(power) if power.exponent.si() <= 0.5);
+    let steep = matches!(shape, Shape::TruncatedCone(_) | Shape::TruncatedParaboloid(_)) || root(shape);
     if !steep || relaxation.viscosity <= 0.0 {
         return None;
     }

@@ -77,14 +77,13 @@ pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
 pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let motion = entry.machine?.motion;
     let (one, two) = draft.bodies(Look::Kind)?;
-    let why = match (one, two) {
-        (Body::Plastic(_), _) | (_, Body::Plastic(_)) => {
-            "the dent that a blow leaves has another shape for the next: expected Elastic bodies"
-        }
-        (Body::Viscoelastic(_), _) | (_, Body::Viscoelastic(_)) if motion.is_along() => {
-            "the friction of bodies that relax is known where depth and slide are straight in time: expected Elastic bodies"
-        }
-        _ => return None,
+    let either = |of: fn(&Body) -> bool| of(one) || of(two);
+    let why = if either(|body| matches!(body, Body::Plastic(_))) {
+        "the dent that a blow leaves has another shape for the next: expected Elastic bodies"
+    } else if motion.is_along() && either(|body| matches!(body, Body::Viscoelastic(_))) {
+        "the friction of bodies that relax is known where depth and slide are straight in time: expected Elastic bodies"
+    } else {
+        return None;
     };
     let name = if matches!(one, Body::Plastic(_) | Body::Viscoelastic(_)) { one } else { two }.name();
     refused_entry(entry, format!("{} with a {name} body cannot be computed, for {why}", entry.name))

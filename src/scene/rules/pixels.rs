@@ -111,20 +111,16 @@ pub(super) fn moves(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Proble
 fn glides(draft: &Draft<'_>, entry: &EntryTraits<'_>, glide: &Glide) -> Option<Problem> {
     let (one, two) = draft.bodies(Look::Kind)?;
     let liquid = draft.flows()?;
-    let why = match two {
-        _ if !glide.is_steady() => {
-            "how the motion begins is not followed on pixels: expected no `over`, for the steady state"
-        }
-        _ if liquid => {
-            "a ground that flows gives way without an end under a body that stays on it: expected an equilibrium modulus above zero"
-        }
-        two if one.hardness().or(two.hardness()).is_some() => {
-            "a body that yields is left with a groove: expected no hardness"
-        }
-        two if two.is_uneven() && !repeats(draft)? => {
-            "behind a body that stands alone the waves of layers have no end: expected boundary: Periodic and a window: …"
-        }
-        _ => return None,
+    let why = if !glide.is_steady() {
+        "how the motion begins is not followed on pixels: expected no `over`, for the steady state"
+    } else if liquid {
+        "a ground that flows gives way without an end under a body that stays on it: expected an equilibrium modulus above zero"
+    } else if one.hardness().or(two.hardness()).is_some() {
+        "a body that yields is left with a groove: expected no hardness"
+    } else if two.is_uneven() && !repeats(draft)? {
+        "behind a body that stands alone the waves of layers have no end: expected boundary: Periodic and a window: …"
+    } else {
+        return None;
     };
     Some(Problem::new(entry.place(), format!("{} with the solver HalfSpace cannot be computed: {why}", entry.name)))
 }

@@ -176,7 +176,25 @@ fn lacks_of_section(plot: Plot) -> Option<&'static str> {
         Plot::Fretting => {
             Some("where a lying contact loses its energy is not mapped: expected Friction, Stick or Shear")
         }
-        _ => None,
+        Plot::Force
+        | Plot::Radius
+        | Plot::Pressure
+        | Plot::Energy
+        | Plot::Shape
+        | Plot::Moduli
+        | Plot::Friction
+        | Plot::Stick
+        | Plot::Shear
+        | Plot::Wear
+        | Plot::Coefficient
+        | Plot::Area
+        | Plot::Contact
+        | Plot::Distribution
+        | Plot::Leak
+        | Plot::Restitution
+        | Plot::Machine
+        | Plot::Resistance
+        | Plot::Traction => None,
     }
 }
 

@@ -71,10 +71,11 @@ pub(super) fn friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
     if !draft.rubs()? {
         return refused(entry, "needs friction: expected a friction such as Coulomb(coefficient: 0.3)");
     }
-    let name = match draft.friction(Look::Kind)? {
-        Friction::Coulomb(_) => return None,
-        friction => friction.name(),
-    };
+    let friction = draft.friction(Look::Kind)?;
+    if matches!(friction, Friction::Coulomb(_)) {
+        return None;
+    }
+    let name = friction.name();
     refused(
         entry,
         &format!(

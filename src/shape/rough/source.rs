@@ -40,12 +40,12 @@ impl SpectrumSource {
             return Err(RoughError::SpectrumRows(0).into());
         };
         let rows: Vec<_> = wavevectors.iter().copied().zip(densities.iter().copied()).collect();
-        RoughnessSpectrum::table(&rows).map_err(|error| match error {
-            RoughError::SpectrumRow { row, fault } => {
-                let line = columns.rows.get(row - 1).copied().unwrap_or(row);
-                TableError::at(path, line, fault).into()
-            }
-            other => TableError::whole(path, other.to_string()).into(),
+        RoughnessSpectrum::table(&rows).map_err(|error| {
+            let RoughError::SpectrumRow { row, fault } = error else {
+                return TableError::whole(path, error.to_string()).into();
+            };
+            let line = columns.rows.get(row - 1).copied().unwrap_or(row);
+            TableError::at(path, line, fault).into()
         })
     }
 }

@@ -65,7 +65,7 @@ impl<'p> Shrinking<'p> {
         let turn = loading.last().map_or(0.0, MotionPiece::end);
         let full = match model.profile.rim() {
             Rim::Wall(end) => touch_of(model, loading, end).0.min(turn),
-            _ => turn,
+            Rim::None | Rim::End(_) => turn,
         };
         Self { model, loading, full }
     }
