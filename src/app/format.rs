@@ -1,4 +1,12 @@
 //! Kinds of files that come out of a scene.
+//!
+//! # Examples
+//! ```
+//! use springbed::app::format::Format;
+//!
+//! assert_eq!(Format::Svg.ending(), "svg");
+//! assert!(Format::Pdf.is_picture() && !Format::Csv.is_picture());
+//! ```
 
 /// One kind of output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, clap::ValueEnum)]

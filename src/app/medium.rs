@@ -1,4 +1,12 @@
 //! What a figure is drawn for.
+//!
+//! # Examples
+//! ```
+//! use springbed::app::medium::Medium;
+//!
+//! assert_eq!(Medium::Paper.millimetres(), Some(85.0));
+//! assert_eq!(Medium::Screen.millimetres(), None);
+//! ```
 
 /// What a figure is drawn on.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, clap::ValueEnum)]

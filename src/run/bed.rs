@@ -1,4 +1,18 @@
 //! The bed as the method is taught: its springs one by one at an instant.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//!
+//! let text = r#"(shape: Paraboloid(radius: "10 mm"), bodies: (Elastic(young: "2 MPa", poisson: 0.5), Rigid),
+//!     history: [Indent(to: "10 um", over: 1)], plots: [Bed])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let outcome = run(&plan, Wanted { bed: true, ..Wanted::NOTHING })?;
+//! assert!(outcome.table("bed").is_some());
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::follow::Run;
 use super::table::{Column, Table};

@@ -1,4 +1,15 @@
 //! Steady rolling with traction, as a scene asks for it.
+//!
+//! # Examples
+//! ```
+//! use springbed::input::quantity::Length;
+//! use springbed::scene::tractive::RollingBody;
+//! use springbed::shape::{Paraboloid, Shape};
+//!
+//! let ball = Shape::Paraboloid(Paraboloid { radius: Length::new(0.5)? });
+//! assert_eq!(RollingBody::of(&ball), Some(RollingBody::Ball { radius: 0.5 }));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::Scene;
 use crate::friction::rolling::{CreepLaw, RollingContact, RollingPlace, ball, carter};
@@ -54,7 +65,23 @@ impl RollingBody {
             Shape::Cylinder(cylinder) => Some(Self::Cylinder { radius: cylinder.radius.si() }),
             Shape::Paraboloid(ball) => Some(Self::Ball { radius: ball.radius.si() }),
             Shape::Spheres(balls) => Some(Self::Ball { radius: balls.effective_radius() }),
-            _ => None,
+            Shape::Sphere(_)
+            | Shape::Cone(_)
+            | Shape::Power(_)
+            | Shape::FlatPunch(_)
+            | Shape::TruncatedCone(_)
+            | Shape::TruncatedParaboloid(_)
+            | Shape::RoundedCone(_)
+            | Shape::RoundedPunch(_)
+            | Shape::WavyParaboloid(_)
+            | Shape::Ellipsoid(_)
+            | Shape::Table(_)
+            | Shape::RoughLine(_)
+            | Shape::HeightMap(..)
+            | Shape::Topography(_)
+            | Shape::Tips(_)
+            | Shape::PlaneWave(_)
+            | Shape::PlaneWavy(_) => None,
         }
     }
 

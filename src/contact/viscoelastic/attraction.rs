@@ -7,6 +7,16 @@
 //! their state), the instantaneous modulus E(0) with w (a process zone of no length: they take their share), or E∞
 //! with w[1 + (v/v₀)ⁿ] for an edge that opens at the speed v (Gent & Schultz 1972). A closing edge may have a
 //! smaller work than an opening one; between the two limits it stands still.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::{Spectrum, attraction::Attraction};
+//! use std::f64::consts::TAU;
+//!
+//! // w = 50 mJ/m², E_c = 1 MPa, a = 0.1 mm: the edge holds √(2πa E_c w) = 5.6 N/m.
+//! let edge = Attraction::relaxed(0.05, &Spectrum::elastic(1e6));
+//! assert!((edge.strength(TAU * 1e-4, 0.0) - 31.415926535897932f64.sqrt()).abs() < 1e-12);
+//! ```
 
 use super::Spectrum;
 use super::spring::Free;

@@ -1,4 +1,20 @@
 //! The continuous bed as a contact that is driven piece by piece.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::model::{ContactModel, Straight};
+//! use springbed::contact::viscoelastic::{Spectrum, continuous::ContinuousContact, memory::Memory};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // A body that does not relax, E* = 1: Hertz, F = 4/3 √R d^{3/2}.
+//! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
+//! let mut contact = ContinuousContact::new(Memory::new(Arc::new(Spectrum::elastic(1.0)), ball));
+//! contact.follow(&Straight::between(0.0, 0.01, 1.0))?;
+//! assert!((contact.state().force / (4e-3 / 3.0) - 1.0).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::Spectrum;
 use super::memory::Memory;

@@ -1,6 +1,22 @@
 //! The plain bed: every spring updated in every step.
 //!
 //! The twin that the other beds are held against, and the form in which springs may differ.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::{Spectrum, direct::Direct, layout::Layout};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // 1000 springs under a ball, E* = 1: Hertz to −1/4 … 1/8 of (Δx/a)².
+//! let ball = Paraboloid { radius: Length::new(1.0)? };
+//! let mut bed = Direct::new(Arc::new(Spectrum::elastic(1.0)), Layout::uniform(&ball, 0.2, 1000));
+//! bed.advance(0.01, 1.0);
+//! assert!((bed.force() / (4e-3 / 3.0) - 1.0).abs() < 0.25 * (2e-4f64 / 0.1).powi(2));
+//! assert_eq!(bed.pressed(), 500);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::Spectrum;
 use super::layout::Layout;

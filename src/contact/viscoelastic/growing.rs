@@ -1,4 +1,20 @@
 //! A bed of viscoelastic springs as a contact that is driven piece by piece.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::{Spectrum, growing::GrowingBed, layout::Layout};
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Laid for contacts of 1 mm, pressed to one of 100 mm.
+//! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
+//! let laid = Layout::graded(ball.as_ref(), (1e-4, 1e-3), 400);
+//! let mut bed = GrowingBed::new(Arc::new(Spectrum::elastic(1.0)), ball, laid);
+//! bed.advance(0.01, 1.0)?;
+//! assert!((bed.bed().force() / (4e-3 / 3.0) - 1.0).abs() < 1e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::Spectrum;
 use super::continuous::in_time;

@@ -1,4 +1,18 @@
 //! Where the springs of a bed stand.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::layout::Layout;
+//! use springbed::input::quantity::Length;
+//! use springbed::shape::Paraboloid;
+//!
+//! let springs = Layout::uniform(&Paraboloid { radius: Length::new(1.0)? }, 0.2, 4);
+//! assert!((springs.place[1] - 0.075).abs() < 1e-15);
+//! // g(x) = x²/R, and both halves of the bed count.
+//! assert!((springs.height[1] - 0.075 * 0.075).abs() < 1e-15);
+//! assert!((springs.weight[1] - 0.1).abs() < 1e-15);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::shape::Profile;
 

@@ -5,6 +5,25 @@
 //! pressed, and zₘ(t) = e^(−(t−t_c)/λₘ) zₘ(t_c) as long as it is free. The sums over the contact obey
 //! the same scalar equations, so a motion costs O(terms) plus the springs touched or released in it,
 //! however many springs there are.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::{Spectrum, layout::Layout, lazy::Lazy};
+//! use springbed::input::quantity::Length;
+//! use springbed::material::Relaxation;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // Pressed at once and held for 20 relaxation times: what is left is Hertz' force with E∞.
+//! let ball = Paraboloid { radius: Length::new(1.0)? };
+//! let relaxation = Relaxation { equilibrium: 1.0, terms: vec![(9.0, 1.0)], viscosity: 0.0 };
+//! let mut bed = Lazy::new(Arc::new(Spectrum::new(&relaxation)), Layout::uniform(&ball, 0.2, 1000));
+//! bed.advance(1e7, 1e-9);
+//! assert!((bed.force() / (4e-2 / 3.0) - 1.0).abs() < 1e-4);
+//! bed.advance(0.0, 20.0);
+//! assert!((bed.force() / (4e-3 / 3.0) - 1.0).abs() < 1e-4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use super::Spectrum;
 use super::layout::Layout;

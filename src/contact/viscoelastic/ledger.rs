@@ -1,6 +1,16 @@
 //! Energy of one spring: the work done on it, what it stores, what its dashpots turn into heat.
 //!
 //! All per unit length of the bed, in closed form, each independent of the others.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::Spectrum;
+//! use springbed::material::Relaxation;
+//!
+//! // ½E∞u² + s²/2E: 2 of the spring of E∞ = 1 drawn by 2, and 2.25 of the element of E = 2 that bears 3.
+//! let spring = Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![(2.0, 1.0)], viscosity: 0.0 });
+//! assert!((spring.stored_pressed(2.0, &[3.0]) - 4.25).abs() < 1e-15);
+//! ```
 
 use super::spring::{Free, Piece};
 use super::{Element, Mode, Spectrum};

@@ -7,6 +7,17 @@
 //! q̇ = E(0)(v − u̇_free) with u̇_free growing towards zero, so that at constant speed q changes its
 //! sign at most once, from plus to minus: the sign at the end of a step tells whether the spring
 //! was released in it.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::Spectrum;
+//! use springbed::material::Relaxation;
+//!
+//! // A Maxwell element pressed at unit speed for its own time bears Eτ(1 − 1/e).
+//! let spring = Spectrum::new(&Relaxation { equilibrium: 0.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 });
+//! let load = spring.load_after(0.0, &[0.0], 1.0, 1.0);
+//! assert!((load - (1.0 - (-1.0f64).exp())).abs() < 1e-15);
+//! ```
 
 use super::Spectrum;
 use crate::numerics::exponential::decay;

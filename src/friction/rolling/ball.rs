@@ -11,6 +11,19 @@
 //! those beside it, which strain the half-space along the surface. At small creepages T = 2G*a²ξ = 4/(2 − ν) Ga²ξ, where
 //! Kalker's exact theory has C₁₁Ga²ξ: 2.00 against 3.40 at ν = 0, 2.67 against 5.20 at ν = ½. The limit μP is
 //! the same. See [`super::kalker`] for the curve of the same form with the exact beginning.
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::Grip;
+//! use springbed::friction::rolling::{RollingContact, ball};
+//!
+//! // Slip everywhere from the creepage 2μ(E*/G*)a/R on.
+//! let grip = Grip { normal_modulus: 115e9, tangential_modulus: 92e9, coefficient: 0.3 };
+//! let contact = RollingContact { grip, radius: 0.5, half_width: 5e-3, force: 1000.0 };
+//! let law = ball::law(&contact);
+//! assert!((law.limit - 300.0).abs() < 1e-12);
+//! assert!((law.full_slip - 2.0 * 0.3 * (115.0 / 92.0) * 5e-3 / 0.5).abs() < 1e-15);
+//! ```
 
 use super::{CreepLaw, RollingContact, RollingPlace, places};
 

@@ -6,6 +6,19 @@
 //! > τ(x) = (μE*/2R)[√(a² − x²) − √(b² − (x − a + b)²)],   b = a√(1 − T/μP),
 //!
 //! so that nothing slips where the second root exists, a − 2b < x < a. The creepage is ξ = (μ/R)(a − b), and behind the stick zone the speed of slip is v(μ/R)√((a − x)(a − 2b − x)).
+//!
+//! # Examples
+//! ```
+//! use springbed::friction::Grip;
+//! use springbed::friction::rolling::{RollingContact, carter};
+//!
+//! // Slip everywhere from the creepage μa/R on, whatever the moduli.
+//! let grip = Grip { normal_modulus: 115e9, tangential_modulus: 115e9, coefficient: 0.3 };
+//! let contact = RollingContact { grip, radius: 0.5, half_width: 5e-3, force: 1000.0 };
+//! let law = carter::law(&contact);
+//! assert!((law.limit - 300.0).abs() < 1e-12);
+//! assert!((law.full_slip - 0.3 * 5e-3 / 0.5).abs() < 1e-15);
+//! ```
 
 use super::{CreepLaw, RollingContact, RollingPlace, places};
 

@@ -1,4 +1,19 @@
 //! Scenes on the pixels of a half-space.
+//!
+//! # Examples
+//! ```
+//! # #[cfg(feature = "text")] {
+//! use springbed::prelude::*;
+//!
+//! // A ball on 64² pixels: Hertz to some (Δ/a)²/8.
+//! let text = r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
+//!     solver: HalfSpace(grid: 64), steps: 1, history: [Indent(to: 0.01, over: 1)])"#;
+//! let plan = Notation::Ron.plan(text, &InMemory::default()).map_err(|errors| errors[0].clone())?;
+//! let force = run(&plan, Wanted::NOTHING)?.records.last().ok_or("a record")?.normal.force;
+//! assert!((force / (4e-3 / 3.0) - 1.0).abs() < 2e-3);
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod attraction;
 mod dent;

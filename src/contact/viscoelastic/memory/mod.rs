@@ -5,6 +5,24 @@
 //! still, moves one way or jumps; the springs it passes join or leave at instants of their own, all others move
 //! alike. The bed falls into panels in which the springs are smooth; the force is
 //! F = 2E∞ ∫₀^a (d − g) dx + Σ ∫ 2 sᵢ dx, the second part made with the panel and evolved like a spring from then on.
+//!
+//! # Examples
+//! ```
+//! use springbed::contact::viscoelastic::{Spectrum, memory::Memory};
+//! use springbed::input::quantity::Length;
+//! use springbed::material::Relaxation;
+//! use springbed::shape::Paraboloid;
+//! use std::sync::Arc;
+//!
+//! // A Maxwell liquid that is drawn back as slowly as it was pressed parts before it is back at its first surface.
+//! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
+//! let liquid = Arc::new(Spectrum::new(&Relaxation { equilibrium: 0.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 }));
+//! let mut bed = Memory::new(liquid, ball);
+//! bed.advance(0.01, 1.0)?;
+//! let parted = bed.parting(-0.01, 1.0)?.ok_or("it parts")?;
+//! assert!(0.0 < parted && parted < 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #[cfg(test)]
 mod look_tests;
