@@ -6,8 +6,8 @@ pub type Attempt<T> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
 /// Pairs (computed, right).
 pub type Pairs = Vec<(f64, f64)>;
 
-/// Strength of a proof.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+/// Strength of a proof, the strongest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Proof {
     /// An identity or a limit, true to rounding.

@@ -137,6 +137,29 @@ impl Chebyshev {
         Self { coefficients: slopes, ..*self }
     }
 
+    /// The antiderivative that is `start` at the lower end: ∫T_k = T_{k+1}/2(k+1) − T_{k−1}/2(k−1).
+    ///
+    /// ```
+    /// # use springbed::numerics::chebyshev::Chebyshev;
+    /// let sine = Chebyshev::of(f64::cos, 24, (0.0, 1.0)).integral(0.0);
+    /// assert!((sine.at(0.5) - 0.5f64.sin()).abs() < 1e-15);
+    /// ```
+    #[must_use]
+    pub fn integral(&self, start: f64) -> Self {
+        let of = |k: usize| self.coefficients.get(k).copied().unwrap_or(0.0);
+        let term = |k: usize| {
+            let below = if k == 1 { 2.0 * of(0) } else { of(k - 1) };
+            0.5 * self.half * (below - of(k + 1)) / k as f64
+        };
+        let mut coefficients: Vec<f64> = std::iter::once(0.0).chain((1..=self.coefficients.len()).map(term)).collect();
+        // T_k = (−1)^k at the lower end.
+        let low: f64 = coefficients.iter().enumerate().map(|(k, c)| if k % 2 == 0 { *c } else { -c }).sum();
+        if let Some(first) = coefficients.first_mut() {
+            *first = start - low;
+        }
+        Self { coefficients, ..*self }
+    }
+
     /// The same times a number.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {

@@ -11,6 +11,7 @@ use crate::contact::adhesion::{AdhesionTraits, Range};
 use crate::run::record::Outcome;
 use crate::run::steady_sliding;
 use crate::scene::plan::Plan;
+use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::fmt::Write;
 use std::path::Path;
@@ -43,12 +44,16 @@ fn cells_as_json(cells: &[Cell]) -> Result<String, Failure> {
             Verdict::Computed { solver } => (Some(*solver), None),
             Verdict::Refused { why } => (None, Some(why)),
         };
+        let is_computed = solver.is_some();
+        let reached = cell.reached().and_then(Result::ok);
         serde_json::json!({
             "shape": shape, "bodies": bodies, "adhesion": adhesion, "friction": friction, "drive": drive,
             "solver": solver, "refused": why,
+            "proof": is_computed.then(|| cell.proof().word()), "cases": is_computed.then(|| cell.cases()),
+            "error": reached.map(|reached| reached.error), "against": reached.map(|reached| reached.against.word()),
         })
     };
-    serde_json::to_string_pretty(&cells.iter().map(object).collect::<Vec<_>>()).map_err(Failure::failed)
+    serde_json::to_string_pretty(&cells.par_iter().map(object).collect::<Vec<_>>()).map_err(Failure::failed)
 }
 
 fn text(plan: &Plan, outcome: &Outcome) -> String {

@@ -1,4 +1,15 @@
-//! What the combinations are made of: each part as a scene writes it.
+//! What the combinations are made of: each part as a scene writes it, with what proves it.
+
+use super::proved::Proved::{self, Case, Laws, Whole};
+use crate::check::attempt::Proof::{Other, Rounding};
+
+/// What proves a part: under a round contact, a lying one, a rough line, a plane section, on pixels.
+pub(super) type ByKind = [Proved; 5];
+
+/// The same under all of them.
+const fn all(proved: Proved) -> ByKind {
+    [proved; 5]
+}
 
 /// A value of one of the parts of a scene.
 #[derive(Debug, PartialEq, Eq)]
@@ -7,16 +18,32 @@ pub(super) struct Choice {
     pub(super) name: &'static str,
     /// How a scene writes it.
     pub(super) text: &'static str,
+    pub(super) proved: ByKind,
 }
 
-const fn choice(name: &'static str, text: &'static str) -> Choice {
-    Choice { name, text }
+const fn choice(name: &'static str, text: &'static str, proved: ByKind) -> Choice {
+    Choice { name, text, proved }
+}
+
+/// What a shape is to those who compute it; its place among what proves the other parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Round,
+    Lying,
+    Rough,
+    Section,
+    Pixels,
 }
 
 /// Shapes, with a depth and a force that suit them.
 #[derive(Debug, PartialEq)]
 pub(super) struct PressedShape {
-    pub(super) shape: Choice,
+    /// What it is called in the matrix.
+    pub(super) name: &'static str,
+    /// How a scene writes it.
+    pub(super) text: &'static str,
+    pub(super) kind: Kind,
+    pub(super) proved: Proved,
     /// The solver that the scene asks for, if it does.
     pub(super) solver: &'static str,
     pub(super) depth: &'static str,
@@ -35,54 +62,85 @@ impl PressedShape {
     }
 }
 
-const fn pressed(shape: Choice, depth: &'static str, force: &'static str) -> PressedShape {
-    PressedShape { shape, solver: "", depth, force }
+const fn pressed(
+    (name, text): (&'static str, &'static str),
+    (kind, proved): (Kind, Proved),
+    depth: &'static str,
+    force: &'static str,
+) -> PressedShape {
+    PressedShape { name, text, kind, proved, solver: "", depth, force }
 }
 
 /// A finer solver of the same kind.
 pub(super) const FINER_PIXELS: &str = "solver: HalfSpace(grid: 96),";
 
-const fn on_pixels(shape: Choice, depth: &'static str, force: &'static str) -> PressedShape {
-    PressedShape { shape, solver: "solver: HalfSpace(grid: 32),", depth, force }
+const fn on_pixels(
+    named: (&'static str, &'static str),
+    proved: Proved,
+    depth: &'static str,
+    force: &'static str,
+) -> PressedShape {
+    let shape = pressed(named, (Kind::Pixels, proved), depth, force);
+    PressedShape { solver: "solver: HalfSpace(grid: 32),", ..shape }
 }
 
 /// Numbers stand in `<…>` with their units, so that a scene can be written in others.
 pub(super) const SHAPES: [PressedShape; 9] = [
-    pressed(choice("ball", "Paraboloid(radius: <5e-3 m>)"), "<1e-5 m>", "<5e-3 N>"),
+    pressed(("ball", "Paraboloid(radius: <5e-3 m>)"), (Kind::Round, Case("hertz/steel ball")), "<1e-5 m>", "<5e-3 N>"),
     pressed(
-        choice("wavy ball", "WavyParaboloid(radius: <2e-2 m>, amplitude: <1e-8 m>, wavelength: <1e-4 m>)"),
+        ("wavy ball", "WavyParaboloid(radius: <2e-2 m>, amplitude: <1e-8 m>, wavelength: <1e-4 m>)"),
+        (Kind::Round, Case("shape/waviness")),
         "<1e-5 m>",
         "<1e-2 N>",
     ),
-    pressed(choice("ellipsoid", "Ellipsoid(radius_x: <5e-3 m>, radius_y: <2e-3 m>)"), "<1e-5 m>", "<5e-3 N>"),
     pressed(
-        choice("lying cylinder", "Cylinder(radius: <5e-3 m>, datum: <1e-2 m>, width: <1e-2 m>)"),
+        ("ellipsoid", "Ellipsoid(radius_x: <5e-3 m>, radius_y: <2e-3 m>)"),
+        (Kind::Round, Case("ellipsoid/mean radius")),
+        "<1e-5 m>",
+        "<5e-3 N>",
+    ),
+    pressed(
+        ("lying cylinder", "Cylinder(radius: <5e-3 m>, datum: <1e-2 m>, width: <1e-2 m>)"),
+        (Kind::Lying, Case("cylinder/hertz")),
         "<1e-5 m>",
         "<1e-1 N>",
     ),
     pressed(
-        choice(
+        (
             "rough line",
             "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: <1e-6 m>, long: <1e-4 m>, short: <2e-6 m>), length: <1e-4 m>, points: 512)",
         ),
+        (Kind::Rough, Case("rough/height and slope of the line")),
         "<1e-6 m>",
         "<1e-4 N>",
     ),
-    pressed(choice("plane wave", "PlaneWave(amplitude: <1e-5 m>, wavelength: <1e-4 m>)"), "<1e-6 m>", "<20 N/m>"),
     pressed(
-        choice(
+        ("plane wave", "PlaneWave(amplitude: <1e-5 m>, wavelength: <1e-4 m>)"),
+        (Kind::Lying, Case("half-plane/Westergaard wave")),
+        "<1e-6 m>",
+        "<20 N/m>",
+    ),
+    pressed(
+        (
             "plane section",
             "PlaneWavy(radius: <5e-3 m>, waves: [(amplitude: <2e-7 m>, wavelength: <8e-4 m>)], datum: <1e-2 m>)",
         ),
+        (Kind::Section, Case("half-plane/wavy parabola in one piece")),
         "<1e-6 m>",
         "<500 N/m>",
     ),
-    on_pixels(choice("ball on pixels", "Paraboloid(radius: <5e-3 m>)"), "<1e-5 m>", "<5e-3 N>"),
     on_pixels(
-        choice(
+        ("ball on pixels", "Paraboloid(radius: <5e-3 m>)"),
+        Case("half-space/scene of a ball"),
+        "<1e-5 m>",
+        "<5e-3 N>",
+    ),
+    on_pixels(
+        (
             "rough map on pixels",
             "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: <5e-7 m>, long: <1e-4 m>, short: <2e-5 m>), length: <1e-4 m>, points: 32)",
         ),
+        Case("half-space/work on a rough surface that repeats"),
         "<1e-6 m>",
         "<1e-4 N>",
     ),
@@ -104,6 +162,7 @@ pub(super) struct TwoBodies {
     pub(super) name: &'static str,
     pub(super) texts: [&'static str; 2],
     pub(super) relaxes: bool,
+    pub(super) proved: ByKind,
 }
 
 const LAYERED: &str =
@@ -112,27 +171,64 @@ const GRADED: &str = "Graded(young: <2e6 Pa>, depth: <1e-3 m>, exponent: 0.3, po
 const PLASTIC: &str = "Plastic(young: <2e6 Pa>, poisson: 0.5, yield_stress: <2e4 Pa>)";
 const HARD: &str = "Plastic(young: <2e6 Pa>, poisson: 0.5, hardness: <5e4 Pa>)";
 
-pub(super) const BODIES: [TwoBodies; 9] = [
-    TwoBodies { name: "elastic", texts: [ELASTIC, "Rigid"], relaxes: false },
-    TwoBodies { name: "both elastic", texts: [ELASTIC, ELASTIC], relaxes: false },
-    TwoBodies { name: "viscoelastic", texts: [RELAXING[0], "Rigid"], relaxes: true },
-    TwoBodies { name: "viscoelastic on elastic", texts: [RELAXING[0], ELASTIC], relaxes: true },
-    TwoBodies { name: "two viscoelastic", texts: RELAXING, relaxes: true },
-    TwoBodies { name: "layered", texts: [LAYERED, ELASTIC], relaxes: false },
-    TwoBodies { name: "graded", texts: [GRADED, "Rigid"], relaxes: false },
-    TwoBodies { name: "plastic", texts: [PLASTIC, ELASTIC], relaxes: false },
-    TwoBodies { name: "plastic, by hardness", texts: [HARD, "Rigid"], relaxes: false },
+/// Bodies that relax are held against Ting's histories; with another beside them against their limits and each other.
+const TING: ByKind = [
+    Case("ting/whole unloading branch"),
+    Case("cylinder/ting's triangle"),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/Ting's history on pixels"),
 ];
+const LAYERS: ByKind = [
+    Case("ground/incompressible layer bonded to a rigid base"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/layers beside the bed"),
+];
+const GRADES: ByKind = [
+    Case("ground/jkr pull-off from a graded body"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/layers beside the bed"),
+];
+const YIELDING: ByKind = [
+    Case("plastic/heat of a loop"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/a body too hard to yield"),
+];
+
+const fn two_bodies(name: &'static str, texts: [&'static str; 2], relaxes: bool, proved: ByKind) -> TwoBodies {
+    TwoBodies { name, texts, relaxes, proved }
+}
+
+pub(super) const BODIES: [TwoBodies; 9] = [
+    two_bodies("elastic", [ELASTIC, "Rigid"], false, all(Whole)),
+    two_bodies("both elastic", [ELASTIC, ELASTIC], false, all(Whole)),
+    two_bodies("viscoelastic", [RELAXING[0], "Rigid"], true, TING),
+    two_bodies("viscoelastic on elastic", [RELAXING[0], ELASTIC], true, all(Laws(Other))),
+    two_bodies("two viscoelastic", RELAXING, true, all(Laws(Other))),
+    two_bodies("layered", [LAYERED, ELASTIC], false, LAYERS),
+    two_bodies("graded", [GRADED, "Rigid"], false, GRADES),
+    two_bodies("plastic", [PLASTIC, ELASTIC], false, YIELDING),
+    two_bodies("plastic, by hardness", [HARD, "Rigid"], false, YIELDING),
+];
+
+/// How a scene writes an attraction, and what proves it.
+pub(super) type Attraction = (&'static str, ByKind);
 
 /// Adhesion, as elastic bodies and as those that relax write it; `None` where it is nothing of its own.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Attracting {
     pub(super) name: &'static str,
-    pub(super) elastic: Option<&'static str>,
-    pub(super) relaxing: Option<&'static str>,
+    pub(super) elastic: Option<Attraction>,
+    pub(super) relaxing: Option<Attraction>,
 }
 
-const fn attracting(name: &'static str, elastic: Option<&'static str>, relaxing: Option<&'static str>) -> Attracting {
+const fn attracting(name: &'static str, elastic: Option<Attraction>, relaxing: Option<Attraction>) -> Attracting {
     Attracting { name, elastic, relaxing }
 }
 
@@ -140,27 +236,61 @@ pub(super) const MAUGIS: &str = "adhesion: Maugis(work: WORK, stress: STRESS),";
 /// 2γ is the work, γ/r_K the stress.
 const CAPILLARY: &str = "adhesion: Capillary(tension: TENSION, angle: 0, kelvin_radius: KELVIN),";
 
+const JKR: ByKind =
+    [Case("jkr/radius under load"), Case("cylinder/jkr under a force"), Laws(Other), Laws(Other), Laws(Other)];
+const RELAXED: ByKind = [Case("viscoelastic jkr/slow pull-off"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const RANGE: ByKind =
+    [Case("maugis/pull-off over λ"), Laws(Other), Laws(Other), Laws(Other), Case("half-space/Maugis on pixels")];
+const BRIDGE: ByKind =
+    [Case("maugis/bridge of liquid"), Laws(Other), Laws(Other), Laws(Other), Case("half-space/Maugis on pixels")];
+
 pub(super) const ADHESIONS: [Attracting; 7] = [
-    attracting("none", Some(""), Some("")),
-    attracting("JKR", Some("adhesion: Jkr(work: WORK),"), Some("adhesion: Jkr(work: WORK, edge: Relaxed),")),
-    attracting("JKR, instantaneous", None, Some("adhesion: Jkr(work: WORK, edge: Instantaneous),")),
-    attracting("JKR, rate", None, Some("adhesion: Jkr(work: WORK, edge: Rate(speed: SPEED, exponent: 0.5)),")),
+    attracting("none", Some(("", all(Whole))), Some(("", all(Whole)))),
+    attracting(
+        "JKR",
+        Some(("adhesion: Jkr(work: WORK),", JKR)),
+        Some(("adhesion: Jkr(work: WORK, edge: Relaxed),", RELAXED)),
+    ),
+    attracting("JKR, instantaneous", None, Some(("adhesion: Jkr(work: WORK, edge: Instantaneous),", all(Laws(Other))))),
+    attracting(
+        "JKR, rate",
+        None,
+        Some(("adhesion: Jkr(work: WORK, edge: Rate(speed: SPEED, exponent: 0.5)),", all(Laws(Other)))),
+    ),
     attracting(
         "JKR, closing",
-        Some("adhesion: Jkr(work: WORK, closing: CLOSING),"),
-        Some("adhesion: Jkr(work: WORK, closing: CLOSING, edge: Relaxed),"),
+        Some(("adhesion: Jkr(work: WORK, closing: CLOSING),", all(Laws(Other)))),
+        Some(("adhesion: Jkr(work: WORK, closing: CLOSING, edge: Relaxed),", all(Laws(Other)))),
     ),
-    attracting("Maugis", Some(MAUGIS), Some(MAUGIS)),
-    attracting("capillary", Some(CAPILLARY), Some(CAPILLARY)),
+    attracting("Maugis", Some((MAUGIS, RANGE)), Some((MAUGIS, RANGE))),
+    attracting("capillary", Some((CAPILLARY, BRIDGE)), Some((CAPILLARY, BRIDGE))),
 ];
 
+const PARTIAL_SLIP: ByKind = [
+    Case("friction/Cattaneo–Mindlin lens"),
+    Case("cylinder/partial slip"),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/Cattaneo and Mindlin on 128²"),
+];
+const WEAR: ByKind = [Case("wear/Archard's volume"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const CAPPED: ByKind = [
+    Case("friction/Coulomb–Orowan slider"),
+    Laws(Other),
+    Laws(Other),
+    Case("rough/wave in gross sliding"),
+    Laws(Other),
+];
+const PRESSED: ByKind = [Case("friction/peeling force of a lens"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const DROPS: ByKind = [Case("machine/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+
 pub(super) const FRICTIONS: [Choice; 6] = [
-    choice("none", ""),
-    choice("Coulomb", "friction: Coulomb(coefficient: 0.3),"),
-    choice("Coulomb, wear", "friction: Coulomb(coefficient: 0.3), wear: Archard(coefficient: <1e-8 m2/N>),"),
-    choice("capped", "friction: CoulombOrowan(coefficient: 0.3, shear_limit: <1e4 Pa>),"),
-    choice("pressure law", "friction: Pressure(shear: <1e4 Pa>, slope: 0.1),"),
-    choice("static, kinetic", "friction: StaticKinetic(static: 0.3, kinetic: 0.2),"),
+    choice("none", "", all(Whole)),
+    choice("Coulomb", "friction: Coulomb(coefficient: 0.3),", PARTIAL_SLIP),
+    choice("Coulomb, wear", "friction: Coulomb(coefficient: 0.3), wear: Archard(coefficient: <1e-8 m2/N>),", WEAR),
+    choice("capped", "friction: CoulombOrowan(coefficient: 0.3, shear_limit: <1e4 Pa>),", CAPPED),
+    choice("pressure law", "friction: Pressure(shear: <1e4 Pa>, slope: 0.1),", PRESSED),
+    choice("static, kinetic", "friction: StaticKinetic(static: 0.3, kinetic: 0.2),", DROPS),
 ];
 
 /// How a contact is led; a slide or a shake goes with it where there is friction.
@@ -188,19 +318,44 @@ pub(super) enum Lead {
     Fall,
 }
 
-pub(super) const DRIVES: [(&str, Lead); 14] = [
-    ("depth", Lead::Depth),
-    ("force", Lead::Force),
-    ("then depth", Lead::ForceThenDepth),
-    ("sine", Lead::Sine),
-    ("table", Lead::Rows),
-    ("retraction", Lead::Retraction),
-    ("impact", Lead::Impact),
-    ("oblique", Lead::Oblique),
-    ("glide", Lead::Glide),
-    ("roll", Lead::Roll),
-    ("traction", Lead::Traction),
-    ("drive", Lead::Drive),
-    ("ring", Lead::Ring),
-    ("fall", Lead::Fall),
+/// A way of leading a contact, and what proves it.
+pub(super) type Drive = (&'static str, Lead, ByKind);
+
+const CREEP: ByKind = [
+    Case("creep/a³ = (3R/4) ∫ J dF"),
+    Case("cylinder/creep under a force"),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/creep on pixels"),
+];
+const SWING: ByKind =
+    [Case("oscillation/storage and loss of a punch"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const PULL_OFF: ByKind =
+    [Case("jkr/pull-off under depth"), Case("cylinder/jkr pull-off"), Laws(Other), Laws(Other), Laws(Other)];
+const BLOW: ByKind = [Case("impact/Hertz"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const SLANT: ByKind = [Case("impact/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const GLIDES: ByKind = [
+    Case("gliding/paraboloid on Kelvin–Voigt"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/gliding slowly"),
+];
+const TRACTION: ByKind = [Case("rolling/ball, Kalker"), Case("rolling/Carter"), Laws(Other), Laws(Other), Laws(Other)];
+
+pub(super) const DRIVES: [Drive; 14] = [
+    ("depth", Lead::Depth, all(Whole)),
+    ("force", Lead::Force, CREEP),
+    ("then depth", Lead::ForceThenDepth, CREEP),
+    ("sine", Lead::Sine, SWING),
+    ("table", Lead::Rows, all(Laws(Rounding))),
+    ("retraction", Lead::Retraction, PULL_OFF),
+    ("impact", Lead::Impact, BLOW),
+    ("oblique", Lead::Oblique, SLANT),
+    ("glide", Lead::Glide, GLIDES),
+    ("roll", Lead::Roll, GLIDES),
+    ("traction", Lead::Traction, TRACTION),
+    ("drive", Lead::Drive, DROPS),
+    ("ring", Lead::Ring, [Case("machine/small swing"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)]),
+    ("fall", Lead::Fall, [Case("machine/elastic bounces"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)]),
 ];

@@ -21,20 +21,35 @@ pub(super) fn beyond_estimate(written: &Written, whole: &Outcome) -> Option<Stri
         Err(why) => return Some(why),
     };
     let said = whole.error_estimate.relative + fine.error_estimate.relative + ROUNDING;
-    let largest = Largest::of(&fine);
+    let offs = [("force", 0), ("contact radius", 1)];
+    let apart = apart(whole, &fine)?;
+    let beyond = offs.iter().find(|(_, k)| apart[*k] > said || apart[*k].is_nan());
+    beyond.map(|&(what, k)| {
+        format!("the {what} is off by {:e}, and it says {:e}", apart[k], whole.error_estimate.relative)
+    })
+}
+
+/// How far a scene is from the same at a finer accuracy, in force or radius; `None` if their records differ in number.
+pub(super) fn beside_finer(written: &Written, whole: &Outcome) -> Result<Option<f64>, String> {
+    let fine = outcome(&written.finer_solved(FINE))?;
+    Ok(apart(whole, &fine).map(|[force, radius]| force.max(radius)))
+}
+
+/// Largest differences of forces and of radii at the same times, of the largest.
+fn apart(whole: &Outcome, fine: &Outcome) -> Option<[f64; 2]> {
+    let largest = Largest::of(fine);
     if whole.records.len() != fine.records.len() {
         return None;
     }
     let pairs = || whole.records.iter().zip(&fine.records).filter(|(one, two)| at_once(one, two));
     let force = pairs().map(|(one, two)| one.normal.force - two.normal.force);
     let radius = pairs().filter_map(|(one, two)| Some(one.normal.contact_radius? - two.normal.contact_radius?));
-    let most = |offs: &mut dyn Iterator<Item = f64>| offs.map(f64::abs).fold(0.0, f64::max);
-    let offs =
-        [("force", most(&mut { force }), largest.force), ("contact radius", most(&mut { radius }), largest.radius)];
-    let beyond = offs.iter().find(|(_, off, scale)| *off > said * scale || off.is_nan());
-    beyond.map(|(what, off, scale)| {
-        format!("the {what} is off by {:e}, and it says {:e}", off / scale, whole.error_estimate.relative)
-    })
+    let most = |offs: &mut dyn Iterator<Item = f64>, scale: f64| {
+        let worst = |most: f64, off: f64| if off > most || off.is_nan() { off } else { most };
+        // Of nothing at all nothing is off.
+        offs.map(f64::abs).fold(0.0, worst) / scale.max(f64::MIN_POSITIVE)
+    };
+    Some([most(&mut { force }, largest.force), most(&mut { radius }, largest.radius)])
 }
 
 /// Whether two records are of the same time.
@@ -60,19 +75,29 @@ impl Ball {
         (force, a * a / radius - stretched)
     }
 
+    /// How far force and depth of the records are from the closed form at their radii, relative.
+    pub(super) fn off(&self, whole: &Outcome) -> f64 {
+        whole.records.iter().filter_map(|record| self.off_at(record, whole)).fold(0.0, f64::max)
+    }
+
+    fn off_at(&self, record: &Record, whole: &Outcome) -> Option<f64> {
+        let largest = Largest::of(whole);
+        let scale = self.pressed(largest.radius).0.abs() + largest.force;
+        let a = record.normal.contact_radius.filter(|&a| a > 0.0)?;
+        let (force, depth) = self.pressed(a);
+        let off = (record.normal.force - force).abs() / scale;
+        let shallow = (record.normal.indentation? - depth).abs() / (a * a / self.radius + depth.abs());
+        Some(if off.is_nan() { off } else { shallow.max(off) })
+    }
+
     /// How the records miss the closed form by more than is said.
     pub(super) fn missed(&self, whole: &Outcome) -> Option<String> {
-        let largest = Largest::of(whole);
         // The force rises with the radius, and faster than it: an error of the radius tells three times.
         let said = 3.0 * whole.error_estimate.relative + ROUNDING;
-        let scale = self.pressed(largest.radius).0.abs() + largest.force;
-        whole.records.iter().find_map(|record| {
-            let a = record.normal.contact_radius.filter(|&a| a > 0.0)?;
-            let (force, depth) = self.pressed(a);
-            let off = (record.normal.force - force).abs() / scale;
-            let shallow = (record.normal.indentation? - depth).abs() / (a * a / self.radius + depth.abs());
-            (!(off <= said && shallow <= said))
-                .then(|| format!("at a = {a:e} the force is off the closed form by {off:e}, the depth by {shallow:e}"))
+        let offs = whole.records.iter().filter_map(|record| Some((record, self.off_at(record, whole)?)));
+        let mut missed = offs.filter(|(_, off)| *off > said || off.is_nan());
+        missed.next().map(|(record, off)| {
+            format!("at a = {:?} force or depth are off the closed form by {off:e}", record.normal.contact_radius)
         })
     }
 }

@@ -138,7 +138,7 @@ impl Cell {
     }
 
     /// The ball of Hertz, or of Johnson, Kendall & Roberts, if it is one at rest.
-    fn ball(&self, variation: &Variation) -> Option<Ball> {
+    pub(super) fn ball(&self, variation: &Variation) -> Option<Ball> {
         let [shape, bodies, adhesion, friction, drive] = self.names();
         let work = match adhesion {
             "none" => 0.0,

@@ -16,11 +16,13 @@ mod ends;
 mod known;
 mod laws;
 mod led;
+mod proved;
 mod table;
 mod variation;
 mod written;
 
 pub use laws::{Kept, Law};
+pub use proved::{Against, Reached};
 pub use table::in_words;
 pub use variation::{Turn, Units, Variation};
 
@@ -33,7 +35,7 @@ use written::{Written, written};
 /// Names of the drives, the columns of the matrix.
 #[must_use]
 pub fn drives() -> [&'static str; DRIVES.len()] {
-    DRIVES.map(|(name, _)| name)
+    DRIVES.map(|(name, ..)| name)
 }
 
 /// A combination: the number of its shape, bodies, adhesion, friction and drive.
@@ -102,13 +104,7 @@ impl Cell {
     #[must_use]
     pub fn names(&self) -> [&'static str; 5] {
         let [shape, bodies, adhesion, friction, drive] = self.at;
-        [
-            SHAPES[shape].shape.name,
-            BODIES[bodies].name,
-            ADHESIONS[adhesion].name,
-            FRICTIONS[friction].name,
-            DRIVES[drive].0,
-        ]
+        [SHAPES[shape].name, BODIES[bodies].name, ADHESIONS[adhesion].name, FRICTIONS[friction].name, DRIVES[drive].0]
     }
 
     /// Its scene with other numbers.

@@ -48,7 +48,7 @@ pub(super) fn written(
 ) -> Option<Written> {
     let (pressed, bodies, adhesion, lead) = (&SHAPES[shape], &BODIES[bodies], &ADHESIONS[adhesion], DRIVES[drive].1);
     let slides = friction > 0;
-    let adhesion = if bodies.relaxes { adhesion.relaxing } else { adhesion.elastic }?;
+    let (adhesion, _) = if bodies.relaxes { adhesion.relaxing } else { adhesion.elastic }?;
     if (lead == Lead::Oblique && !slides) || (lead == Lead::Impact && slides) {
         return None;
     }
@@ -60,7 +60,7 @@ pub(super) fn written(
         templates.reverse();
     }
     Some(Written {
-        shape: units.fill(pressed.shape.text),
+        shape: units.fill(pressed.text),
         solver: pressed.solver,
         templates,
         bodies: templates.map(|text| body(text, series, units)),

@@ -24,7 +24,7 @@ use crate::contact::adhesion::line::Energy;
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
 use crate::contact::loaded::Loaded;
-use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Straight};
+use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Straight};
 use crate::contact::spring_loads::{SeenSpring, SpringLoads};
 use crate::contact::state::Normal;
 use crate::shape::{Profile, Rim};
@@ -132,6 +132,12 @@ impl ContactModel for GrowingBed {
         self.widen(piece.to)?;
         let see = |bed: &Lazy| Glance { force: bed.force(), contact_radius: bed.radius() };
         Ok(self.bed.tried(piece.speed, piece.duration, see))
+    }
+
+    fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
+        let Some(piece) = in_time(self.bed.spectrum(), self.bed.indentation(), piece)? else { return Ok(None) };
+        let time = self.bed.parting(piece.speed, piece.duration);
+        Ok(time.map(|time| Parting { time, suddenly: false }))
     }
 
     fn state(&self) -> Normal {

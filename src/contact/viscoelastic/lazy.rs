@@ -226,6 +226,16 @@ impl Lazy {
         self.now.touched
     }
 
+    /// When [s] the last spring, the one under the apex, is let go in a motion at `speed` [m/s] for `duration` [s], if it is.
+    #[must_use]
+    pub fn parting(&self, speed: f64, duration: f64) -> Option<f64> {
+        let motion = self.seen(0, &Motion { start: self.now.depth, speed, duration });
+        match self.spring(0) {
+            Spring::Pressed(loads) => self.spectrum.release(motion.start, &loads, speed, duration),
+            Spring::Free(_) => None,
+        }
+    }
+
     fn touched_in(&self, spring: usize, motion: &Motion) -> Option<Event> {
         let (before, seen) = (self.spring(spring), self.seen(spring, motion));
         let Spring::Free(free) = &before else { return None };

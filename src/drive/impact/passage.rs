@@ -3,7 +3,7 @@
 use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::adhesion::line::Energy;
 use crate::contact::direct::{Jump, QuasiStatic};
-use crate::numerics::quadrature;
+use crate::numerics::chebyshev::Chebyshev;
 use crate::numerics::root;
 use std::f64::consts::PI;
 
@@ -35,8 +35,8 @@ struct StableStretch {
     to: f64,
     /// Energy lost in jumps before [J].
     spent: f64,
-    /// Parts of the leg in the angle φ, d = from + (to − from) sin²(φ/2), and the times at their ends [s].
-    clock: Vec<f64>,
+    /// Times [s] over the angle φ, d = from + (to − from) sin²(φ/2), part by part.
+    clock: Vec<Chebyshev>,
     /// Estimate of the error of the duration [s].
     error: f64,
 }
@@ -45,6 +45,8 @@ struct StableStretch {
 const LOOKS: u32 = 24;
 /// Most parts a leg is cut into for its duration.
 const MOST_PARTS: usize = 64;
+/// Places at which the pace of a part is met.
+const PLACES: usize = 32;
 
 impl Passage {
     /// The way of a mass through a contact such as `contact`, from first touch on; `accuracy` is the relative error of the
@@ -83,7 +85,8 @@ impl Passage {
     /// Bytes of its state.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.legs.iter().map(|leg| size_of::<StableStretch>() + size_of::<f64>() * leg.clock.len()).sum()
+        let bytes = |times: &Chebyshev| size_of::<Chebyshev>() + size_of::<f64>() * (1 + times.degree());
+        self.legs.iter().map(|leg| size_of::<StableStretch>() + leg.clock.iter().map(bytes).sum::<usize>()).sum()
     }
 
     /// The contact at the greatest depth.
@@ -104,7 +107,7 @@ impl Passage {
             let time = |k: usize| duration * k as f64 / count as f64;
             let inside = (1..count).map(time).filter(|&t| t > start && t < end);
             let times = std::iter::once(start).chain(inside).chain(std::iter::once(end));
-            moments.extend(times.map(|t| leg.moment(&self.impact, t, leg.depth_at(&self.impact, t - start))));
+            moments.extend(times.map(|t| leg.moment(&self.impact, t, leg.depth_at(t - start))));
             start = end;
         }
         moments.extend(self.parted(start));
@@ -186,7 +189,7 @@ impl Passage {
     fn leg(&mut self, contact: &QuasiStatic, (from, to): (f64, f64)) -> Result<Option<StableStretch>, ImpactError> {
         let mut contact = contact.clone();
         contact.indent(0.5 * (from + to))?;
-        let mut leg = StableStretch { contact, from, to, spent: self.lost, clock: vec![0.0], error: 0.0 };
+        let mut leg = StableStretch { contact, from, to, spent: self.lost, clock: Vec::new(), error: 0.0 };
         let depth = |k: u32| leg.depth(PI * f64::from(k) / f64::from(LOOKS));
         let rest = (1..=LOOKS).find(|&k| self.kinetic(&leg, depth(k)) < 0.0);
         if let Some(k) = rest {
@@ -267,8 +270,9 @@ impl StableStretch {
         self.clock = self.clock_of(impact, parts);
         loop {
             let finer = self.clock_of(impact, 2 * parts);
-            self.error = (finer.last().copied().unwrap_or(0.0) - self.duration()).abs();
+            let before = self.duration();
             self.clock = finer;
+            self.error = (self.duration() - before).abs();
             parts *= 2;
             if self.error <= (0.1 * accuracy).min(1e-9) * self.duration() || parts >= MOST_PARTS {
                 return;
@@ -276,29 +280,28 @@ impl StableStretch {
         }
     }
 
-    fn clock_of(&self, impact: &Projectile, parts: usize) -> Vec<f64> {
+    /// The times as polynomials: a place at a time is a root of one of them, without another look at the contact.
+    fn clock_of(&self, impact: &Projectile, parts: usize) -> Vec<Chebyshev> {
         let width = PI / parts as f64;
         let mut time = 0.0;
-        let mut clock = vec![time];
-        for k in 0..parts {
-            let low = width * k as f64;
-            time += quadrature::panel(|phi| self.pace(impact, phi), low, low + width);
-            clock.push(time);
-        }
-        clock
+        let part = |k: usize| {
+            let (low, high) = (width * k as f64, width * (k + 1) as f64);
+            let times = Chebyshev::of(|phi| self.pace(impact, phi), PLACES, (low, high)).integral(time);
+            time = times.at(high);
+            times
+        };
+        (0..parts).map(part).collect()
     }
 
     fn duration(&self) -> f64 {
-        self.clock.last().copied().unwrap_or(0.0)
+        self.clock.last().map_or(0.0, |times| times.at(PI))
     }
 
     /// The depth at the time `t` of this leg.
-    fn depth_at(&self, impact: &Projectile, t: f64) -> f64 {
-        let part = self.clock.partition_point(|&end| end < t).clamp(1, self.clock.len() - 1) - 1;
-        let width = PI / (self.clock.len() - 1) as f64;
-        let low = width * part as f64;
-        let after = |phi: f64| quadrature::panel(|phi| self.pace(impact, phi), low, phi) - (t - self.clock[part]);
-        self.depth(root::within(after, low, low + width))
+    fn depth_at(&self, t: f64) -> f64 {
+        let part = self.clock.partition_point(|times| times.at(times.high()) < t).min(self.clock.len() - 1);
+        let times = &self.clock[part];
+        self.depth(root::within(|phi| times.at(phi) - t, times.low(), times.high()))
     }
 
     fn moment(&self, impact: &Projectile, time: f64, depth: f64) -> ImpactState {
