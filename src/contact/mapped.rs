@@ -171,7 +171,7 @@ impl ContactModel for MappedContact {
 /// # Errors
 /// It is wider than layers are known.
 pub fn known(profile: &dyn Profile, radius: f64) -> Result<(), BedError> {
-    let known = profile.known_to();
+    let known = profile.known_to(radius);
     if radius > known { Err(BedError::Wide { radius, known }) } else { Ok(()) }
 }
 
@@ -199,15 +199,20 @@ impl Loading for MappedLoading<'_> {
 
     /// Of a closed wave it is smooth, and what is a hundredth of a thousandth of the wave away stands for the last place.
     fn pressure(&self, r: f64) -> Option<f64> {
+        if self.contact_radius() > self.profile.fields_known_to() {
+            return None;
+        }
         let end = self.bed.contact_radius();
         let place = if (r - self.contact_radius()).abs() <= 0.0 { end } else { self.profile.place(r) };
         self.bed.pressure(if is_closed(self.profile, end) { place.min(LAST * end) } else { place })
     }
 
-    /// Not told from the place on at which a strip has no stiffness: there the half-plane has long been at rest.
+    /// Not told from the place on at which a strip has no stiffness: there the half-plane has long been at rest; nor over
+    /// layers of which the springs alone are known.
     fn surface(&self, r: f64) -> Option<f64> {
         let place = self.profile.place(r);
-        if place.is_finite() { self.bed.surface(place) } else { None }
+        let is_known = place.is_finite() && self.contact_radius() <= self.profile.fields_known_to();
+        if is_known { self.bed.surface(place) } else { None }
     }
 
     fn stress_intensity(&self) -> Option<f64> {

@@ -9,6 +9,10 @@ use std::sync::{Arc, OnceLock};
 
 /// Nodes of a panel.
 const NODES: usize = 20;
+/// Nodes of an integrand, a product of such polynomials.
+const FINE: usize = 32;
+/// Part of its end at which a panel begins near the axis.
+const NEAR_THE_AXIS: f64 = 0.25;
 /// A panel whose last coefficients are less than this part of the first is fine enough.
 const RESOLVED: f64 = 1e-14;
 /// Most halvings of a panel: a root at a kink of the profile is then lost in rounding.
@@ -62,7 +66,7 @@ impl Grounded {
 
     /// The radius [m] at which it ends: of the shape, or of what is known of the ground.
     fn reach(&self) -> f64 {
-        self.shape.rim().radius().min(self.ground.end())
+        self.shape.rim().radius().min(self.ground.end(self.shape.as_ref(), 0.0))
     }
 
     fn octave_of(&self, a: f64) -> usize {
@@ -123,15 +127,17 @@ impl Grounded {
 
     /// N and M over a panel, which begins with `ends`.
     fn integrated(&self, share: Chebyshev, (low, high): (f64, f64), ends: [f64; 2]) -> Panel {
-        let [load_before, energy_before] = ends;
+        let span = (low, high);
         let (measure, depth) = (|a| self.ground.measure(a), |a| share.at(a) * self.shape.reduced(a));
         let slope = |a: f64| self.slope_with(&share, a);
-        let load_at = |a: f64| load_before + quadrature::panel(|x| measure(x) * slope(x), low, a);
-        let load = Chebyshev::of(|a| load_at(a) / (measure(a) * depth(a)), NODES, (low, high));
+        let load_at = summed(|x| measure(x) * slope(x), span, ends[0]);
+        let load = Chebyshev::of(|a| load_at(a) / (measure(a) * depth(a)), NODES, span);
         let known = |a: f64| measure(a) * depth(a) * load.at(a);
-        let energy_at = |a: f64| energy_before + quadrature::panel(|x| 2.0 * slope(x) * known(x), low, a);
-        let energy = Chebyshev::of(|a| energy_at(a) / (measure(a) * depth(a).powi(2)), NODES, (low, high));
-        Panel { high, ends: [load_at(high), energy_at(high)], load, energy, share }
+        let energy_at = summed(|x| 2.0 * slope(x) * known(x), span, ends[1]);
+        let energy = Chebyshev::of(|a| energy_at(a) / (measure(a) * depth(a).powi(2)), NODES, span);
+        let ends = [load_at(high), energy_at(high)];
+        drop((load_at, energy_at));
+        Panel { high, ends, load, energy, share }
     }
 
     /// d_e′(a), of the panel with the share `share`.
@@ -150,6 +156,16 @@ impl Grounded {
         let panel = panels.iter().find(|panel| a <= panel.high).or(panels.last())?;
         Some((panel, a))
     }
+}
+
+/// `before` + ∫f over x from `low` on: as a polynomial, unless the panel comes so near the axis that its begin would be
+/// lost in the rounding of its end.
+fn summed<'f>(f: impl Fn(f64) -> f64 + 'f, (low, high): (f64, f64), before: f64) -> Box<dyn Fn(f64) -> f64 + 'f> {
+    if low < NEAR_THE_AXIS * high {
+        return Box::new(move |a| before + quadrature::panel(&f, low, a));
+    }
+    let more = Chebyshev::of(f, FINE, (low, high)).integral(0.0);
+    Box::new(move |a| before + more.at(a))
 }
 
 impl Profile for Grounded {
@@ -208,9 +224,10 @@ impl Profile for Grounded {
     }
 
     fn rim(&self) -> Rim {
+        let end = self.reach();
         match self.shape.rim() {
-            Rim::Wall(radius) if radius <= self.ground.end() => Rim::Wall(self.ground.measure(radius)),
-            Rim::End(radius) if radius <= self.ground.end() => Rim::End(self.ground.measure(radius)),
+            Rim::Wall(radius) if radius <= end => Rim::Wall(self.ground.measure(radius)),
+            Rim::End(radius) if radius <= end => Rim::End(self.ground.measure(radius)),
             // A contact that goes further is refused when it is there: to know the depth would cost more than most scenes.
             Rim::Wall(_) | Rim::None | Rim::End(_) => Rim::None,
         }
@@ -256,8 +273,12 @@ impl Profile for Grounded {
         Some(self.shape.as_ref())
     }
 
-    fn known_to(&self) -> f64 {
-        self.ground.end()
+    fn known_to(&self, asked: f64) -> f64 {
+        self.ground.end(self.shape.as_ref(), asked)
+    }
+
+    fn fields_known_to(&self) -> f64 {
+        self.ground.fields_end()
     }
 
     fn is_mapped(&self) -> bool {

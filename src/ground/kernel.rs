@@ -19,6 +19,12 @@ const HIGH: f64 = 24.0;
 const LONGEST: f64 = 2.0;
 /// Longest panel in the phase.
 const PHASE: f64 = 24.0;
+/// Distance up to which the longest panel serves.
+const NEAR: f64 = PHASE / LONGEST;
+/// Pieces of an octave, which two digits of the mantissa number.
+const CELLS: usize = 4;
+/// Terms of a piece: an eighth of the distance to the nearest singularity leaves 16^(−14).
+const TERMS: usize = 14;
 
 /// κ(y) = ∫₀^∞ (1 − M(t)) cos(ty) dt [1], and the same with J₀(ty), lengths in thicknesses of the top layer.
 #[derive(Clone)]
@@ -27,6 +33,8 @@ pub(super) struct Kernel {
     lacking: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
     /// A wave number below which M does not change.
     least: f64,
+    /// Wave numbers and 1 − M times their weight, for distances up to [`NEAR`].
+    near: OnceLock<Vec<(f64, f64)>>,
     straight: Octaves,
     round: Octaves,
 }
@@ -35,7 +43,35 @@ pub(super) struct Kernel {
 #[derive(Clone)]
 struct Octaves {
     wave: fn(f64) -> f64,
-    kept: Vec<OnceLock<Chebyshev>>,
+    kept: Vec<OnceLock<[Cell; CELLS]>>,
+}
+
+/// A piece of an octave in powers of the distance from its middle, in halves of its length.
+#[derive(Debug, Clone, Copy)]
+struct Cell {
+    middle: f64,
+    per_half: f64,
+    powers: [f64; TERMS],
+}
+
+impl Cell {
+    /// `function` over the interval.
+    fn of(function: &Chebyshev, (low, high): (f64, f64)) -> Self {
+        let powers = Chebyshev::of(|y| function.at(y), TERMS, (low, high)).powers();
+        let powers = std::array::from_fn(|n| powers.get(n).copied().unwrap_or(0.0));
+        Self { middle: 0.5 * (low + high), per_half: 2.0 / (high - low), powers }
+    }
+
+    /// Even and odd powers apart, two sums that do not wait for each other.
+    fn at(&self, y: f64) -> f64 {
+        let t = (y - self.middle) * self.per_half;
+        let (square, mut even, mut odd) = (t * t, 0.0, 0.0);
+        for pair in self.powers.chunks_exact(2).rev() {
+            even = even * square + pair[0];
+            odd = odd * square + pair[1];
+        }
+        even + t * odd
+    }
 }
 
 impl Octaves {
@@ -53,7 +89,8 @@ impl Debug for Kernel {
 impl Kernel {
     /// With M(t) that does not change below the wave number `least`.
     pub(super) fn new(lacking: impl Fn(f64) -> f64 + Send + Sync + 'static, least: f64) -> Self {
-        Self { lacking: Arc::new(lacking), least, straight: Octaves::of(f64::cos), round: Octaves::of(libm::j0) }
+        let (straight, round) = (Octaves::of(f64::cos), Octaves::of(libm::j0));
+        Self { lacking: Arc::new(lacking), least, near: OnceLock::new(), straight, round }
     }
 
     /// 1 − M at the wave number `t`.
@@ -73,19 +110,22 @@ impl Kernel {
     }
 
     fn at(&self, y: f64, octaves: &Octaves) -> f64 {
-        let octave = if y < 1.0 { 0 } else { octave_of(y) };
+        let (octave, cell) = place(y);
         match octaves.kept.get(octave) {
-            Some(kept) => kept.get_or_init(|| self.octave(octave, octaves.wave)).at(y),
+            Some(kept) => kept.get_or_init(|| self.octave(octave, octaves.wave))[cell].at(y),
             None => transformed(&self.samples(y), octaves.wave, y),
         }
     }
 
     /// The transform over the octave that ends at 2ⁿ; the first one begins at the axis.
-    fn octave(&self, octave: usize, wave: fn(f64) -> f64) -> Chebyshev {
+    fn octave(&self, octave: usize, wave: fn(f64) -> f64) -> [Cell; CELLS] {
         let high = (octave as f64).exp2();
-        let samples = self.samples(high);
-        let interval = (if octave == 0 { 0.0 } else { 0.5 * high }, high);
-        Chebyshev::of(|y| transformed(&samples, wave, y), NODES, interval).trimmed(FLOOR)
+        let low = if octave == 0 { 0.0 } else { 0.5 * high };
+        let far = if high > NEAR { self.samples(high) } else { Vec::new() };
+        let samples = if high > NEAR { &far } else { self.near.get_or_init(|| self.samples(NEAR)) };
+        let whole = Chebyshev::of(|y| transformed(samples, wave, y), NODES, (low, high)).trimmed(FLOOR);
+        let border = |cell: usize| low + (high - low) * cell as f64 / CELLS as f64;
+        std::array::from_fn(|cell| Cell::of(&whole, (border(cell), border(cell + 1))))
     }
 
     /// Wave numbers and 1 − M times their weight, for distances up to `y`.
@@ -109,10 +149,14 @@ impl Kernel {
     }
 }
 
-/// The n for which 2^(n−1) ≤ y < 2ⁿ, y ≥ 1.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the logarithm of a number from 1 on")]
-fn octave_of(y: f64) -> usize {
-    y.log2().floor() as usize + 1
+/// The octave n of `y`, 2^(n−1) ≤ y < 2ⁿ or 0 for y < 1, and the piece of it: exponent and first two digits of the mantissa.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "below four, and eleven binary digits")]
+fn place(y: f64) -> (usize, usize) {
+    if y < 1.0 {
+        return (0, (y * CELLS as f64) as usize);
+    }
+    let digits = y.to_bits() >> 50;
+    ((digits >> 2) as usize - 1022, (digits & 3) as usize)
 }
 
 fn transformed(samples: &[(f64, f64)], wave: fn(f64) -> f64, y: f64) -> f64 {

@@ -3,22 +3,21 @@
 use super::Ground;
 use super::kernel::Kernel;
 use super::line_load::LineLoad;
-use super::punch::{self, Punch};
+use super::octave::Octave;
+use super::wide::{self, Wide};
 use crate::material::Stack;
-use crate::numerics::chebyshev::Chebyshev;
-use crate::numerics::quadrature;
-use crate::numerics::{legendre, root};
+use crate::numerics::{legendre, quadrature};
 use crate::shape::Profile;
 use std::collections::VecDeque;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2};
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError};
 
-/// Nodes per octave of the radius.
-const NODES: usize = 20;
 /// Upper border of the first octave, in thicknesses, where what lies below is not much softer.
 const FIRST: f64 = 0.25;
-/// Octaves of the radius from there on: up to 64 thicknesses of the top layer.
+/// Octaves of the radius from there on by the integral equation: up to 64 thicknesses of the top layer.
 const OCTAVES: u32 = 9;
+/// Octaves beyond them on a rigid base: up to a million thicknesses.
+const WIDER: usize = 14;
 /// Most octaves below: a radius of 1e-15 thicknesses.
 const FINER: u32 = 48;
 
@@ -44,33 +43,13 @@ pub struct Layers {
     compression: f64,
     /// Upper border of the first octave, in thicknesses.
     first: f64,
+    /// Octaves by the integral equation, and those beyond.
     octaves: Vec<OnceLock<Octave>>,
+    /// Thickness of all layers, in thicknesses of the top one, if nothing gives below them.
+    rigid: Option<f64>,
+    wide: OnceLock<Option<Wide>>,
     /// Displacements of springs and the line load that goes with them, the last that were asked for.
     last: Mutex<VecDeque<(LineLoad, Arc<LineLoad>)>>,
-}
-
-/// Punches of the radii of one octave.
-#[derive(Debug, Clone)]
-struct Octave {
-    /// s(a)/a over a.
-    measure: Chebyshev,
-    /// a(s)/s over s.
-    radius: Chebyshev,
-    /// s at its end.
-    end: f64,
-    /// q₁(a; a) over a.
-    edge: Chebyshev,
-    /// Coefficients of q₁(x; a) over a.
-    load: Vec<Chebyshev>,
-    /// Coefficients of Γ(x; a) over a.
-    resolvent: Vec<Chebyshev>,
-}
-
-impl Octave {
-    /// d ln s/d ln a at the radius `a`.
-    fn growth(&self, a: f64) -> f64 {
-        self.edge.at(a).powi(2) / self.measure.at(a)
-    }
 }
 
 impl Layers {
@@ -84,6 +63,9 @@ impl Layers {
         let compression = parts.iter().map(|(share, stack)| share * stack.compression()).sum::<f64>();
         // What a body without layers gives has no end.
         let whole = parts.iter().map(|(share, _)| share).sum::<f64>() > 1.0 - WHOLE;
+        let given = parts.iter().any(|(_, stack)| stack.base.is_some() || stack.sheets.is_empty());
+        let thickness = |stack: &Stack| stack.sheets.iter().map(|sheet| sheet.thickness / unit).sum::<f64>();
+        let thickest = parts.iter().map(|(_, stack)| thickness(stack)).fold(0.0, f64::max);
         let lacking = move |t: f64| parts.iter().map(|(share, stack)| share * stack.lacking(t / unit)).sum();
         let kernel = Kernel::new(lacking, least * unit);
         // Small punches have s = a/(1 − K(0, 0)a): a stiff layer on a soft base bends below far smaller ones.
@@ -94,7 +76,9 @@ impl Layers {
             kernel,
             compression: if whole { compression } else { f64::INFINITY },
             first: FIRST / f64::from(finer).exp2(),
-            octaves: vec![OnceLock::new(); (OCTAVES + finer) as usize],
+            octaves: vec![OnceLock::new(); (OCTAVES + finer) as usize + WIDER],
+            rigid: (whole && !given).then_some(thickest),
+            wide: OnceLock::new(),
             last: Mutex::default(),
         }
     }
@@ -105,63 +89,75 @@ impl Layers {
         (if octave == 0 { 0.0 } else { 0.5 * high }, high)
     }
 
-    /// Radius of the widest punch, in thicknesses.
+    /// Number of octaves by the integral equation.
+    fn solved(&self) -> usize {
+        self.octaves.len() - WIDER
+    }
+
+    /// Radius of the widest punch by the integral equation, in thicknesses.
     fn widest(&self) -> f64 {
-        self.interval(self.octaves.len() - 1).1
+        self.interval(self.solved() - 1).1
+    }
+
+    /// Punches beyond them, if they are known.
+    fn wide(&self) -> Option<&Wide> {
+        self.wide.get_or_init(|| Wide::of(&self.kernel, self.rigid?)).as_ref()
     }
 
     fn kept(&self, octave: usize) -> Option<&Octave> {
-        Some(self.octaves.get(octave)?.get_or_init(|| self.octave(octave)))
-    }
-
-    fn octave(&self, octave: usize) -> Octave {
+        let kept = self.octaves.get(octave)?;
+        let wide = if octave < self.solved() { None } else { Some(self.wide()?) };
         let interval = self.interval(octave);
-        let radii: Vec<f64> = Chebyshev::nodes(NODES, interval).collect();
-        let rule = punch::rule(punch::count(interval.1));
-        let punches: Vec<Punch> = radii.iter().map(|&a| Punch::new(&self.kernel, a, &rule)).collect();
-        let over = |of: &dyn Fn(&Punch, f64) -> f64| {
-            let values: Vec<f64> = punches.iter().zip(&radii).map(|(punch, &a)| of(punch, a)).collect();
-            Chebyshev::met(&values, interval)
-        };
-        let series = |of: fn(&Punch) -> &Vec<f64>| -> Vec<Chebyshev> {
-            (0..rule.nodes().len()).map(|m| over(&|punch, _| of(punch).get(m).copied().unwrap_or(0.0))).collect()
-        };
-        let measure = over(&|punch, a| punch.measure / a);
-        let (low, high) = interval;
-        let ends = (low * measure.at(low), high * measure.at(high));
-        let inverse = |s: f64| root::within(|a| a * measure.at(a) - s, low, high) / s;
-        Octave {
-            end: ends.1,
-            radius: Chebyshev::of(inverse, NODES, ends),
-            edge: over(&|punch, _| punch.edge),
-            load: series(|punch| &punch.load),
-            resolvent: series(|punch| &punch.resolvent),
-            measure,
-        }
+        let Some(wide) = wide else { return Some(kept.get_or_init(|| Octave::solved(&self.kernel, interval))) };
+        let before = self.kept(octave - 1)?.end;
+        Some(kept.get_or_init(|| Octave::grown(|a| wide.density(a), interval, before)))
     }
 
-    /// The octave of the radius `a` in thicknesses; the last one for what lies beyond.
+    /// Number of octaves that are known for a radius `a`, in thicknesses.
+    fn count(&self, a: f64) -> usize {
+        if a > self.widest() && self.wide().is_some() { self.octaves.len() } else { self.solved() }
+    }
+
+    /// Number of the octave of the radius `a` in thicknesses; of the last one for what lies beyond.
+    fn number(&self, a: f64) -> usize {
+        let last = self.count(a).saturating_sub(1);
+        (0..last).find(|&octave| a <= self.interval(octave).1).unwrap_or(last)
+    }
+
     fn about(&self, a: f64) -> Option<&Octave> {
-        let last = self.octaves.len().saturating_sub(1);
-        self.kept((0..last).find(|&octave| a <= self.interval(octave).1).unwrap_or(last))
+        self.kept(self.number(a))
     }
 
     /// The radius `a` [m] in thicknesses, of a contact wider than any that is known that of the widest one, and how many
     /// times wider it is: from there on everything goes on as a power, by which searches find back.
     fn known(&self, a: f64) -> (f64, f64) {
-        let (thin, end) = (a / self.unit, self.widest());
+        let thin = a / self.unit;
+        let end = self.interval(self.count(thin) - 1).1;
         if thin > end { (end, thin / end) } else { (thin, 1.0) }
+    }
+
+    /// The radius `a` [m] in thicknesses, at most that of the widest punch by the integral equation.
+    fn within(&self, a: f64) -> f64 {
+        (a / self.unit).min(self.widest())
     }
 
     /// Γ(x; a) per thickness, as a sum of P₂ₘ(x/a).
     fn resolvent(&self, a: f64) -> Vec<f64> {
-        self.about(a).map_or_else(Vec::new, |octave| coefficients(&octave.resolvent, a))
+        self.about(a.min(self.widest())).map_or_else(Vec::new, |octave| octave.resolvent(a))
     }
-}
 
-/// The coefficients of a punch of the radius `a`.
-fn coefficients(series: &[Chebyshev], a: f64) -> Vec<f64> {
-    series.iter().map(|coefficient| coefficient.at(a)).collect()
+    /// d_e/g of g = x² at the radius `a` in thicknesses.
+    fn square(&self, a: f64) -> f64 {
+        let number = self.number(a);
+        // From the least octave up, so that none asks down a long way.
+        (0..=number)
+            .try_fold((None, 0.0), |(_, before), octave| {
+                let (share, end) = self.kept(octave)?.square(|| before);
+                Some((Some(share), *end))
+            })
+            .and_then(|(share, _)| share)
+            .map_or(1.0, |share| share.at(a))
+    }
 }
 
 /// Borders near the edge at `a` of panels that see a kernel one thickness wide.
@@ -182,12 +178,19 @@ impl Ground for Layers {
         Some(self.unit)
     }
 
-    fn end(&self) -> f64 {
+    fn end(&self, profile: &dyn Profile, asked: f64) -> f64 {
+        let is_square = profile.is_square() && asked > self.fields_end();
+        let octaves = if is_square { self.count(f64::INFINITY) } else { self.solved() };
+        self.unit * self.interval(octaves - 1).1
+    }
+
+    fn fields_end(&self) -> f64 {
         self.unit * self.widest()
     }
 
     fn table_error(&self) -> f64 {
-        TABLES
+        let is_wide = self.wide.get().is_some_and(Option::is_some);
+        if is_wide { wide::ERROR } else { TABLES }
     }
 
     fn measure(&self, a: f64) -> f64 {
@@ -201,15 +204,10 @@ impl Ground for Layers {
             return s;
         }
         let thin = s / self.unit;
-        let last = self.octaves.len().saturating_sub(1);
-        match (0..=last).filter_map(|octave| self.kept(octave)).find(|kept| thin <= kept.end) {
-            // One step of Newton doubles the digits of the table, whose function is a root where the layer is thin.
-            Some(octave) => {
-                let a = thin * octave.radius.at(thin);
-                self.unit * (a - (a * octave.measure.at(a) - thin) / octave.edge.at(a).powi(2))
-            }
+        match (0..self.octaves.len()).map_while(|octave| self.kept(octave)).find(|kept| thin <= kept.end) {
+            Some(octave) => self.unit * octave.radius(thin),
             None => {
-                let end = self.end();
+                let end = self.unit * self.interval(self.count(f64::INFINITY) - 1).1;
                 end * (s / self.measure(end)).powf(self.growth(end).recip())
             }
         }
@@ -235,9 +233,13 @@ impl Ground for Layers {
         2.0 * known * slope / edge
     }
 
-    /// d_e = g(a) − ∫Γ(g(a) − g(ξ))dξ/q₁(a): what an edge without a load needs of the other places.
+    /// d_e = g(a) − ∫Γ(g(a) − g(ξ))dξ/q₁(a): what an edge without a load needs of the other places; of g = x²/R by
+    /// [`Octave::square`].
     fn depth_share(&self, profile: &dyn Profile, a: f64) -> f64 {
-        let (thin, _) = self.known(a);
+        if profile.is_square() {
+            return self.square(self.known(a).0);
+        }
+        let thin = self.within(a);
         let a = thin * self.unit;
         let Some(octave) = self.about(thin) else { return 1.0 };
         let (resolvent, high) = (self.resolvent(thin), profile.reduced(a));
@@ -251,10 +253,10 @@ impl Ground for Layers {
 
     /// By the pairs q₁ = P₂ₘ(x/a), πa p₁ = P₂ₘ(√(1−r²/a²))/(P₂ₘ(0)√(1−r²/a²)).
     fn edge_pressure(&self, root: f64, a: f64) -> f64 {
-        let (thin, _) = self.known(a);
+        let thin = self.within(a);
         let Some(octave) = self.about(thin) else { return 0.0 };
         let height = root / a;
-        let load = coefficients(&octave.load, thin).into_iter().zip(legendre::inverses_in_the_middle());
+        let load = octave.load(thin).into_iter().zip(legendre::inverses_in_the_middle());
         let raised: Vec<f64> = load.map(|(c, inverse)| c * inverse).collect();
         FRAC_1_PI * legendre::even_sum(&raised, height) / root
     }

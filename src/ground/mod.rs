@@ -31,10 +31,12 @@ mod grounded;
 mod kernel;
 mod layers;
 mod line_load;
+mod octave;
 mod power;
 mod punch;
 mod sheet;
 mod transfer;
+mod wide;
 #[cfg(test)]
 mod tests;
 
@@ -56,8 +58,13 @@ pub trait Ground: Debug + Send + Sync {
     /// The length [m] over which it changes, if it has one.
     fn scale(&self) -> Option<f64>;
 
-    /// Radius [m] of the widest contact that is known.
-    fn end(&self) -> f64;
+    /// Radius [m] of the widest contact that is known under `profile`, looked for no further than `asked` [m].
+    fn end(&self, profile: &dyn Profile, asked: f64) -> f64;
+
+    /// Radius [m] of the widest contact whose pressure and surface are known.
+    fn fields_end(&self) -> f64 {
+        f64::INFINITY
+    }
 
     /// Relative error of depth and stiffness that come of tables; zero of closed forms.
     fn table_error(&self) -> f64 {

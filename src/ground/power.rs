@@ -63,7 +63,7 @@ impl Ground for PowerLaw {
         None
     }
 
-    fn end(&self) -> f64 {
+    fn end(&self, _profile: &dyn Profile, _asked: f64) -> f64 {
         f64::INFINITY
     }
 

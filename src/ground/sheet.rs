@@ -18,7 +18,7 @@ impl Ground for Springs {
         None
     }
 
-    fn end(&self) -> f64 {
+    fn end(&self, _profile: &dyn Profile, _asked: f64) -> f64 {
         f64::INFINITY
     }
 

@@ -160,6 +160,22 @@ impl Chebyshev {
         Self { coefficients, ..*self }
     }
 
+    /// Coefficients of the powers of (x − middle)/half, for series that fall off fast.
+    #[must_use]
+    pub fn powers(&self) -> Vec<f64> {
+        let count = self.coefficients.len();
+        let (mut sum, mut here, mut next) = (vec![0.0; count], vec![0.0; count], vec![0.0; count]);
+        here.iter_mut().take(1).for_each(|one| *one = 1.0);
+        next.iter_mut().skip(1).take(1).for_each(|one| *one = 1.0);
+        for c in &self.coefficients {
+            sum.iter_mut().zip(&here).for_each(|(sum, power)| *sum += c * power);
+            let shifted = std::iter::once(0.0).chain(next.iter().map(|power| 2.0 * power));
+            let after = shifted.zip(&here).map(|(up, down)| up - down).collect();
+            here = std::mem::replace(&mut next, after);
+        }
+        sum
+    }
+
     /// The same times a number.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
@@ -225,6 +241,17 @@ mod tests {
         for x in [0.2, 0.31, 0.77, 1.1] {
             assert!((wave.at(x) - x.sin()).abs() < 1e-14, "{x}");
             assert!((slope.at(x) - x.cos()).abs() < 1e-11, "{x}");
+        }
+    }
+
+    #[test]
+    fn powers_and_integrals_are_the_function() {
+        let wave = Chebyshev::of(f64::sin, 16, (0.2, 1.1));
+        let (powers, integral) = (wave.powers(), wave.integral(0.0));
+        for x in [0.2, 0.31, 0.77, 1.1] {
+            let t = (x - 0.65) / 0.45;
+            assert!((powers.iter().rev().fold(0.0, |sum, c| sum * t + c) - x.sin()).abs() < 1e-14, "{x}");
+            assert!((integral.at(x) - (0.2f64.cos() - x.cos())).abs() < 1e-15, "{x}");
         }
     }
 

@@ -53,6 +53,10 @@ impl Profile for Paraboloid {
         displacement(self.radius.si(), r, a)
     }
 
+    fn is_square(&self) -> bool {
+        true
+    }
+
     fn edge(&self, d: f64) -> Option<f64> {
         Some(self.radius.si().sqrt() * d.max(0.0).sqrt())
     }

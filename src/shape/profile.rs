@@ -162,8 +162,18 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         None
     }
 
-    /// Radius [m] of the widest contact that is known of what lies below.
-    fn known_to(&self) -> f64 {
+    /// Whether g is x² times a number, up to any x.
+    fn is_square(&self) -> bool {
+        false
+    }
+
+    /// Radius [m] of the widest contact that is known of what lies below, looked for no further than `asked` [m].
+    fn known_to(&self, _asked: f64) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Radius [m] of the widest contact whose pressure and surface are known of what lies below.
+    fn fields_known_to(&self) -> f64 {
         f64::INFINITY
     }
 
