@@ -475,6 +475,11 @@ pub enum PixelFriction {
         /// Coefficient of friction μ.
         coefficient: f64,
     },
+    /// Stick and slip under Coulomb's law on every pixel, together with its pressures.
+    Coupled {
+        /// Coefficient of friction μ.
+        coefficient: f64,
+    },
     /// Gross sliding under a law that acts on the pressure.
     Gross(Interface),
 }

@@ -1,6 +1,7 @@
 //! Scenes on the pixels of a half-space.
 
 mod attraction;
+mod coupled;
 mod dent;
 mod distribution;
 mod error;

@@ -105,12 +105,13 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 94] = [
+pub const RULES: [Rule; 95] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
     Rule::once(Solver, Adhesion, pixels::adhesion),
     Rule::once(Solver, Friction, pixels::friction),
+    Rule::once(Solver, Friction, pixels::tractions),
     Rule::once(Solver, Wear, pixels::wear),
     Rule::once(Solver, Springs, pixels::springs),
     Rule::once(Solver, Shape, pixels::shape),

@@ -31,7 +31,8 @@ pub fn suiting(plan: &HalfSpacePlan, outcome: &Outcome) -> Vec<Plot> {
     let glides = plan.travel.iter().flat_map(gliding::suiting);
     let sheared = outcome.map.as_ref().and_then(|map| map.shear.as_ref());
     if slides(outcome) {
-        let stick = matches!(plan.friction, Some(PixelFriction::Partial { .. })).then_some(Plot::Stick);
+        let stick = matches!(plan.friction, Some(PixelFriction::Partial { .. } | PixelFriction::Coupled { .. }))
+            .then_some(Plot::Stick);
         let shear = sheared.map(|_| Plot::Shear);
         return [Plot::Friction].into_iter().chain(stick).chain(map).chain(shear).collect();
     }
