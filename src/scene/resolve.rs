@@ -292,6 +292,7 @@ fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
     match range {
         Range::Vanishing(_) => ElasticAdhesion::Vanishing { work },
         Range::Finite(stress) => ElasticAdhesion::Finite { work, stress },
+        Range::Fading(range) => ElasticAdhesion::Fading { work, range },
     }
 }
 
@@ -312,7 +313,7 @@ fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
         Range::Vanishing(edge) => {
             edge.map(|edge| HeldEdge { work, closing: closing.unwrap_or(work), edge: edge.clone() })
         }
-        Range::Finite(_) => None,
+        Range::Finite(_) | Range::Fading(_) => None,
     }
 }
 

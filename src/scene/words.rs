@@ -196,7 +196,7 @@ impl HalfSpacePlan {
             }
             (false, false) => "; elastic",
             (false, true) => {
-                "; elastic, with a constant attraction across the gap up to its range, contact and attraction in turns until they agree"
+                "; elastic, with an attraction across the gap, contact and attraction in turns until they agree"
             }
             (true, false) => {
                 "; each pixel remembers by Maxwell elements that are exact in time, steps halved until they agree"

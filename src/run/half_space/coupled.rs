@@ -52,6 +52,6 @@ impl<'p> Coupled<'p> {
         let (gap, elastic) = (pressing.gap(&contact), pressing.elastic(&contact.pressure, &contact.displacement));
         let stored = Energy { elastic, surface: 0.0 };
         let dragged = Some(Box::new(Dragged { tangential, shear }));
-        Ok(Pressed { contact, pull: None, gap, stored, dissipated: 0.0, dragged })
+        Ok(Pressed { contact, pull: None, faint: 0.0, gap, stored, dissipated: 0.0, dragged })
     }
 }

@@ -101,7 +101,9 @@ impl<'p> Pixels<'p> {
         }
         let gap = self.gap(&contact);
         let pull = self.pull.clone();
-        let mut pressed = Pressed { contact, pull, gap, stored: Energy::default(), dissipated: 0.0, dragged: None };
+        let faint = self.attraction.map_or(0.0, Attraction::faint);
+        let mut pressed =
+            Pressed { contact, pull, faint, gap, stored: Energy::default(), dissipated: 0.0, dragged: None };
         let pressure = pressed.pressure();
         if let (Some(memory), Some(step)) = (&mut self.memory, &step) {
             memory.take(step, &pressure, &response);

@@ -12,6 +12,8 @@ pub(super) struct Pressed {
     pub(super) contact: Solution,
     /// Attractive stress \[Pa\].
     pub(super) pull: Option<Array2<f64>>,
+    /// Attractive stress \[Pa\] above which a pixel is held.
+    pub(super) faint: f64,
     /// Gap \[m\] over the surface and what has been dented of it.
     pub(super) gap: Array2<f64>,
     /// Energy stored, and lost so far in the bodies \[J\].
@@ -34,7 +36,15 @@ impl Pressed {
     /// Elastic bodies without adhesion, `gap` \[m\] apart.
     pub(super) fn elastic(contact: Solution, gap: Array2<f64>) -> Self {
         let elastic = 0.5 * area(contact.pixel) * (&contact.pressure * &contact.displacement).sum();
-        Self { contact, pull: None, gap, stored: Energy { elastic, surface: 0.0 }, dissipated: 0.0, dragged: None }
+        Self {
+            contact,
+            pull: None,
+            faint: 0.0,
+            gap,
+            stored: Energy { elastic, surface: 0.0 },
+            dissipated: 0.0,
+            dragged: None,
+        }
     }
 
     /// Pressure on each pixel \[Pa\], pulling ones negative.

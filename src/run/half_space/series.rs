@@ -173,7 +173,7 @@ impl<'p> Series<'p> {
             return self.leaking(0, state, || self.pressing.open(0.0));
         };
         for step in 0..=APPROACH {
-            let value = -attraction.range() * f64::from(APPROACH - step) / f64::from(APPROACH);
+            let value = -attraction.reach() * f64::from(APPROACH - step) / f64::from(APPROACH);
             state = self.at(Goal { control: Control::Indentation, value, over: 0.0, slide: 0.0, entry: 0 })?;
         }
         Ok(state)

@@ -105,7 +105,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 95] = [
+pub const RULES: [Rule; 96] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -132,6 +132,7 @@ pub const RULES: [Rule; 95] = [
     Rule::once(Adhesion, Bodies, power_law::under_adhesion),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
+    Rule::once(Adhesion, Solver, parts::fading),
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
     Rule::once(Friction, Bodies, parts::gross_sliding_of_viscoelastic),
     Rule::once(Friction, Shape, parts::peeling_on_section),
