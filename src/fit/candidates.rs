@@ -78,7 +78,7 @@ impl Variant {
             Self::Jkr => {
                 let kept = match &plain.scene.adhesion {
                     Some(Adhesion::Jkr(jkr)) => json!({"Jkr": jkr}),
-                    Some(Adhesion::Maugis(_) | Adhesion::Capillary(_)) | None => {
+                    Some(Adhesion::Maugis(_) | Adhesion::Exponential(_) | Adhesion::Capillary(_)) | None => {
                         json!({"Jkr": {"work": work_of(&plain.scene)}})
                     }
                 };
@@ -87,7 +87,7 @@ impl Variant {
             Self::Maugis => {
                 let stress = match &plain.scene.adhesion {
                     Some(Adhesion::Maugis(maugis)) => maugis.stress.si(),
-                    Some(Adhesion::Jkr(_) | Adhesion::Capillary(_)) | None => STRESS.0,
+                    Some(Adhesion::Jkr(_) | Adhesion::Exponential(_) | Adhesion::Capillary(_)) | None => STRESS.0,
                 };
                 let model = json!({"Maugis": {"work": work_of(&plain.scene), "stress": stress}});
                 Ok(plain.with_adhesion(Some(model), (&[WORK.1, STRESS.1], "adhesion.edge"))?)

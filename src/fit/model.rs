@@ -312,7 +312,8 @@ impl Model<'_> {
                 let disc = RangeDisc::new(round.ground(), *work, *stress).ok();
                 disc.and_then(Ranged::of).map_or(Way::Run, Way::Ranged)
             }
-            ContactLaw::Plastic(_)
+            ContactLaw::Direct(ElasticAdhesion::Fading { .. })
+            | ContactLaw::Plastic(_)
             | ContactLaw::Gliding { .. }
             | ContactLaw::Springs { .. }
             | ContactLaw::Continuous { .. }

@@ -7,6 +7,9 @@ use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
 use super::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
 
+/// Width over height of a pixel.
+const DRAWN_OUT: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
+
 /// A problem without its heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Input {
@@ -79,6 +82,8 @@ impl Input {
         positive("pixel width", self.pixel[0])?;
         positive("pixel height", self.pixel[1])?;
         positive("effective modulus", self.modulus)?;
+        let wanted = "between 1e-3 and 1e3, for pixels longer than that show nothing of what lies along them";
+        within("width of a pixel over its height", self.pixel[0] / self.pixel[1], DRAWN_OUT, wanted)?;
         self.check_control()?;
         within("tolerance", settings.tolerance, 1e-14..=0.1, "between 1e-14 and 0.1")?;
         let needed = bytes_needed(self.size, self.law.is_periodic());

@@ -36,6 +36,7 @@
 //! # Ok::<(), springbed::halfspace::HalfSpaceError>(())
 //! ```
 
+mod coupled;
 mod error;
 mod face;
 mod grid;
@@ -54,6 +55,7 @@ mod vector;
 mod yielding;
 
 pub use crate::shape::Boundary;
+pub use coupled::{CoupledResponse, RubbedState, RubbingMap};
 pub use error::HalfSpaceError;
 pub use leak::leak;
 pub use lengthwise::lengthwise;

@@ -73,9 +73,14 @@ impl Symbol for Complex<f64> {
 
 /// The map x → F⁻¹[symbol · F x] from a grid to itself, zero-padded up to the period.
 pub(super) struct Multiplier<S = f64> {
+    lines: Lines,
+    symbol: Vec<S>,
+}
+
+/// Transforms of the rows and columns of a grid, zero-padded up to the period.
+pub(super) struct Lines {
     size: Size,
     period: Size,
-    symbol: Vec<S>,
     forward_row: Arc<dyn RealToComplex<f64>>,
     inverse_row: Arc<dyn ComplexToReal<f64>>,
     forward_column: Arc<dyn Fft<f64>>,
@@ -87,27 +92,36 @@ impl<S: Symbol> Multiplier<S> {
     pub(super) fn new(size: Size, period: Size, mut symbol: Vec<S>) -> Self {
         let scale = (period.pixels() as f64).recip();
         symbol.par_iter_mut().for_each(|value| *value = value.scaled(scale));
+        Self { lines: Lines::new(size, period), symbol }
+    }
+
+    /// y = F⁻¹[symbol · F x].
+    pub(super) fn apply(&self, x: &[f64], y: &mut [f64], scratch: &mut Scratch) {
+        let Lines { size, period, .. } = self.lines;
+        let needed = size.spectrum(period);
+        scratch.rows.resize(needed.max(scratch.rows.len()), Complex::default());
+        scratch.columns.resize(needed.max(scratch.columns.len()), Complex::default());
+        self.lines.transform_rows(x, &mut scratch.rows);
+        let quarter = period.rows / 2 + 1;
+        self.lines.across([&scratch.rows], (&mut scratch.columns, 1), |column, [line]| {
+            multiply(line, &self.symbol[column * quarter..(column + 1) * quarter]);
+        });
+        self.lines.restore_rows(&scratch.columns, (0, 1), y);
+    }
+}
+
+impl Lines {
+    pub(super) fn new(size: Size, period: Size) -> Self {
         let mut real = RealFftPlanner::new();
         let mut complex = FftPlanner::new();
         Self {
             size,
             period,
-            symbol,
             forward_row: real.plan_fft_forward(period.columns),
             inverse_row: real.plan_fft_inverse(period.columns),
             forward_column: complex.plan_fft_forward(period.rows),
             inverse_column: complex.plan_fft_inverse(period.rows),
         }
-    }
-
-    /// y = F⁻¹[symbol · F x].
-    pub(super) fn apply(&self, x: &[f64], y: &mut [f64], scratch: &mut Scratch) {
-        let needed = self.size.spectrum(self.period);
-        scratch.rows.resize(needed.max(scratch.rows.len()), Complex::default());
-        scratch.columns.resize(needed.max(scratch.columns.len()), Complex::default());
-        self.transform_rows(x, &mut scratch.rows);
-        self.multiply_columns(&scratch.rows, &mut scratch.columns);
-        self.restore_rows(&scratch.columns, y);
     }
 
     fn half(&self) -> usize {
@@ -119,7 +133,7 @@ impl<S: Symbol> Multiplier<S> {
     }
 
     /// Rows to half spectra, stored as strips of rows: frequency by frequency, the rows of the strip side by side.
-    fn transform_rows(&self, x: &[f64], spectra: &mut [Complex<f64>]) {
+    pub(super) fn transform_rows(&self, x: &[f64], spectra: &mut [Complex<f64>]) {
         let (columns, strip, half) = (self.size.columns, self.strip(), self.half());
         let make = || {
             (self.forward_row.make_input_vec(), self.forward_row.make_output_vec(), self.forward_row.make_scratch_vec())
@@ -144,24 +158,33 @@ impl<S: Symbol> Multiplier<S> {
         );
     }
 
-    /// Down the columns, times the symbol, and up again, stored as strips of columns.
-    fn multiply_columns(&self, spectra: &[Complex<f64>], columns: &mut [Complex<f64>]) {
+    /// Down the columns, through `change` of what `I` spectra have at each frequency of a row, and up again with the first
+    /// `kept` of them, stored as strips of columns, the results of a strip one after the other.
+    pub(super) fn across<const I: usize>(
+        &self,
+        spectra: [&[Complex<f64>]; I],
+        (columns, kept): (&mut [Complex<f64>], usize),
+        change: impl Fn(usize, &mut [Vec<Complex<f64>>; I]) + Sync,
+    ) {
         let (rows, period) = (self.size.rows, self.period.rows);
         let length = self.forward_column.get_inplace_scratch_len().max(self.inverse_column.get_inplace_scratch_len());
-        let make = || (vec![Complex::default(); period], vec![Complex::default(); length]);
-        let quarter = period / 2 + 1;
-        columns.par_chunks_mut(STRIP * rows).take(self.half().div_ceil(STRIP)).enumerate().for_each_init(
+        let make = || (std::array::from_fn(|_| vec![Complex::default(); period]), vec![Complex::default(); length]);
+        columns.par_chunks_mut(kept * STRIP * rows).take(self.half().div_ceil(STRIP)).enumerate().for_each_init(
             make,
-            |(line, scratch), (index, block)| {
+            |(lines, scratch), (index, block)| {
                 for lane in 0..STRIP.min(self.half() - index * STRIP) {
                     let column = index * STRIP + lane;
-                    self.gather_column(spectra, column, &mut line[..rows]);
-                    line[rows..].fill(Complex::default());
-                    self.forward_column.process_with_scratch(line, scratch);
-                    multiply(line, &self.symbol[column * quarter..(column + 1) * quarter]);
-                    self.inverse_column.process_with_scratch(line, scratch);
-                    for (place, value) in block[lane..].iter_mut().step_by(STRIP).zip(line.iter()) {
-                        *place = *value;
+                    for (line, spectra) in lines.iter_mut().zip(spectra) {
+                        self.gather_column(spectra, column, &mut line[..rows]);
+                        line[rows..].fill(Complex::default());
+                        self.forward_column.process_with_scratch(line, scratch);
+                    }
+                    change(column, lines);
+                    for (line, part) in lines.iter_mut().zip(block.chunks_mut(STRIP * rows)) {
+                        self.inverse_column.process_with_scratch(line, scratch);
+                        for (place, value) in part[lane..].iter_mut().step_by(STRIP).zip(line.iter()) {
+                            *place = *value;
+                        }
                     }
                 }
             },
@@ -175,14 +198,16 @@ impl<S: Symbol> Multiplier<S> {
         }
     }
 
-    /// Half spectra back to rows.
-    fn restore_rows(&self, columns: &[Complex<f64>], y: &mut [f64]) {
+    /// The half spectra of one result of several back to rows.
+    pub(super) fn restore_rows(&self, columns: &[Complex<f64>], (result, several): (usize, usize), y: &mut [f64]) {
         let (size, half) = (self.size, self.half());
         let make = || {
             (self.inverse_row.make_input_vec(), self.inverse_row.make_output_vec(), self.inverse_row.make_scratch_vec())
         };
         y.par_chunks_mut(size.columns).enumerate().for_each_init(make, |(input, output, scratch), (row, target)| {
-            for (part, block) in input.chunks_mut(STRIP).zip(columns.chunks(STRIP * size.rows)) {
+            for (part, block) in
+                input.chunks_mut(STRIP).zip(columns.chunks(STRIP * size.rows).skip(result).step_by(several))
+            {
                 part.copy_from_slice(&block[row * STRIP..row * STRIP + part.len()]);
             }
             input[0].im = 0.0;
@@ -233,31 +258,49 @@ pub(super) fn spectrum_of_even_columns(table: &[f64], period: Size) -> Vec<Compl
     turned
 }
 
-/// Two-dimensional cosine transform of an even table given by its quarter `row × column`;
-/// the quarter of the (real, even) spectrum, `column × row`.
-pub(super) fn spectrum_of_even(table: Vec<f64>, period: Size) -> Vec<f64> {
+/// How a table goes on before its first value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Parity {
+    Even,
+    Odd,
+}
+
+/// Two-dimensional transform of a table that is even or odd along `[rows' number, columns' number]`, given by its
+/// quarter `row × column`; the quarter of the spectrum, `column × row`, without a factor i for each odd direction.
+pub(super) fn spectrum_of_quarter(table: Vec<f64>, period: Size, [down, across]: [Parity; 2]) -> Vec<f64> {
     let half = Size { rows: period.rows / 2 + 1, columns: period.columns / 2 + 1 };
     let mut table = table;
-    transform_even_rows(&mut table, period.columns);
+    transform_rows_of(&mut table, period.columns, across);
     let mut turned = transpose(&table, half);
     drop(table);
-    transform_even_rows(&mut turned, period.rows);
+    transform_rows_of(&mut turned, period.rows, down);
     turned
 }
 
-/// Each row, half of an even sequence, to half of its even spectrum.
-fn transform_even_rows(table: &mut [f64], period: usize) {
+/// Two-dimensional cosine transform of an even table given by its quarter `row × column`;
+/// the quarter of the (real, even) spectrum, `column × row`.
+pub(super) fn spectrum_of_even(table: Vec<f64>, period: Size) -> Vec<f64> {
+    spectrum_of_quarter(table, period, [Parity::Even; 2])
+}
+
+/// Each row, half of an even or odd sequence, to half of its spectrum, which is real or i times what is stored.
+fn transform_rows_of(table: &mut [f64], period: usize, parity: Parity) {
     let plan = RealFftPlanner::<f64>::new().plan_fft_forward(period);
     let half = period / 2 + 1;
     let make = || (plan.make_input_vec(), plan.make_output_vec(), plan.make_scratch_vec());
     table.par_chunks_mut(half).for_each_init(make, |(input, output, scratch), row| {
+        if parity == Parity::Odd {
+            row[0] = 0.0;
+            row[half - 1] *= if period.is_multiple_of(2) { 0.0 } else { 1.0 };
+        }
         input[..half].copy_from_slice(row);
         for (place, value) in input[half..].iter_mut().rev().zip(&row[1..]) {
-            *place = *value;
+            *place = if parity == Parity::Odd { -*value } else { *value };
         }
         // The lengths are those of the plan, the only thing it can object to.
         let _ = plan.process_with_scratch(input, output, scratch);
-        row.iter_mut().zip(output.iter()).for_each(|(place, value)| *place = value.re);
+        let part = |value: &Complex<f64>| if parity == Parity::Odd { value.im } else { value.re };
+        row.iter_mut().zip(output.iter()).for_each(|(place, value)| *place = part(value));
     });
 }
 

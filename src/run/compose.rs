@@ -157,6 +157,9 @@ pub fn direct(ground: Foundation, adhesion: ElasticAdhesion) -> Result<QuasiStat
             contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
             Ok(contact.without_losses())
         }
+        ElasticAdhesion::Fading { .. } => {
+            Err(SimulationError::Refused("adhesion: what fades with the gap is followed on pixels only".to_owned()))
+        }
     }
 }
 

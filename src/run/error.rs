@@ -37,7 +37,9 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         ContactLaw::Direct(ElasticAdhesion::Finite { .. }) => {
             of(1e-10, "direct path with roots within roots: rounding, against Maugis' equations over twelve decades")
         }
-        ContactLaw::Direct(ElasticAdhesion::None) => direct_error(plan, 0.0, &run.records),
+        ContactLaw::Direct(ElasticAdhesion::None | ElasticAdhesion::Fading { .. }) => {
+            direct_error(plan, 0.0, &run.records)
+        }
         ContactLaw::Direct(ElasticAdhesion::Vanishing { work }) => direct_error(plan, *work, &run.records),
         ContactLaw::Springs { count, work } => springs_error(plan, *count, work.unwrap_or(0.0), &run.records),
         ContactLaw::Continuous { relaxation, edge } => match edge.as_ref().filter(|edge| edge.has_rate()) {

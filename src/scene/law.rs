@@ -50,6 +50,13 @@ pub enum ElasticAdhesion {
         /// Attractive stress σ₀ [Pa].
         stress: f64,
     },
+    /// Fading with the gap, on pixels.
+    Fading {
+        /// Work of adhesion w [J/m²].
+        work: f64,
+        /// Range ρ [m].
+        range: f64,
+    },
 }
 
 impl ElasticAdhesion {
@@ -60,14 +67,14 @@ impl ElasticAdhesion {
         match self {
             Self::None => Some(0.0),
             Self::Vanishing { work } => Some(work),
-            Self::Finite { .. } => None,
+            Self::Finite { .. } | Self::Fading { .. } => None,
         }
     }
 
     /// Work of adhesion [J/m²] of an attraction of vanishing range.
     fn edge_work(self) -> Option<f64> {
         match self {
-            Self::None | Self::Finite { .. } => None,
+            Self::None | Self::Finite { .. } | Self::Fading { .. } => None,
             Self::Vanishing { work } => Some(work),
         }
     }
@@ -76,7 +83,7 @@ impl ElasticAdhesion {
         match self {
             Self::None => Vec::new(),
             Self::Vanishing { .. } => vec![Component::VanishingRange],
-            Self::Finite { .. } => vec![Component::FiniteRange],
+            Self::Finite { .. } | Self::Fading { .. } => vec![Component::FiniteRange],
         }
     }
 }
@@ -472,6 +479,11 @@ impl WearLaw {
 pub enum PixelFriction {
     /// Stick and slip under Coulomb's law, by the memory of turning points.
     Partial {
+        /// Coefficient of friction μ.
+        coefficient: f64,
+    },
+    /// Stick and slip under Coulomb's law on every pixel, together with its pressures.
+    Coupled {
         /// Coefficient of friction μ.
         coefficient: f64,
     },

@@ -11,7 +11,7 @@ use super::plan::{
 };
 use super::read::{Geometry, Read};
 use super::rules::{self, Draft, Parts, Written};
-use super::solver::{HalfSpace, SolverChoice};
+use super::solver::{HalfSpace, SolverChoice, Tractions};
 use super::surface::Surface;
 use super::tractive::TractiveRolling;
 use super::{Scene, limits, pixelled, reach};
@@ -166,6 +166,9 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
     let ground = shared.read.ground.clone();
     let travel = travel(&shared);
     let friction = shared.scene.friction.as_ref().map(|friction| match friction.slip() {
+        Slip::Local(coefficient) if asked.tractions == Some(Tractions::Coupled) => {
+            PixelFriction::Coupled { coefficient }
+        }
         Slip::Local(coefficient) => PixelFriction::Partial { coefficient },
         Slip::Gross => PixelFriction::Gross(interface(&shared, friction)),
     });
@@ -289,6 +292,7 @@ fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
     match range {
         Range::Vanishing(_) => ElasticAdhesion::Vanishing { work },
         Range::Finite(stress) => ElasticAdhesion::Finite { work, stress },
+        Range::Fading(range) => ElasticAdhesion::Fading { work, range },
     }
 }
 
@@ -309,7 +313,7 @@ fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
         Range::Vanishing(edge) => {
             edge.map(|edge| HeldEdge { work, closing: closing.unwrap_or(work), edge: edge.clone() })
         }
-        Range::Finite(_) => None,
+        Range::Finite(_) | Range::Fading(_) => None,
     }
 }
 

@@ -8,7 +8,7 @@
 //!
 //! let scene = Scene::from_ron(r#"(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid),
 //!     history: [Indent(to: 1e-3, over: 1)], solver: HalfSpace(grid: 128))"#)?;
-//! let Some(SolverChoice::HalfSpace(HalfSpace { grid, window: None, boundary: None, leak: None })) = scene.solver else { panic!() };
+//! let Some(SolverChoice::HalfSpace(HalfSpace { grid, window: None, boundary: None, leak: None, tractions: None })) = scene.solver else { panic!() };
 //! assert_eq!(grid.map(|grid| grid.get()), Some(128));
 //! # }
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -48,6 +48,21 @@ pub struct HalfSpace {
     /// The fluid that the gap lets through, if that is asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub leak: Option<Leak>,
+    /// Whether pressures and shear change each other; absent: `Independent`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tractions: Option<Tractions>,
+}
+
+/// How pressures and shear under Coulomb's law are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
+pub enum Tractions {
+    /// Pressures as without friction, shear from their differences: exact of round contacts of elastically similar bodies.
+    #[default]
+    Independent,
+    /// Together, on every pixel and in both directions, record by record: what presses draws the surface along, what shears
+    /// lifts it (Dundurs' β), and shear along x moves it along y. To the first order of the steps between records; the first
+    /// body is the one below.
+    Coupled,
 }
 
 /// A viscous fluid between the surfaces, which a difference of the pressure drives from one border to the other.

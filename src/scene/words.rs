@@ -171,6 +171,9 @@ impl HalfSpacePlan {
             Some(PixelFriction::Partial { .. }) => {
                 "; stick and slip by the memory of turning points, each of which is a shallower contact that is taken off: what shear does across its own direction, and to the pressures, is left out"
             }
+            Some(PixelFriction::Coupled { .. }) => {
+                "; stick and slip together with the pressures, in implicit steps from record to record: more records follow a curved way better"
+            }
             Some(PixelFriction::Gross(_)) => "; in gross sliding the law acts on the pressure of each pixel",
         }
     }
@@ -193,7 +196,7 @@ impl HalfSpacePlan {
             }
             (false, false) => "; elastic",
             (false, true) => {
-                "; elastic, with a constant attraction across the gap up to its range, contact and attraction in turns until they agree"
+                "; elastic, with an attraction across the gap, contact and attraction in turns until they agree"
             }
             (true, false) => {
                 "; each pixel remembers by Maxwell elements that are exact in time, steps halved until they agree"

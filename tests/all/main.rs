@@ -22,6 +22,7 @@ mod gliding;
 mod ground;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space;
+mod half_space_coupled;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_friction;
 #[cfg(all(feature = "text", feature = "half-space"))]

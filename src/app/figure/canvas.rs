@@ -6,6 +6,8 @@
 use plotters::prelude::{DrawingBackend, IntoFont, RGBColor, SVGBackend, ShapeStyle, TextStyle};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontStyle, FontTransform};
+use std::iter::Peekable;
+use std::str::Lines;
 
 use super::text;
 
@@ -87,6 +89,7 @@ fn dress(svg: &str, sheet: Extent, title: &str) -> String {
         .replace(" fill=\"none\"", "")
         .replace(" font-family=\"sans-serif\"", "")
         .replace(" \"/>", "\"/>");
+    let body = joined(&body);
     let (w, h) = sheet.written();
     let (fine_w, fine_h) = (whole(sheet.size.0 * FINE), whole(sheet.size.1 * FINE));
     format!(
@@ -95,6 +98,45 @@ fn dress(svg: &str, sheet: Extent, title: &str) -> String {
          font-family=\"sans-serif\">\n<title>{}</title>\n{body}",
         escaped(&text::clean(title)),
     )
+}
+
+/// Neighbouring lines that are filled rectangles of one colour, as one path.
+fn joined(body: &str) -> String {
+    let mut written = String::with_capacity(body.len());
+    let mut lines = body.lines().peekable();
+    while let Some(line) = lines.next() {
+        let next = |lines: &mut Peekable<Lines<'_>>, colour: &str| {
+            let (way, _) = lines.peek().and_then(|line| filled(line)).filter(|(_, other)| *other == colour)?;
+            lines.next();
+            Some(way)
+        };
+        let Some((first, colour)) = filled(line) else {
+            written.extend([line, "\n"]);
+            continue;
+        };
+        let Some(second) = next(&mut lines, colour) else {
+            written.extend([line, "\n"]);
+            continue;
+        };
+        written.extend(["<path d=\"", &first, &second]);
+        while let Some(way) = next(&mut lines, colour) {
+            written.push_str(&way);
+        }
+        written.extend(["\" fill=\"", colour, "\"/>\n"]);
+    }
+    written
+}
+
+/// The way round a filled rectangle and its colour.
+fn filled(line: &str) -> Option<(String, &str)> {
+    let mut rest = line.strip_prefix("<rect ")?;
+    let mut next = |name: &str| {
+        let (value, after) = rest.trim_start().strip_prefix(name)?.strip_prefix("=\"")?.split_once('"')?;
+        rest = after;
+        Some(value)
+    };
+    let [x, y, w, h, colour] = [next("x")?, next("y")?, next("width")?, next("height")?, next("fill")?];
+    (next("stroke")? == "none" && rest == "/>").then(|| (format!("M{x} {y}h{w}v{h}h-{w}z"), colour))
 }
 
 fn escaped(text: &str) -> String {

@@ -46,12 +46,34 @@ impl Heat {
                 let value = cells.values.get(column * cells.y.len() + row).copied().flatten();
                 let place = value.and_then(|value| ruler.range.place(value));
                 if let (Some(at), Some(from), Some(to)) = (place, map.place((x[0], y[1])), map.place((x[1], y[0]))) {
-                    drawn.push(Cell { from, to, colour: colour(at) });
+                    add(&mut drawn, Cell { from, to, colour: stepped(at) });
                 }
             }
         }
+        // What has one colour lies together, and is written as one.
+        drawn.sort_by_key(|cell| (cell.colour.0, cell.colour.1, cell.colour.2));
         Self { cells: drawn, ruler }
     }
+}
+
+/// Adds a cell, to the one below it if that has its colour.
+fn add(drawn: &mut Vec<Cell>, cell: Cell) {
+    let joins =
+        |last: &Cell| last.colour == cell.colour && same(last.from.0, cell.from.0) && same(last.from.1, cell.to.1);
+    match drawn.last_mut().filter(|last| joins(last)) {
+        Some(last) => last.from.1 = cell.from.1,
+        None => drawn.push(cell),
+    }
+}
+
+fn same(one: f64, other: f64) -> bool {
+    (one - other).abs() < 1e-6
+}
+
+/// The colour of the step of the scale that holds a fraction of it.
+fn stepped(at: f64) -> RGBColor {
+    let steps = f64::from(STEPS);
+    colour(((at * steps).floor().clamp(0.0, steps - 1.0) + 0.5) / steps)
 }
 
 /// Ends of the cells around rising values: midway between neighbours, as far beyond the outer ones.

@@ -25,7 +25,11 @@ pub(super) fn form(plan: &Plan, depth: f64) -> Attempt<Option<(&'static str, Fou
         (Some(ElasticAdhesion::Vanishing { work }), Shape::Paraboloid(ball)) => {
             jkr_ball(ball, modulus, work, depth).map(Some)
         }
-        (Some(ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. }) | None, _) => Ok(None),
+        (
+            Some(ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. } | ElasticAdhesion::Fading { .. })
+            | None,
+            _,
+        ) => Ok(None),
     }
 }
 

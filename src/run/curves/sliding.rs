@@ -66,7 +66,7 @@ fn coulomb(plan: &Plan) -> Option<f64> {
     match plan {
         Plan::Round(plan) => plan.friction.as_ref()?.coulomb(),
         Plan::HalfSpace(plan) => match plan.friction.as_ref()? {
-            PixelFriction::Partial { coefficient } => Some(*coefficient),
+            PixelFriction::Partial { coefficient } | PixelFriction::Coupled { coefficient } => Some(*coefficient),
             PixelFriction::Gross(_) => None,
         },
         Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => None,

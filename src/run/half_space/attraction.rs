@@ -8,17 +8,32 @@ use std::f64::consts::PI;
 /// Pixels along the ring outside a contact in which an attraction of no range of its own acts.
 const RING: f64 = 3.0;
 
-/// A constant attractive stress up to a range (Dugdale 1960; Maugis 1992).
+/// Ranges after which what fades is over: less than 2e-8 of its stress and work is left.
+const FADED: f64 = 18.0;
+/// Part of the stress from which on a pixel of what fades is held.
+const HELD: f64 = 0.01;
+
+/// An attractive stress: constant up to a range (Dugdale 1960; Maugis 1992), or (w/ρ) e^(−g/ρ) across the gap g.
 ///
 /// The stress acts in the contact too, where the pressure that keeps the bodies apart carries it. A pixel through which
-/// the end of the range passes is pulled by the part of it that is nearer, as if the gap were straight across it, so that
+/// the end of a constant one passes is pulled by the part of it that is nearer, as if the gap were straight across it, so that
 /// forces change smoothly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Attraction {
     /// Work of adhesion w \[J/m²\].
     work: f64,
-    /// Attractive stress σ₀ \[Pa\].
+    /// Attractive stress σ₀ \[Pa\] of bodies that touch.
     pub(super) stress: f64,
+    fall: Fall,
+}
+
+/// How the stress goes on across the gap.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fall {
+    /// It ends.
+    AtOnce,
+    /// By a factor e over each range.
+    ByAndBy,
 }
 
 impl Attraction {
@@ -30,15 +45,37 @@ impl Attraction {
         match law {
             ElasticAdhesion::None => None,
             ElasticAdhesion::Vanishing { work } => {
-                Some(Self { work, stress: (PI * modulus * work / (4.0 * RING * pixel)).sqrt() })
+                Some(Self { work, stress: (PI * modulus * work / (4.0 * RING * pixel)).sqrt(), fall: Fall::AtOnce })
             }
-            ElasticAdhesion::Finite { work, stress } => Some(Self { work, stress }),
+            ElasticAdhesion::Finite { work, stress } => Some(Self { work, stress, fall: Fall::AtOnce }),
+            ElasticAdhesion::Fading { work, range } => Some(Self { work, stress: work / range, fall: Fall::ByAndBy }),
         }
     }
 
     /// Range δ = w/σ₀ \[m\].
     pub(super) fn range(self) -> f64 {
         self.work / self.stress
+    }
+
+    /// Gap \[m\] beyond which nothing pulls.
+    pub(super) fn reach(self) -> f64 {
+        match self.fall {
+            Fall::AtOnce => self.range(),
+            Fall::ByAndBy => FADED * self.range(),
+        }
+    }
+
+    /// Stress \[Pa\] above which a pixel is held.
+    pub(super) fn faint(self) -> f64 {
+        match self.fall {
+            Fall::AtOnce => 0.0,
+            Fall::ByAndBy => HELD * self.stress,
+        }
+    }
+
+    /// e^(−g/ρ), zero where it is over.
+    fn faded(self, gap: f64) -> f64 {
+        if gap < self.reach() { (-gap / self.range()).exp() } else { 0.0 }
     }
 
     /// Length \[m\] of the ring outside a wide contact in which it acts.
@@ -48,6 +85,9 @@ impl Attraction {
 
     /// Attractive stress \[Pa\] on each pixel under the gap `gap` \[m\], which differs by twice `half` across it.
     pub(super) fn pull(self, gap: &Array2<f64>, half: &Array2<f64>) -> Array2<f64> {
+        if self.fall == Fall::ByAndBy {
+            return gap.mapv(|gap| self.stress * self.faded(gap));
+        }
         Zip::from(gap).and(half).map_collect(|&gap, &half| {
             let near = self.range() - gap;
             if near >= half {
@@ -62,6 +102,9 @@ impl Attraction {
 
     /// Energy of the attraction \[J per m² of a pixel\], zero far apart.
     pub(super) fn energy(self, gap: &Array2<f64>, half: &Array2<f64>) -> f64 {
+        if self.fall == Fall::ByAndBy {
+            return gap.fold(0.0, |sum, &gap| sum - self.work * self.faded(gap));
+        }
         Zip::from(gap).and(half).fold(0.0, |sum, &gap, &half| {
             let near = self.range() - gap;
             sum - self.stress

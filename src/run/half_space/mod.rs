@@ -16,6 +16,7 @@
 //! ```
 
 mod attraction;
+mod coupled;
 mod dent;
 mod distribution;
 mod error;

@@ -1,6 +1,7 @@
 //! Pixels under way: what they remember, what pulls them, and what presses them next.
 
 use super::attraction::{Attraction, half_differences};
+use super::coupled::Coupled;
 use super::dent::Dent;
 use super::memory::{Memory, Step};
 use super::mixed::Mixed;
@@ -32,6 +33,8 @@ pub(super) struct Pixels<'p> {
     pull: Option<Array2<f64>>,
     /// What has been dented, of bodies that yield.
     dent: Option<Dent>,
+    /// Shear that is found together with the pressures.
+    coupled: Option<Coupled<'p>>,
     /// Contact pressures of the last state.
     last: Option<Array2<f64>>,
 }
@@ -54,6 +57,7 @@ impl<'p> Pixels<'p> {
             pull: attraction.map(|_| Array2::zeros(pixels)),
             attraction,
             response,
+            coupled: Coupled::of(plan, &pressing),
             last: None,
         }
     }
@@ -67,16 +71,24 @@ impl<'p> Pixels<'p> {
         let remembered = self.memory.as_ref().map_or(0, Memory::fields);
         let kept =
             usize::from(self.pull.is_some()) + usize::from(self.dent.is_some()) + usize::from(self.last.is_some());
-        8 * self.pressing.heights.values.len() * (remembered + kept)
+        let coupled = if self.coupled.is_some() { Coupled::FIELDS } else { 0 };
+        8 * self.pressing.heights.values.len() * (remembered + kept + coupled)
     }
 
     /// Whether a state depends on those before it.
     pub(super) fn has_past(&self) -> bool {
-        self.response.is_some()
+        self.response.is_some() || self.coupled.is_some()
     }
 
-    /// Leads the pixels on for `over` \[s\]; `None` where the force pulls more than they do.
-    pub(super) fn advance(&mut self, prescribed: Prescribed, over: f64) -> Result<Option<Pressed>, HalfSpaceError> {
+    /// Leads the pixels on for `over` \[s\] and to a slide \[m\]; `None` where the force pulls more than they do.
+    pub(super) fn advance(
+        &mut self,
+        prescribed: Prescribed,
+        (over, slide): (f64, f64),
+    ) -> Result<Option<Pressed>, HalfSpaceError> {
+        if let Some(coupled) = &mut self.coupled {
+            return coupled.advance(&self.pressing, prescribed, slide).map(Some);
+        }
         let Some(response) = self.response.clone() else { return self.elastic(prescribed).map(Some) };
         let step = self.memory.as_ref().map(|memory| memory.step(over));
         let Some(contact) = self.settled(prescribed, step.as_ref(), &response)? else {
@@ -89,7 +101,9 @@ impl<'p> Pixels<'p> {
         }
         let gap = self.gap(&contact);
         let pull = self.pull.clone();
-        let mut pressed = Pressed { contact, pull, gap, stored: Energy::default(), dissipated: 0.0 };
+        let faint = self.attraction.map_or(0.0, Attraction::faint);
+        let mut pressed =
+            Pressed { contact, pull, faint, gap, stored: Energy::default(), dissipated: 0.0, dragged: None };
         let pressure = pressed.pressure();
         if let (Some(memory), Some(step)) = (&mut self.memory, &step) {
             memory.take(step, &pressure, &response);

@@ -1,6 +1,7 @@
 //! A contact on pixels, solved.
 
 use crate::contact::adhesion::line::Energy;
+use crate::contact::state::Tangential;
 use crate::halfspace::Solution;
 use ndarray::Array2;
 
@@ -11,18 +12,39 @@ pub(super) struct Pressed {
     pub(super) contact: Solution,
     /// Attractive stress \[Pa\].
     pub(super) pull: Option<Array2<f64>>,
+    /// Attractive stress \[Pa\] above which a pixel is held.
+    pub(super) faint: f64,
     /// Gap \[m\] over the surface and what has been dented of it.
     pub(super) gap: Array2<f64>,
     /// Energy stored, and lost so far in the bodies \[J\].
     pub(super) stored: Energy,
     pub(super) dissipated: f64,
+    /// What shear has come to that is found together with the pressures.
+    pub(super) dragged: Option<Box<Dragged>>,
+}
+
+/// Shear that is found together with pressures.
+#[derive(Debug, Clone)]
+pub(super) struct Dragged {
+    /// What it comes to.
+    pub(super) tangential: Tangential,
+    /// Shear stress \[Pa\] along x.
+    pub(super) shear: Array2<f64>,
 }
 
 impl Pressed {
     /// Elastic bodies without adhesion, `gap` \[m\] apart.
     pub(super) fn elastic(contact: Solution, gap: Array2<f64>) -> Self {
         let elastic = 0.5 * area(contact.pixel) * (&contact.pressure * &contact.displacement).sum();
-        Self { contact, pull: None, gap, stored: Energy { elastic, surface: 0.0 }, dissipated: 0.0 }
+        Self {
+            contact,
+            pull: None,
+            faint: 0.0,
+            gap,
+            stored: Energy { elastic, surface: 0.0 },
+            dissipated: 0.0,
+            dragged: None,
+        }
     }
 
     /// Pressure on each pixel \[Pa\], pulling ones negative.

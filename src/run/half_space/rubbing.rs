@@ -6,7 +6,7 @@
 //! what tractions do across their own direction, and how they and pressures change each other.
 
 use super::load::{PixelLoad, is_rigid};
-use super::pressed::area;
+use super::pressed::{Dragged, Pressed, area};
 use super::state::{Pressing, State};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::state::Tangential;
@@ -46,6 +46,8 @@ impl Stroke {
 pub(super) enum Rubbing<'p> {
     /// Stick and slip.
     Partial(Box<TangentialMemory<PixelLoad<'p>>>),
+    /// Stick and slip that have been found with the contact of the last state.
+    Coupled(Option<Box<(Solution, Dragged)>>),
     /// Gross sliding, on the contact of the last state.
     Gross { slip: Box<GrossSlip>, pressed: Option<Box<Solution>> },
 }
@@ -83,6 +85,7 @@ impl<'p> Rubbing<'p> {
                 let grip = Grip { tangential_modulus: pressing.tangential, ..plan.grip(*coefficient) };
                 Self::Partial(Box::new(TangentialMemory::over(load, grip)))
             }
+            PixelFriction::Coupled { .. } => Self::Coupled(None),
             PixelFriction::Gross(interface) => {
                 Self::Gross { slip: Box::new(GrossSlip::new(interface.clone())), pressed: None }
             }
@@ -94,10 +97,17 @@ impl<'p> Rubbing<'p> {
         matches!(self, Self::Partial(_))
     }
 
-    /// Takes over the contact of a state that gross sliding acts on.
-    pub(super) fn press(&mut self, contact: Option<&Solution>) {
-        if let Self::Gross { pressed, .. } = self {
-            *pressed = contact.cloned().map(Box::new);
+    /// Takes over the contact of a state that gross sliding acts on, and shear that has been found with it.
+    pub(super) fn press(&mut self, state: Option<&Pressed>) {
+        match self {
+            Self::Partial(_) => {}
+            Self::Coupled(dragged) => {
+                *dragged = state.and_then(|state| {
+                    let shear = state.dragged.as_ref()?;
+                    Some(Box::new((state.contact.clone(), shear.as_ref().clone())))
+                });
+            }
+            Self::Gross { pressed, .. } => *pressed = state.map(|state| Box::new(state.contact.clone())),
         }
     }
 
@@ -129,6 +139,10 @@ impl<'p> Rubbing<'p> {
                 }
                 Ok(told(memory))
             }
+            Self::Coupled(dragged) => {
+                let tangential = dragged.as_ref().map_or_else(Tangential::default, |dragged| dragged.1.tangential);
+                Ok(Tangential { slide: stroke.slide[1], ..tangential })
+            }
             Self::Gross { slip, pressed } => {
                 let limit = |law: &dyn SlidingLaw| pressed.as_ref().map_or(0.0, |contact| friction(contact, law));
                 let speed = (stroke.slide[1] - stroke.slide[0]).abs() / stroke.over;
@@ -144,6 +158,10 @@ impl<'p> Rubbing<'p> {
         match self {
             Self::Partial(memory) => {
                 Some(Sheared::Pieces { depth: memory.position().indentation, pieces: memory.pieces().collect() })
+            }
+            Self::Coupled(dragged) => {
+                let (contact, Dragged { shear, .. }) = dragged.as_ref()?.as_ref().clone();
+                Some(Sheared::Found(Box::new(Rubbed { contact, shear })))
             }
             Self::Gross { slip, pressed } => {
                 let contact = pressed.as_ref()?;
@@ -171,7 +189,7 @@ impl<'p> Rubbing<'p> {
                 Ok(Some(Rubbed { contact, shear }))
             }
             (_, Sheared::Found(rubbed)) => Ok(Some(rubbed.as_ref().clone())),
-            (Self::Gross { .. }, Sheared::Pieces { .. }) => Ok(None),
+            (Self::Gross { .. } | Self::Coupled(_), Sheared::Pieces { .. }) => Ok(None),
         }
     }
 
@@ -179,6 +197,7 @@ impl<'p> Rubbing<'p> {
     pub(super) fn bytes(&self) -> usize {
         let pixels = match self {
             Self::Partial(memory) => memory.curve().pixels(),
+            Self::Coupled(dragged) => dragged.as_ref().map_or(0, |dragged| dragged.0.pressure.len()),
             Self::Gross { pressed, .. } => pressed.as_ref().map_or(0, |contact| contact.pressure.len()),
         };
         16 * pixels
@@ -190,7 +209,8 @@ impl<'p> Rubbing<'p> {
 pub(super) fn tangential_modulus(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> f64 {
     let Pair { normal, tangential, .. } = plan.pair;
     let drawn_out = match (&plan.friction, &plan.indenter) {
-        (None | Some(PixelFriction::Gross(_)), _) | (_, PixelledIndenter::Smooth(_)) => None,
+        (None | Some(PixelFriction::Gross(_) | PixelFriction::Coupled { .. }), _)
+        | (_, PixelledIndenter::Smooth(_)) => None,
         (
             Some(PixelFriction::Partial { .. }),
             PixelledIndenter::Ellipsoid(..) | PixelledIndenter::Tips(_) | PixelledIndenter::Rough(..),
@@ -246,7 +266,7 @@ fn poses(memory: &TangentialMemory<PixelLoad<'_>>, stroke: Stroke, state: &State
 }
 
 /// Radius \[m\] of a disc of an area \[m²\], which stands for a contact that is none.
-fn round(area: f64) -> f64 {
+pub(super) fn round(area: f64) -> f64 {
     (area.max(0.0) / PI).sqrt()
 }
 

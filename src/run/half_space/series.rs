@@ -67,6 +67,8 @@ struct Goal {
     control: Control,
     value: f64,
     over: f64,
+    /// Slide [m].
+    slide: f64,
     entry: usize,
 }
 
@@ -132,7 +134,14 @@ impl<'p> Series<'p> {
             }
             let (mut reached, from) = (0.0, self.slide);
             for part in stage.parts() {
-                let goal = |part: f64, over| Goal { control, value: way.at(part), over, entry: stage.entry };
+                let slide = |part: f64| stage.tangential.at(from, part, way.over);
+                let goal = |part: f64, over| Goal {
+                    control,
+                    value: way.at(part),
+                    over,
+                    slide: slide(part),
+                    entry: stage.entry,
+                };
                 let steps = f64::from(self.steps);
                 for step in 1..self.steps {
                     let between = reached + (part - reached) * f64::from(step) / steps;
@@ -142,7 +151,7 @@ impl<'p> Series<'p> {
                 let stroke = Stroke {
                     control,
                     values: [way.at(reached), way.at(part)],
-                    slide: [self.slide, stage.tangential.at(from, part, way.over)],
+                    slide: [self.slide, slide(part)],
                     over: (part - reached) * way.over,
                 };
                 let state = self.rub(stage.entry, state, stroke)?;
@@ -164,8 +173,8 @@ impl<'p> Series<'p> {
             return self.leaking(0, state, || self.pressing.open(0.0));
         };
         for step in 0..=APPROACH {
-            let value = -attraction.range() * f64::from(APPROACH - step) / f64::from(APPROACH);
-            state = self.at(Goal { control: Control::Indentation, value, over: 0.0, entry: 0 })?;
+            let value = -attraction.reach() * f64::from(APPROACH - step) / f64::from(APPROACH);
+            state = self.at(Goal { control: Control::Indentation, value, over: 0.0, slide: 0.0, entry: 0 })?;
         }
         Ok(state)
     }
@@ -183,8 +192,8 @@ impl<'p> Series<'p> {
         for number in 1..=PULLED * stage.records {
             let way = step * number as f64;
             time = start + way / speed;
-            let goal =
-                Goal { control: Control::Indentation, value: from - way, over: step / speed, entry: stage.entry };
+            let (control, slide) = (Control::Indentation, self.slide);
+            let goal = Goal { control, value: from - way, over: step / speed, slide, entry: stage.entry };
             let state = self.at(goal)?;
             self.push(records, (stage.entry, time), state);
             if state.parted {
@@ -238,7 +247,7 @@ impl<'p> Series<'p> {
 
     /// A step between two records.
     fn pass(&mut self, goal: Goal) -> Result<(), SimulationError> {
-        let advanced = self.pixels.advance(self.prescribed(goal), goal.over);
+        let advanced = self.pixels.advance(self.prescribed(goal), (goal.over, goal.slide));
         advanced.map(drop).map_err(|error| self.refused(goal.entry, &error))
     }
 
@@ -274,7 +283,10 @@ impl<'p> Series<'p> {
 
     fn solved(&mut self, goal: Goal) -> Result<State, SimulationError> {
         let prescribed = self.prescribed(goal);
-        let advanced = self.pixels.advance(prescribed, goal.over).map_err(|error| self.refused(goal.entry, &error))?;
+        let advanced = self
+            .pixels
+            .advance(prescribed, (goal.over, goal.slide))
+            .map_err(|error| self.refused(goal.entry, &error))?;
         let Some(pressed) = advanced else {
             return Ok(self.torn_off());
         };
@@ -284,7 +296,7 @@ impl<'p> Series<'p> {
         } else {
             0.0
         };
-        self.rubbing.iter_mut().for_each(|rubbing| rubbing.press(Some(&pressed.contact)));
+        self.rubbing.iter_mut().for_each(|rubbing| rubbing.press(Some(&pressed)));
         let mut state = self.pressing.told(&pressed, stiffness);
         if self.pixels.attraction().is_some() {
             let normal = &mut state.normal;

@@ -166,7 +166,7 @@ impl<'h> Pressing<'h> {
         let area = if full { sides[0] * sides[1] } else { solution.corrected_area().max(0.0) };
         let mean_gap = pressed.gap.mean().filter(|gap| gap.is_finite());
         let held = match &pressed.pull {
-            Some(pull) => pull.mapv(|pull| pull > 0.0),
+            Some(pull) => pull.mapv(|pull| pull > pressed.faint),
             None => contact.clone(),
         };
         State {

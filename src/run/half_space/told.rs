@@ -41,7 +41,9 @@ pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<
     if let Some(friction) = &plan.friction {
         results.extend(of_sliding(plan, records, matches!(friction, PixelFriction::Gross(_))));
     }
-    if series.pixels().has_past() {
+    if matches!(plan.friction, Some(PixelFriction::Coupled { .. })) {
+        // What the normal force has done went into the shear too.
+    } else if series.pixels().has_past() {
         results.extend(of_past(records).into_iter().flatten());
         results.extend(known(&[("residual_depth", Unit::METRE, series.pixels().deepest())]));
     } else {

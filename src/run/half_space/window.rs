@@ -5,6 +5,7 @@ use super::heights::{Heights, of_tip};
 use super::series::{Depth, Series};
 use super::state::{Pressing, State, response};
 use crate::contact::adhesion::equilibrium::Control;
+use crate::scene::law::PixelFriction;
 use crate::scene::plan::{HalfSpacePlan, PixelledIndenter};
 use crate::scene::stage::Path;
 use crate::shape::{PlacedTip, Profile, Rim};
@@ -55,6 +56,10 @@ fn relaxed(plan: &HalfSpacePlan) -> f64 {
 }
 
 fn tried(plan: &HalfSpacePlan, heights: &Heights) -> Result<Vec<State>, SimulationError> {
+    // Shear changes the edge of a contact by less than the window is wider.
+    let coupled = matches!(plan.friction, Some(PixelFriction::Coupled { .. }));
+    let bare = coupled.then(|| HalfSpacePlan { friction: None, ..plan.clone() });
+    let plan = bare.as_ref().unwrap_or(plan);
     let response = response(plan, heights);
     let pressing = Pressing::of(plan, heights, response.as_ref());
     let mut series = Series::new(plan, pressing, Depth::Outline, 1);

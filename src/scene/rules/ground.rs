@@ -81,8 +81,8 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
             "at its surface it has no modulus that the ring of pixels could be made of in which an attraction without a range acts: expected Maugis(work: …, stress: …), or no solver"
         }
         Range::Vanishing(_) => return None,
-        Range::Finite(_) if on_pixels => return None,
-        Range::Finite(_) => {
+        Range::Finite(_) | Range::Fading(_) if on_pixels => return None,
+        Range::Finite(_) | Range::Fading(_) => {
             "its attraction acts on a surface that is bent otherwise than a half-space: expected Jkr(work: …), or solver: HalfSpace(…)"
         }
     };

@@ -105,12 +105,13 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 94] = [
+pub const RULES: [Rule; 96] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
     Rule::once(Solver, Adhesion, pixels::adhesion),
     Rule::once(Solver, Friction, pixels::friction),
+    Rule::once(Solver, Friction, pixels::tractions),
     Rule::once(Solver, Wear, pixels::wear),
     Rule::once(Solver, Springs, pixels::springs),
     Rule::once(Solver, Shape, pixels::shape),
@@ -131,6 +132,7 @@ pub const RULES: [Rule; 94] = [
     Rule::once(Adhesion, Bodies, power_law::under_adhesion),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
+    Rule::once(Adhesion, Solver, parts::fading),
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
     Rule::once(Friction, Bodies, parts::gross_sliding_of_viscoelastic),
     Rule::once(Friction, Shape, parts::peeling_on_section),

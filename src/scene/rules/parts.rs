@@ -1,7 +1,7 @@
 //! Bodies, shape, adhesion, friction and springs against each other.
 
 use super::draft::Draft;
-use crate::contact::adhesion::{Adhesion, EdgeRule, Range};
+use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::material::{Body, Relaxation};
@@ -35,7 +35,7 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
                 adhesion.name
             ),
         ),
-        (Range::Finite(_), true) if on_pixels && adhesion.work > 0.0 => None,
+        (Range::Finite(_) | Range::Fading(_), true) if on_pixels && adhesion.work > 0.0 => None,
         (Range::Vanishing(None), false) => None,
         (Range::Vanishing(Some(_)), false) => {
             refused("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
@@ -48,12 +48,12 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
             ),
         ),
         (Range::Vanishing(Some(edge)), true) => edge_that_holds_nothing(edge, draft.relaxation()?),
-        (Range::Finite(_), _) if adhesion.work <= 0.0 => refused(
+        (Range::Finite(_) | Range::Fading(_), _) if adhesion.work <= 0.0 => refused(
             "adhesion.work",
             "a work of zero gives the attraction no range: expected one above zero, or no adhesion",
         ),
-        (Range::Finite(_), false) => None,
-        (Range::Finite(_), true) => refused(
+        (Range::Finite(_) | Range::Fading(_), false) => None,
+        (Range::Finite(_) | Range::Fading(_), true) => refused(
             "adhesion",
             format!(
                 "{} with a Viscoelastic body cannot be computed on a bed, for the surfaces it draws together creep where no spring is in contact: expected Jkr(work: …, edge: …), or solver: HalfSpace(…)",
@@ -104,6 +104,20 @@ fn edge_that_holds_nothing(edge: &EdgeRule, relaxation: &Relaxation) -> Option<P
         ),
         EdgeRule::Relaxed | EdgeRule::Rate(_) | EdgeRule::Instantaneous => None,
     }
+}
+
+/// An attraction that fades is followed where every gap is known.
+pub(super) fn fading(draft: &Draft<'_>) -> Option<Problem> {
+    let AdhesionTraits { name, range: Range::Fading(_), .. } = draft.adhesion(Look::Kind)?.traits() else {
+        return None;
+    };
+    (!draft.chooses_solver()?).then_some(())?;
+    refused(
+        "adhesion",
+        format!(
+            "{name} cannot be computed on a bed, for what fades with the gap pulls wherever there is one: expected solver: HalfSpace(…), or Maugis(work: …, stress: …)"
+        ),
+    )
 }
 
 pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
@@ -182,7 +196,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         ),
         (Range::Vanishing(_), Friction::Pressure(_)) => None,
         (
-            Range::Finite(_),
+            Range::Finite(_) | Range::Fading(_),
             Friction::Coulomb(_)
             | Friction::StaticKinetic(_)
             | Friction::RateState(_)
@@ -219,7 +233,7 @@ pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let adhesion = draft.adhesion(Look::Whole)?.traits();
     let name = adhesion.name;
     match adhesion.range {
-        Range::Finite(_) => {
+        Range::Finite(_) | Range::Fading(_) => {
             refused("springs", format!("with {name} adhesion cannot be computed: expected Jkr(…), or no springs"))
         }
         Range::Vanishing(Some(_)) => refused(
@@ -265,7 +279,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
             " of Viscoelastic bodies",
             "each of its patches would have edges with a past of their own, which join and part",
         ),
-        (Family::Line(_) | Family::Map(..), Range::Finite(_)) => {
+        (Family::Line(_) | Family::Map(..), Range::Finite(_) | Range::Fading(_)) => {
             return refused(
                 "adhesion",
                 format!(

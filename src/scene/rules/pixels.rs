@@ -1,12 +1,13 @@
 //! The half-space solver against the other parts: it presses shapes on pixels, and slides them as far as pressures tell.
 
 use super::draft::Draft;
+use super::plastic::yields;
 use crate::contact::adhesion::{AdhesionTraits, Range};
 use crate::friction::Friction;
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Glide};
 use crate::scene::mended::Look;
-use crate::scene::solver::HalfSpace;
+use crate::scene::solver::{HalfSpace, Tractions};
 use crate::shape::{Boundary, Family, Shape};
 
 /// Fewest and most pixels along x.
@@ -39,7 +40,7 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let why = match (closing, range) {
         (Some(_), _) => "closing: … of an edge",
         (None, Range::Vanishing(Some(_))) => "edge: … of a body that relaxes",
-        (None, Range::Vanishing(None) | Range::Finite(_)) => return None,
+        (None, Range::Vanishing(None) | Range::Finite(_) | Range::Fading(_)) => return None,
     };
     let what = format!(
         "{name} with {why} and the solver HalfSpace cannot be computed, for its pixels pull across the gap and have no edge of their own: expected Maugis(work, stress), or no solver"
@@ -68,6 +69,29 @@ pub(super) fn friction(draft: &Draft<'_>) -> Option<Problem> {
         Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
     };
     refused("friction", format!("{name}{of} with the solver HalfSpace cannot be computed, for {why}"))
+}
+
+/// Pressures and shear together are those of elastic half-spaces under Coulomb's law.
+pub(super) fn tractions(draft: &Draft<'_>) -> Option<Problem> {
+    if draft.half_space(Look::Whole)?.tractions? == Tractions::Independent {
+        return None;
+    }
+    let (one, two) = draft.bodies(Look::Kind)?;
+    let friction = draft.friction(Look::Kind);
+    let why = if !matches!(friction, Some(Friction::Coulomb(_))) {
+        "without Coulomb(coefficient: …) cannot be computed, for there is no shear that sticks and slips: expected friction: Coulomb(…), or tractions: Independent"
+    } else if draft.adheres()? {
+        "under adhesion cannot be computed, for what it does to shear is not known: expected no adhesion, or tractions: Independent"
+    } else if one.is_uneven() || two.is_uneven() {
+        "over layers cannot be computed, for only what presses is known of them: expected Elastic or Rigid bodies, or tractions: Independent"
+    } else if draft.pair_relaxes()? || yields(draft)? {
+        "of a body that relaxes or yields cannot be computed: expected Elastic or Rigid bodies, or tractions: Independent"
+    } else if draft.glides()? {
+        "of a body that glides on cannot be computed, for there nothing sticks: expected tractions: Independent"
+    } else {
+        return None;
+    };
+    refused("solver.tractions", format!("Coupled {why}"))
 }
 
 /// What rubs off changes the heights.

@@ -13,6 +13,7 @@ use crate::scene::Plot;
 use crate::scene::law::{ElasticAdhesion, PixelFriction};
 use crate::scene::plan::{HalfSpacePlan, Plan};
 use ndarray::{Array2, s};
+use std::collections::BTreeMap;
 
 /// Ratio of the largest conductance to the least from which on both are seen over decades only.
 const DECADE: f64 = 10.0;
@@ -31,7 +32,8 @@ pub fn suiting(plan: &HalfSpacePlan, outcome: &Outcome) -> Vec<Plot> {
     let glides = plan.travel.iter().flat_map(gliding::suiting);
     let sheared = outcome.map.as_ref().and_then(|map| map.shear.as_ref());
     if slides(outcome) {
-        let stick = matches!(plan.friction, Some(PixelFriction::Partial { .. })).then_some(Plot::Stick);
+        let stick = matches!(plan.friction, Some(PixelFriction::Partial { .. } | PixelFriction::Coupled { .. }))
+            .then_some(Plot::Stick);
         let shear = sheared.map(|_| Plot::Shear);
         return [Plot::Friction].into_iter().chain(stick).chain(map).chain(shear).collect();
     }
@@ -59,7 +61,7 @@ pub fn leak(outcome: &Outcome) -> Option<Panel> {
 pub fn area(scene: &Plan, plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
     let (across, axis) = match (&plan.relaxation, plan.attraction) {
         (Some(_), _) => (TIME, axis_of(&TIME).from(0.0)),
-        (None, ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. }) => {
+        (None, ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. } | ElasticAdhesion::Fading { .. }) => {
             (INDENTATION, axis_of(&INDENTATION))
         }
         (None, ElasticAdhesion::None) => (FORCE, axis_of(&FORCE).from(0.0)),
@@ -182,40 +184,68 @@ impl Shown {
         row.zip(column).and_then(|at| self.touching.get(at)).is_some_and(|&touching| touching)
     }
 
-    /// Sides between cells that touch and cells that do not, neighbours in a line as one.
+    /// Closed ways round what touches, along the sides between cells that do and cells that do not.
     fn outline(&self) -> Points {
         let (rows, columns) = self.stress.dim();
-        let mut points = Points::new();
         let x = |column: usize| (column as f64 - 0.5 * columns as f64) * self.side[0];
         let y = |row: usize| (row as f64 - 0.5 * rows as f64) * self.side[1];
-        for row in 0..=rows {
-            let edge =
-                |column: usize| self.touches(row.checked_sub(1), Some(column)) != self.touches(Some(row), Some(column));
-            for (from, to) in runs(columns, edge) {
-                points.extend([Some((x(from), y(row))), Some((x(to), y(row))), None]);
+        let mut ways = self.sides();
+        let mut points = Points::new();
+        while let Some((&first, _)) = ways.first_key_value() {
+            let mut way = vec![first];
+            let mut at = first;
+            while let Some(next) = taken(&mut ways, at) {
+                at = next;
+                way.push(at);
             }
-        }
-        for column in 0..=columns {
-            let edge =
-                |row: usize| self.touches(Some(row), column.checked_sub(1)) != self.touches(Some(row), Some(column));
-            for (from, to) in runs(rows, edge) {
-                points.extend([Some((x(column), y(from))), Some((x(column), y(to))), None]);
-            }
+            points.extend(corners(&way).into_iter().map(|[row, column]| Some((x(column), y(row)))));
+            points.push(None);
         }
         points
     }
+
+    /// From corner to corner of the cells along each side, what touches on the right.
+    fn sides(&self) -> BTreeMap<Corner, Vec<Corner>> {
+        let mut sides: BTreeMap<Corner, Vec<Corner>> = BTreeMap::new();
+        for ((row, column), _) in self.touching.indexed_iter().filter(|(_, touches)| **touches) {
+            let (below, beyond) = (row + 1, column + 1);
+            let around = [
+                (row.checked_sub(1), Some(column), [row, column], [row, beyond]),
+                (Some(row), Some(beyond), [row, beyond], [below, beyond]),
+                (Some(below), Some(column), [below, beyond], [below, column]),
+                (Some(row), column.checked_sub(1), [below, column], [row, column]),
+            ];
+            for (next_row, next_column, from, to) in around {
+                if !self.touches(next_row, next_column) {
+                    sides.entry(from).or_default().push(to);
+                }
+            }
+        }
+        sides
+    }
 }
 
-/// Runs of neighbours that are chosen: the first and the one behind the last.
-fn runs(count: usize, chosen: impl Fn(usize) -> bool) -> Vec<(usize, usize)> {
-    let mut runs: Vec<(usize, usize)> = Vec::new();
-    for index in (0..count).filter(|&index| chosen(index)) {
-        match runs.last_mut() {
-            Some(run) if run.1 == index => run.1 += 1,
-            Some(_) | None => runs.push((index, index + 1)),
-        }
+/// Row and column of a corner of a cell.
+type Corner = [usize; 2];
+
+/// A side that leads on from a corner, which is then used up.
+fn taken(ways: &mut BTreeMap<Corner, Vec<Corner>>, from: Corner) -> Option<Corner> {
+    let next = ways.get_mut(&from)?;
+    let to = next.pop();
+    if next.is_empty() {
+        ways.remove(&from);
     }
-    runs
+    to
+}
+
+/// The ends of a way and the corners at which it turns.
+fn corners(way: &[Corner]) -> Vec<Corner> {
+    let straight = |index: usize| {
+        let [before, at, after] = [way[index - 1], way[index], way[index + 1]];
+        (0..2).any(|axis| before[axis] == at[axis] && at[axis] == after[axis])
+    };
+    let turns = |index: usize| index == 0 || index + 1 == way.len() || !straight(index);
+    (0..way.len()).filter(|&index| turns(index)).map(|index| way[index]).collect()
 }
 
 /// Densities of the pressure and of the gap, a curve for each force.
@@ -256,13 +286,17 @@ mod tests {
         Shown::of(map, &map.pressure)
     }
 
-    /// Two pixels beside each other have six sides in four lines, one of them at the border.
+    /// Two pixels beside each other have six sides in four lines, which are one way; two that meet at a corner have ways that pass it.
     #[test]
     fn the_outline_goes_round_the_contact() {
         let shown = shown(&map(4, |row, column| row == 0 && column < 2));
         let points = shown.outline();
-        assert_eq!(points.iter().filter(|point| point.is_none()).count(), 4);
-        assert!(points.contains(&Some((-2.0, -2.0))) && points.contains(&Some((0.0, -1.0))));
+        let way = [(-2.0, -2.0), (0.0, -2.0), (0.0, -1.0), (-2.0, -1.0), (-2.0, -2.0)].map(Some);
+        assert_eq!(points[..5], way);
+        assert_eq!(points[5..], [None]);
+        let cornered = self::shown(&map(4, |row, column| row < 2 && row == column)).outline();
+        assert_eq!(cornered.iter().flatten().filter(|point| **point == (-1.0, -1.0)).count(), 2);
+        assert_eq!(cornered.first(), cornered.iter().rev().flatten().next().map(|point| Some(*point)).as_ref());
     }
 
     #[test]
