@@ -43,6 +43,7 @@ fn of_kind(plan: &Plan, records: &[Record]) -> Vec<String> {
     match plan {
         Plan::Round(of) => round(plan, of.ground().profile(), records),
         Plan::Impact(of) => round(plan, of.ground().profile(), records),
+        Plan::Pad(_) => Vec::new(),
         Plan::Plane(plan) => steep_waves(plan.section.rms_slope()).into_iter().collect(),
         Plan::Rough(RoughPlan { surface, .. })
         | Plan::RoughImpact(RoughImpactPlan { rough: RoughPlan { surface, .. }, .. }) => {
