@@ -108,7 +108,7 @@ fn header(text: &str) -> Result<Vec<String>, csv::Error> {
 }
 
 /// Endings of the names in a scene's own tables.
-const SI: [&str; 8] = ["_s", "_m", "_n", "_pa", "_m_per_s", "_m4", "_rad_per_m", "_hz"];
+const SI: [&str; 10] = ["_s", "_m", "_n", "_pa", "_m_per_s", "_m4", "_rad_per_m", "_hz", "_k", "_degc"];
 
 impl NamedColumns {
     /// The table under names of its own; `None` if a name is one of a scene's own tables, or there is none to be found.

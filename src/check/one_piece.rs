@@ -40,6 +40,7 @@ pub fn in_words(plan: &Plan, outcome: &Outcome) -> Vec<String> {
         Plan::Rough(_) | Plan::RoughImpact(_) => {
             return vec!["a rough contact falls into many pieces at any but the largest loads".to_owned()];
         }
+        Plan::Pad(_) => return vec!["a pad touches with each of its springs or summits by itself".to_owned()],
         // The records count its patches.
         Plan::HalfSpace(_) => return Vec::new(),
         Plan::Plane(plane) => return sealed(plan, &plane.section, outcome),

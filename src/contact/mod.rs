@@ -32,6 +32,7 @@ pub mod gliding;
 pub mod loaded;
 pub mod mapped;
 pub mod model;
+pub mod pad;
 pub mod plane;
 pub mod plastic;
 pub mod punch;

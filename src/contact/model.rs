@@ -25,7 +25,7 @@
 use super::creep::Creep;
 use super::error::ContactError;
 use super::loaded::Loaded;
-use super::state::{Gliding, Normal, Tangential};
+use super::state::{Gliding, Joined, Normal, Tangential};
 use crate::material::Spectrum;
 use std::sync::Arc;
 
@@ -209,6 +209,11 @@ pub trait ContactModel: Send {
 
     /// Where a contact that glides over a bed with memory is, and what holds it back.
     fn gliding(&self) -> Option<Gliding> {
+        None
+    }
+
+    /// What is joined of a contact in many pieces that stand for themselves.
+    fn pieces(&self) -> Option<Joined> {
         None
     }
 

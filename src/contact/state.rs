@@ -49,6 +49,15 @@ pub struct Tangential {
     pub area_ratio: Option<f64>,
 }
 
+/// What of a pad of many springs or summits is joined.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joined {
+    /// Share of them.
+    pub share: f64,
+    /// Area of contact [m²] of summits.
+    pub area: Option<f64>,
+}
+
 /// Where a gliding contact is, and what holds it back.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gliding {

@@ -16,18 +16,18 @@ mod power_law;
 mod secular;
 mod shares;
 mod shear;
+mod shift;
 mod spectrum;
 
 pub use layered::{Graded, Joint, Layer, Layered, Sheet, Stack, Under, Winkler};
 pub use power_law::{PowerLaw, Series, Times};
 pub use shares::Shares;
+pub use shift::{Shift, ShiftError, Wlf};
 pub use spectrum::Element;
 pub use spectrum::{Mode, Spectrum};
 
 use crate::input::problem::Problem;
-use crate::input::quantity::{
-    Duration, Modulus, Poisson, Positive, QuantityError, Stress, Temperature, TemperatureDifference, Viscosity,
-};
+use crate::input::quantity::{Duration, Modulus, Poisson, QuantityError, Stress, Temperature, Viscosity};
 use crate::input::table::{TableError, Tables};
 use serde::ser::SerializeStruct;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -259,40 +259,6 @@ pub struct Viscoelastic {
     pub shift: Option<Shift>,
 }
 
-/// How a temperature shifts all times of a material alike, each τᵢ to a_T τᵢ and η to a_T η.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-pub enum Shift {
-    /// Williams, Landel & Ferry.
-    Wlf(Wlf),
-}
-
-/// The shift of Williams, Landel & Ferry, log₁₀ a_T = −C₁(T − T_r)/(C₂ + T − T_r).
-///
-/// For amorphous polymers from their glass transition T_g to some 100 K above it (J. Am. Chem. Soc. 77, 3701, 1955, eq. 20;
-/// of many C₁ = 17.44, C₂ = 51.6 K for T_r = T_g); the moduli are taken as those at T_r.
-/// Check: these constants give a_T = 10^(−17.44·50/101.6) = 2.6·10⁻⁹ at 50 K above T_g.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct Wlf {
-    /// C₁.
-    pub c1: Positive,
-    /// C₂ [K].
-    pub c2: TemperatureDifference,
-    /// T_r [K], at which the times are given.
-    pub reference: Temperature,
-}
-
-impl Shift {
-    /// a_T at the temperature `temperature` [K]; `None` where the law has no value.
-    #[must_use]
-    pub fn factor(&self, temperature: f64) -> Option<f64> {
-        let Self::Wlf(Wlf { c1, c2, reference }) = self;
-        let above = temperature - reference.si();
-        let factor = 10f64.powf(-c1.si() * above / (c2.si() + above));
-        (c2.si() + above > 0.0 && factor > 0.0 && factor.is_finite()).then_some(factor)
-    }
-}
-
 /// Relaxation function in shear, G(t) = G∞ + Σ Gᵢ e^(−t/τᵢ) + G₀(t/t₀)^(−β), and a parallel dashpot η.
 ///
 /// A scene writes it `(equilibrium: …, terms: […], viscosity: …)`, or `PowerLaw(modulus: …, exponent: …, time: …)` with the
@@ -472,7 +438,7 @@ impl Viscoelastic {
             Terms::Table(path) => terms_of_table(path, tables)?,
         };
         let shift = self.shift.as_ref().zip(self.temperature);
-        let shifted = shift.and_then(|(shift, temperature)| shift.factor(temperature.si())).unwrap_or(1.0);
+        let shifted = shift.and_then(|(shift, temperature)| shift.factor(temperature.si(), tables).ok()).unwrap_or(1.0);
         let series = self.shear.power_law.zip(times).map(|(law, times)| law.series(times.at_reference(shifted)));
         let (beyond, series) = series.map_or((0.0, Vec::new()), |series| (series.equilibrium, series.terms));
         Ok(Relaxation {
@@ -591,7 +557,7 @@ fn elastic(body: &Elastic) -> Alone {
 
 /// E*(t) against a rigid body, above zero at once.
 fn instantly_stiff(body: &Viscoelastic, path: &str, known: Known<'_>) -> Result<Relaxation, Problem> {
-    if let Some(problem) = badly_shifted(body, path) {
+    if let Some(problem) = badly_shifted(body, path, known.tables) {
         return Err(problem);
     }
     let relaxation = body
@@ -605,7 +571,7 @@ fn instantly_stiff(body: &Viscoelastic, path: &str, known: Known<'_>) -> Result<
 }
 
 /// A temperature without a shift, a shift without a temperature, or one where the law has no value.
-fn badly_shifted(body: &Viscoelastic, path: &str) -> Option<Problem> {
+fn badly_shifted(body: &Viscoelastic, path: &str, tables: &dyn Tables) -> Option<Problem> {
     match (body.temperature, &body.shift) {
         (None, None) => None,
         (Some(_), None) => Some(Problem::new(
@@ -616,16 +582,14 @@ fn badly_shifted(body: &Viscoelastic, path: &str) -> Option<Problem> {
             format!("{path}.shift"),
             "lacks the temperature to which it shifts: expected temperature: \"20 degC\" or the like, or no shift",
         )),
-        (Some(temperature), Some(shift)) if shift.factor(temperature.si()).is_none() => {
-            let Shift::Wlf(Wlf { c2, reference, .. }) = shift;
-            let lowest = reference.si() - c2.si();
-            let what = format!(
-                "{:?} K is too near to {lowest:?} K or below it, where the times of Wlf become infinite: expected a higher one",
-                temperature.si()
-            );
-            Some(Problem::new(format!("{path}.temperature"), what))
+        (Some(temperature), Some(shift)) => {
+            let place = |error: &ShiftError| match error {
+                ShiftError::Cold { .. } | ShiftError::Outside { .. } => "temperature",
+                ShiftError::Table(_) => "shift",
+            };
+            let error = shift.factor(temperature.si(), tables).err()?;
+            Some(Problem::new(format!("{path}.{}", place(&error)), error.to_string()))
         }
-        (Some(_), Some(_)) => None,
     }
 }
 

@@ -17,6 +17,7 @@ pub mod exponential;
 pub mod extrapolation;
 pub mod extremum;
 pub mod legendre;
+pub mod normal;
 pub mod quadrature;
 pub mod root;
 pub mod special;

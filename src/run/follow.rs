@@ -220,9 +220,9 @@ impl Run {
     }
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
-        let gliding = self.contact.gliding();
-        let record =
-            Record { entry: self.entry, time, normal, tangential, gliding, worn: None, pixels: None, machine: None };
+        let (gliding, joined) = (self.contact.gliding(), self.contact.pieces());
+        let (entry, worn, pixels, machine) = (self.entry, None, None, None);
+        let record = Record { entry, time, normal, tangential, gliding, worn, pixels, joined, machine };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }

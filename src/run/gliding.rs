@@ -103,6 +103,11 @@ pub fn mean(members: &[Vec<SteadyState>]) -> Vec<SteadyState> {
             force: mean(|state| state.force),
             resistance: mean(|state| state.resistance),
             work: mean(|state| state.work),
+            rms_slope: states
+                .iter()
+                .map(|state| state.rms_slope)
+                .sum::<Option<f64>>()
+                .map(|sum| sum / states.len() as f64),
             ..**states.first()?
         })
     };
@@ -116,6 +121,38 @@ pub fn table(states: &[SteadyState]) -> Option<Table> {
     (!states.is_empty()).then(|| Table::new("glides").with(&COLUMNS, states.iter()))
 }
 
+/// A steady state on rough ground, and the area [m²] over which its heat is spread.
+pub(super) type Rubbing = (SteadyState, f64);
+
+/// Columns of a rough body that glides: the heat is F_x v/A, that of the area of contact or else the nominal one.
+pub(super) const ROUGH: [Column<Rubbing>; 2] = [
+    Column::new("contact_rms_slope", Unit::ONE, "root mean square slope in contact", |(state, _)| state.rms_slope),
+    Column::new("heat_per_area", Unit::WATT_PER_SQUARE_METRE, "heat per area", |(state, area)| {
+        (*area > 0.0).then(|| state.resistance * state.speed / area)
+    }),
+];
+
+/// The named results of a rough body at one speed, or its greatest heat of many.
+pub(super) fn results_of_rough(travel: Option<&Travel>, rubbing: &[Rubbing]) -> Vec<Named> {
+    match (travel.map(|travel| travel.start), rubbing) {
+        (Some(Start::LeftOut), [one]) => ROUGH.iter().filter_map(|column| column.named(one)).collect(),
+        (Some(_), all) => {
+            let heats = all.iter().filter_map(|one| (ROUGH[1].of)(one));
+            let most = heats.reduce(f64::max);
+            let named = |most| Named::number("largest_heat_per_area", Unit::WATT_PER_SQUARE_METRE, most);
+            most.map(named).into_iter().collect()
+        }
+        (None, _) => Vec::new(),
+    }
+}
+
+/// The steady states of a rough line with the nominal area of its surface, over which its heat is spread.
+#[must_use]
+pub fn rubbing(plan: &RoughPlan, states: &[SteadyState]) -> Vec<Rubbing> {
+    let area = plan.surface.length().powi(2);
+    states.iter().map(|&state| (state, area)).collect()
+}
+
 /// A speed on rough ground with the coefficient that Persson's theory has for it.
 type Beside = (f64, Option<f64>);
 
@@ -126,7 +163,7 @@ const PERSSON: Column<Beside> =
 /// nominal pressure; of a nominally flat surface.
 #[must_use]
 pub fn table_beside_theory(plan: &RoughPlan, states: &[SteadyState]) -> Option<Table> {
-    let (table, travel) = (table(states)?, plan.travel.as_ref()?);
+    let (table, travel) = (table(states)?.with(&ROUGH, rubbing(plan, states).iter()), plan.travel.as_ref()?);
     if plan.base.is_some() {
         return Some(table);
     }

@@ -27,6 +27,7 @@ mod follow;
 #[cfg(feature = "half-space")]
 pub mod half_space;
 mod fretting;
+mod pad;
 mod plane;
 mod plastic;
 mod gliding;
@@ -152,6 +153,7 @@ pub fn tables(plan: &Plan) -> &'static [&'static str] {
         ],
         Plan::Impact(_) => &["pressure", "stress", "impacts", "incidence"],
         Plan::Plane(_) => &["pressure"],
+        Plan::Pad(_) => &[],
         Plan::Rough(_) => &["ensemble", "glides"],
         Plan::RoughImpact(_) => &["ensemble", "impacts"],
         Plan::HalfSpace(_) => &["distribution", "glides"],
@@ -179,6 +181,7 @@ pub fn run_watched(plan: &Plan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> 
         Plan::Plane(plan) => plane::run(plan, wanted).map(Solved::without_load),
         Plan::Rough(plan) => rough::run(plan, done).map(Solved::without_load),
         Plan::RoughImpact(plan) => impact::rough::run(plan, done).map(Solved::without_load),
+        Plan::Pad(plan) => pad::run(plan, wanted).map(Solved::without_load),
         Plan::HalfSpace(plan) => half_space::run(plan, wanted, done).map(Solved::without_load),
     }?;
     let pressure = fields::pressure_table(&outcome.fields, &outcome.records);

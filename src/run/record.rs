@@ -21,6 +21,7 @@ use super::named::{Finding, Named};
 use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::state::Gliding;
+use crate::contact::state::Joined;
 use crate::contact::state::Normal;
 use crate::contact::state::Tangential;
 use crate::drive::machine::RatedState;
@@ -48,6 +49,8 @@ pub struct Record {
     pub worn: Option<Worn>,
     /// The real contact, where it is computed on pixels.
     pub pixels: Option<PixelContact>,
+    /// What is joined, of a pad.
+    pub joined: Option<Joined>,
     /// The machine, while it moves the contact.
     pub machine: Option<MachineState>,
 }
@@ -177,8 +180,9 @@ pub const LEADING_EDGE: Column<Record> =
 pub const TRAILING_EDGE: Column<Record> =
     Column::new("trailing_edge", Unit::METRE, "trailing edge", |record| record.gliding?.trailing_edge);
 /// Area of contact on pixels.
-pub const AREA: Column<Record> =
-    Column::new("area", Unit::SQUARE_METRE, "area of contact A", |record| Some(record.pixels?.area));
+pub const AREA: Column<Record> = Column::new("area", Unit::SQUARE_METRE, "area of contact A", |record| {
+    record.pixels.map_or(record.joined?.area, |pixels| Some(pixels.area))
+});
 
 /// Columns every scene has.
 const NORMAL: &[Column<Record>] = &[
@@ -257,6 +261,13 @@ pub const LEAK: Column<Record> =
 /// Area that sticks on pixels.
 pub const STICK_AREA: Column<Record> =
     Column::new("stick_area", Unit::SQUARE_METRE, "area that sticks", Record::stick_area);
+/// Share of the springs or summits of a pad that are joined.
+pub const JOINED_SHARE: Column<Record> =
+    Column::new("joined_share", Unit::ONE, "share that is joined", |record| Some(record.joined?.share));
+/// Columns of a pad.
+const JOINED: &[Column<Record>] = &[JOINED_SHARE];
+/// Columns of a pad with summits.
+const TOUCHED: &[Column<Record>] = &[AREA];
 /// Columns of friction on pixels.
 const STICKING: &[Column<Record>] = &[STICK_AREA];
 /// Columns of a gap with a fluid in it.
@@ -277,6 +288,8 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let pixels = records.iter().any(|record| record.pixels.is_some());
     let leaks = records.iter().any(|record| record.pixels.is_some_and(|pixels| pixels.leak.is_some()));
     let sticks = records.iter().any(|record| record.stick_area().is_some());
+    let joined = records.iter().any(|record| record.joined.is_some());
+    let touched = records.iter().any(|record| record.joined.is_some_and(|joined| joined.area.is_some()));
     let driven = records.iter().any(|record| record.machine.is_some());
     let drawn = records.iter().any(|record| record.machine.is_some_and(|machine| machine.drawn.is_some()));
     let rated = records.iter().any(|record| record.machine.is_some_and(|machine| machine.rated.is_some()));
@@ -284,7 +297,7 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
     std::iter::once((NORMAL, true))
         .chain(parts)
-        .chain([(STICKING, sticks), (LEAKING, leaks)])
+        .chain([(STICKING, sticks), (LEAKING, leaks), (JOINED, joined), (TOUCHED, touched)])
         .chain(machine)
         .filter_map(|(columns, present)| present.then_some(columns))
         .flatten()

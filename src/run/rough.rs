@@ -32,6 +32,7 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
         results.extend(pulled(&pulls[..count], records.last()));
     }
     results.extend(gliding::results(plan.travel.as_ref(), &records, &glides));
+    results.extend(gliding::results_of_rough(plan.travel.as_ref(), &gliding::rubbing(plan, &glides)));
     Ok(Outcome {
         map: None,
         results,

@@ -97,7 +97,7 @@ fn elastic(plan: &Plan) -> Option<ElasticAdhesion> {
     let bodies = match plan {
         Plan::Round(plan) => plan.contact.bodies(),
         Plan::Impact(plan) => plan.law.bodies(),
-        Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::HalfSpace(_) => return None,
+        Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::Pad(_) | Plan::HalfSpace(_) => return None,
     };
     match bodies {
         Bodies::Elastic(adhesion) => Some(adhesion),
@@ -134,7 +134,7 @@ fn first_yield(plan: &Plan, carried: &Carried) -> Option<FirstYield> {
     let ground = match plan {
         Plan::Round(plan) => plan.ground(),
         Plan::Impact(plan) => plan.ground(),
-        Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::HalfSpace(_) => return None,
+        Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::Pad(_) | Plan::HalfSpace(_) => return None,
     };
     let drag = carried.drag(plan);
     let first = |body: &Body| FirstYield::of(&ground, body.poisson()?, body.yield_stress()?, drag);

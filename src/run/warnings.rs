@@ -44,6 +44,7 @@ fn of_kind(plan: &Plan, records: &[Record]) -> Vec<String> {
     match plan {
         Plan::Round(of) => round(plan, of.ground().profile(), records),
         Plan::Impact(of) => round(plan, of.ground().profile(), records),
+        Plan::Pad(_) => Vec::new(),
         Plan::Plane(plan) => steep_waves(plan.section.rms_slope()).into_iter().collect(),
         Plan::Rough(rough) | Plan::RoughImpact(RoughImpactPlan { rough, .. }) => {
             let steep = steep_waves(rough.surface.roughness().rms_slope);

@@ -36,7 +36,7 @@ impl PixelledIndenter {
             (Geometry::Round(profile), _) => Self::Smooth(profile.clone()),
             (Geometry::Rough(surface, base), _) => Self::Rough(surface.clone(), base.clone()),
             (Geometry::Tips(tips), _) => Self::Tips(tips.clone()),
-            (Geometry::Wavy(_), _) => return None,
+            (Geometry::Wavy(_) | Geometry::Pad(_), _) => return None,
         })
     }
 

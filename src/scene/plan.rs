@@ -26,6 +26,7 @@ use super::read::Read;
 use super::surface::Surface;
 use super::tractive::TractiveRolling;
 use crate::contact::foundation::Foundation;
+use crate::contact::pad::Bed;
 use crate::contact::rough::EdgeWorks;
 use crate::friction::Grip;
 use crate::friction::oblique::Ball;
@@ -36,7 +37,7 @@ use crate::scene::Scene;
 use crate::scene::history::Impact;
 use crate::scene::solver::{Leak, SolverChoice};
 use crate::scene::stage::Stage;
-use crate::shape::{Boundary, PlaneWavy, Profile};
+use crate::shape::{Boundary, Pad, PlaneWavy, Profile};
 use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -56,6 +57,8 @@ pub enum Plan {
     Rough(RoughPlan),
     /// The impact of a rough body.
     RoughImpact(RoughImpactPlan),
+    /// A pad of scattered heights, led through a history.
+    Pad(PadPlan),
     /// A contact on the pixels of a half-space, led through a history.
     HalfSpace(HalfSpacePlan),
 }
@@ -178,6 +181,17 @@ pub struct RoughImpactPlan {
     pub impact: Impact,
 }
 
+/// A pad of scattered heights.
+#[derive(Debug, Clone)]
+pub struct PadPlan {
+    /// What all plans have.
+    pub shared: Shared,
+    /// The pad.
+    pub pad: Pad,
+    /// Its springs or summits.
+    pub bed: Bed,
+}
+
 /// A contact on the pixels of a half-space.
 #[derive(Debug, Clone)]
 pub struct HalfSpacePlan {
@@ -284,7 +298,7 @@ impl Plan {
         match self {
             Self::Round(plan) => history(plan),
             Self::Impact(plan) => impact(plan),
-            Self::Plane(_) | Self::Rough(_) | Self::RoughImpact(_) | Self::HalfSpace(_) => None,
+            Self::Plane(_) | Self::Rough(_) | Self::RoughImpact(_) | Self::Pad(_) | Self::HalfSpace(_) => None,
         }
     }
 
@@ -300,7 +314,7 @@ impl Plan {
         match self {
             Self::Rough(plan) => Some(plan),
             Self::RoughImpact(plan) => Some(&plan.rough),
-            Self::Round(_) | Self::Impact(_) | Self::Plane(_) | Self::HalfSpace(_) => None,
+            Self::Round(_) | Self::Impact(_) | Self::Plane(_) | Self::Pad(_) | Self::HalfSpace(_) => None,
         }
     }
 
@@ -323,7 +337,7 @@ impl Plan {
             Self::Round(plan) => plan.travel.as_ref(),
             Self::Rough(plan) => plan.travel.as_ref(),
             Self::HalfSpace(plan) => plan.travel.as_ref(),
-            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) => None,
+            Self::Impact(_) | Self::Plane(_) | Self::RoughImpact(_) | Self::Pad(_) => None,
         }
     }
 
@@ -345,9 +359,12 @@ impl Plan {
     /// Whether the bodies adhere.
     #[must_use]
     pub fn adheres(&self) -> bool {
-        match self.rough() {
-            Some(rough) => rough.works.is_some(),
-            None => self.bodies().is_some_and(Bodies::adheres),
+        match self {
+            Self::Rough(rough) | Self::RoughImpact(RoughImpactPlan { rough, .. }) => rough.works.is_some(),
+            Self::Pad(plan) => plan.bed.hold().leaves > 0.0,
+            Self::Round(_) | Self::Impact(_) | Self::Plane(_) | Self::HalfSpace(_) => {
+                self.bodies().is_some_and(Bodies::adheres)
+            }
         }
     }
 
@@ -377,7 +394,7 @@ impl Plan {
         match self {
             Self::Round(plan) => Some(plan.profile.as_ref()),
             Self::Impact(plan) => Some(plan.profile.as_ref()),
-            Self::Plane(_) => None,
+            Self::Plane(_) | Self::Pad(_) => None,
             Self::Rough(plan) => plan.base.as_deref(),
             Self::RoughImpact(plan) => plan.rough.base.as_deref(),
             Self::HalfSpace(plan) => plan.profile(),
@@ -389,9 +406,12 @@ impl Plan {
     pub fn surface(&self) -> Option<&Surface> {
         match self {
             Self::HalfSpace(plan) => plan.surface(),
-            Self::Round(_) | Self::Impact(_) | Self::Plane(_) | Self::Rough(_) | Self::RoughImpact(_) => {
-                Some(&self.rough()?.surface)
-            }
+            Self::Round(_)
+            | Self::Impact(_)
+            | Self::Plane(_)
+            | Self::Rough(_)
+            | Self::RoughImpact(_)
+            | Self::Pad(_) => Some(&self.rough()?.surface),
         }
     }
 }
@@ -406,6 +426,7 @@ impl Deref for Plan {
             Self::Plane(plan) => &plan.shared,
             Self::Rough(plan) => &plan.shared,
             Self::RoughImpact(plan) => &plan.rough.shared,
+            Self::Pad(plan) => &plan.shared,
             Self::HalfSpace(plan) => &plan.shared,
         }
     }
@@ -423,7 +444,7 @@ macro_rules! shares {
     )*};
 }
 
-shares!(RoundPlan, ImpactPlan, PlanePlan, RoughPlan, HalfSpacePlan);
+shares!(RoundPlan, ImpactPlan, PlanePlan, RoughPlan, PadPlan, HalfSpacePlan);
 
 impl Deref for RoughImpactPlan {
     type Target = Shared;

@@ -10,7 +10,7 @@ use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{self, Joined, Relaxation, Times};
 use crate::scene::history::{Entry, MotionTable};
-use crate::shape::{Family, Lying, MapSource, PlacedTip, PlaneWavy, Profile, RoughShape, Shape, Tip};
+use crate::shape::{Family, Lying, MapSource, Pad, PlacedTip, PlaneWavy, Profile, RoughShape, Shape, Tip};
 use std::sync::Arc;
 
 /// The parts of a scene with their tables read; a part is missing where it cannot be read, or had to be mended.
@@ -89,6 +89,8 @@ pub(super) enum Geometry {
     Wavy(PlaneWavy),
     /// Several tips side by side.
     Tips(Arc<[PlacedTip]>),
+    /// Springs or summits of scattered heights.
+    Pad(Pad),
 }
 
 impl Geometry {
@@ -110,6 +112,7 @@ impl Geometry {
             Family::Map(MapSource::Treated(of)) => rough(surface::of_topography(of, tables)?, None),
             Family::Wavy(wavy) => Self::Wavy(wavy.clone()),
             Family::Tips(tips) => Self::Tips(placed(tips, tables)?),
+            Family::Pad(pad) => Self::Pad(*pad),
         })
     }
 
@@ -128,7 +131,7 @@ impl Geometry {
         match self {
             Self::Round(profile) => Some(profile.as_ref()),
             Self::Rough(_, base) => base.as_deref(),
-            Self::Wavy(_) | Self::Tips(_) => None,
+            Self::Wavy(_) | Self::Tips(_) | Self::Pad(_) => None,
         }
     }
 }

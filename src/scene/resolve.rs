@@ -7,7 +7,7 @@ use super::law::{
 use super::mended::Mended;
 use super::pixelled::PixelledIndenter;
 use super::plan::{
-    HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared,
+    HalfSpacePlan, ImpactPlan, PadPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan, SceneSettings, Shared,
 };
 use super::read::{Geometry, Read};
 use super::rules::{self, Draft, Parts, Written};
@@ -16,16 +16,17 @@ use super::surface::Surface;
 use super::tractive::TractiveRolling;
 use super::{Scene, limits, pixelled, reach};
 use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
+use crate::contact::pad::{Bed, Element, Spring, Summit};
 use crate::contact::plastic::YieldingBall;
 use crate::contact::rough::EdgeWorks;
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
-use crate::material::{Body, Relaxation};
+use crate::material::{Body, Relaxation, Under};
 use crate::scene::history::{EntryTraits, Impact};
 use crate::scene::stage::Path;
-use crate::shape::{Profile, Shape};
+use crate::shape::{Pad, Profile, Shape};
 use crate::wear::Wear;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -152,8 +153,28 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Option<P
             Plan::RoughImpact(RoughImpactPlan { rough: rough(shared, (surface, base.as_ref())), impact })
         }
         (Geometry::Wavy(section), _) => Plan::Plane(PlanePlan { section: section.clone(), shared }),
+        (Geometry::Pad(of), _) => Plan::Pad(pad(shared, *of)?),
         (Geometry::Tips(_), _) => return None,
     })
+}
+
+/// A pad: its springs stand for the area of a sheet, or its summits are balls.
+fn pad(shared: Shared, pad: Pad) -> Option<PadPlan> {
+    let works = shared.scene.adhesion.as_ref().map(works);
+    let (work, closing) = works.map_or((0.0, 0.0), |works| (works.opening, works.closing));
+    let (number, element) = match (&pad.summits, &shared.read.joined.as_ref()?.under) {
+        (Some(summits), _) => {
+            let (radius, modulus) = (summits.radius.si(), shared.pair.normal);
+            (summits.number.si(), Element::Summit(Summit { radius, modulus, work }))
+        }
+        (None, Under::Springs(thickness)) => {
+            let area = pad.area();
+            let stiffness = shared.pair.normal * area / thickness;
+            (1.0, Element::Spring(Spring { stiffness, work: work * area, closing: closing * area }))
+        }
+        (None, Under::HalfSpaces | Under::Layers(_) | Under::Graded(_)) => return None,
+    };
+    Some(PadPlan { bed: Bed { number, deviation: pad.deviation.si(), element }, pad, shared })
 }
 
 fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> HalfSpacePlan {

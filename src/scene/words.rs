@@ -2,9 +2,10 @@
 
 use super::law::{ElasticAdhesion, FrictionLaw, PixelFriction, WearLaw};
 use super::parts::{Component, Parts, Solver};
-use super::plan::{HalfSpacePlan, ImpactPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
+use super::plan::{HalfSpacePlan, ImpactPlan, PadPlan, Plan, PlanePlan, RoughImpactPlan, RoughPlan, RoundPlan};
 use super::tractive::TractiveRolling;
 use crate::contact::direct::QuasiStatic;
+use crate::contact::pad::{Element, Pad};
 use crate::contact::plane::PlaneContact;
 use crate::friction::TangentialMemory;
 use crate::shape::Boundary;
@@ -19,6 +20,7 @@ impl Plan {
             Self::Plane(plan) => plan.parts(),
             Self::Rough(plan) => plan.parts(),
             Self::RoughImpact(plan) => plan.parts(),
+            Self::Pad(plan) => plan.parts(),
             Self::HalfSpace(plan) => plan.parts(),
         }
     }
@@ -86,6 +88,29 @@ impl PlanePlan {
         );
         let left_out = vec!["one-dimensional profile g(x)", "springs", "gross sliding"];
         Parts { state_bytes: size_of::<PlaneContact>(), ..Parts::new(solver, vec!["half-plane"], left_out) }
+    }
+}
+
+impl PadPlan {
+    /// The plan in words.
+    #[must_use]
+    pub fn parts(&self) -> Parts {
+        let (what, reason) = match self.bed.element {
+            Element::Spring(_) => (
+                "springs",
+                "springs that stand for themselves join and let go one by one: sums over normal heights in closed form",
+            ),
+            Element::Summit(_) => (
+                "summits",
+                "summits that stand for themselves join and let go one by one: sums over normal heights by their radii",
+            ),
+        };
+        let left_out = vec!["one-dimensional profile g(x)", "what neighbours feel of each other", "gross sliding"];
+        let solver = Solver::new("pad", reason);
+        Parts {
+            state_bytes: size_of::<Pad>(),
+            ..Parts::new(solver, vec![what, "edge between what is joined and what is not"], left_out)
+        }
     }
 }
 

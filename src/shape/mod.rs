@@ -20,6 +20,7 @@ mod ellipsoid;
 mod kernel;
 mod lying;
 mod measured;
+mod pad;
 mod paraboloid;
 mod plane;
 mod power;
@@ -39,6 +40,7 @@ pub use boundary::Boundary;
 pub use ellipsoid::Ellipsoid;
 pub use lying::Lying;
 pub use measured::Measured;
+pub use pad::{Pad, Summits};
 pub use paraboloid::Paraboloid;
 pub use plane::{Cylinder, PlaneRipple, PlaneWave, PlaneWavy};
 pub use power::{Cone, Power};
@@ -102,6 +104,8 @@ pub enum Shape {
     PlaneWave(PlaneWave),
     /// Wavy parabolic section, long across.
     PlaneWavy(PlaneWavy),
+    /// Springs or summits of scattered heights.
+    Pad(Pad),
 }
 
 /// What a shape is pressed as.
@@ -117,6 +121,8 @@ pub enum Family<'s> {
     Tips(&'s [Tip]),
     /// A wavy section, long across, whose contact may fall into pieces.
     Wavy(&'s PlaneWavy),
+    /// Springs or summits of scattered heights.
+    Pad(&'s Pad),
 }
 
 /// Where the heights of a surface come from.
@@ -169,6 +175,7 @@ impl Shape {
             Self::Cylinder(_) => "Cylinder",
             Self::PlaneWave(_) => "PlaneWave",
             Self::PlaneWavy(_) => "PlaneWavy",
+            Self::Pad(_) => "Pad",
             Self::HeightMap(..) => "HeightMap",
             Self::Topography(_) => "Topography",
             Self::Tips(_) => "Tips",
@@ -226,6 +233,7 @@ impl Shape {
             Self::Topography(topography) => Family::Map(MapSource::Treated(topography)),
             Self::Tips(tips) => Family::Tips(tips),
             Self::PlaneWavy(wavy) => Family::Wavy(wavy),
+            Self::Pad(pad) => Family::Pad(pad),
         }
     }
 
@@ -266,7 +274,7 @@ impl Shape {
                 Some(base) => base.profile(tables)?,
                 None => return Err(ShapeError::NoProfile(self.name())),
             },
-            Self::PlaneWavy(_) | Self::HeightMap(..) | Self::Topography(_) | Self::Tips(_) => {
+            Self::PlaneWavy(_) | Self::HeightMap(..) | Self::Topography(_) | Self::Tips(_) | Self::Pad(_) => {
                 return Err(ShapeError::NoProfile(self.name()));
             }
         })

@@ -97,10 +97,12 @@ impl Topography {
             Family::Map(MapSource::Plain(path, pixel)) => {
                 Ok(Treated { heights: tables.heights(path)?, pixel: (pixel.si(), pixel.si()) })
             }
-            Family::Round | Family::Line(_) | Family::Tips(_) | Family::Wavy(_) => Err(TableError::whole(
-                &self.file,
-                format!("stands against a {}: expected HeightMap(…) or Topography(…)", shape.name()),
-            )),
+            Family::Round | Family::Line(_) | Family::Tips(_) | Family::Wavy(_) | Family::Pad(_) => {
+                Err(TableError::whole(
+                    &self.file,
+                    format!("stands against a {}: expected HeightMap(…) or Topography(…)", shape.name()),
+                ))
+            }
         }
     }
 

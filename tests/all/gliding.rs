@@ -194,6 +194,18 @@ fn a_rough_line_glides() {
     // The faster, the stiffer.
     assert!(depths.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-9)), "{depths:?}");
     assert!(table.column("leading_edge").unwrap().numbers().iter().all(Option::is_none));
+    // The heat is the power of the resistance over the nominal area; what touches is about as steep as all of it.
+    let (heats, resistances, slopes) = (of("heat_per_area"), of("tangential_force"), of("contact_rms_slope"));
+    for ((heat, resistance), speed) in heats.iter().zip(&resistances).zip([1e-10, 1e-5, 1e-3, 1e-1, 1e4]) {
+        assert!((heat * 2e-4 * 2e-4 / (resistance * speed) - 1.0).abs() < 1e-12, "{heat}");
+    }
+    assert!(slopes.iter().all(|of| *of > 0.5 * slope && *of < 2.0 * slope), "{slopes:?} {slope}");
+    assert!(
+        (number(&outcome, "largest_heat_per_area_w_per_m2") / heats.iter().copied().fold(0.0, f64::max) - 1.0).abs()
+            < 1e-14
+    );
+    let alone = ran(&text("Press(to: 4e-3, over: 1), Glide(speed: 1e-3)"));
+    assert!((number(&alone, "heat_per_area_w_per_m2") / heats[2] - 1.0).abs() < 1e-6);
     // Persson's theory stands beside it: small at both ends too.
     let theory = of("persson_coefficient");
     assert!(theory[0] < 1e-4 && theory[4] < 1e-4 && theory[2] > 0.02 * slope && theory[2] < 2.0 * slope, "{theory:?}");

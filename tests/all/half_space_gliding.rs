@@ -119,3 +119,23 @@ fn the_bed_is_twice_as_slow_and_fast_the_same() {
         assert!((bed / pixels / ratio - 1.0).abs() < 0.03, "{speed}: {bed} {pixels}");
     }
 }
+
+/// Pressed flat, what touches is as steep as the surface; the heat is the power of the resistance over the nominal area.
+#[test]
+fn what_touches_in_full_contact_is_the_surface() {
+    let at = |force: &str| {
+        let rest = format!(
+            "solver: HalfSpace(grid: 64), accuracy: 1e-6, history: [Press(to: {force}, over: 1), Glide(speed: 1e-3)]"
+        );
+        outcome(ROUGH, RUBBER, &rest)
+    };
+    let (full, part) = (at("0.1"), at("1e-3"));
+    assert!((column(&full, "area_fraction")[0] - 1.0).abs() < 1e-12);
+    let slope = full.number("rms_slope").unwrap();
+    let steep = full.number("contact_rms_slope").unwrap();
+    // Differences over two pixels see a wave of λ less steep, by sin(2πh/λ)/(2πh/λ): 10 % of the shortest, of eight pixels.
+    assert!((steep / slope - 1.0).abs() < 0.1, "{steep} {slope}");
+    let heat = full.number("heat_per_area_w_per_m2").unwrap();
+    assert!((heat * 1e-8 / (1e-3 * column(&full, "tangential_force")[0]) - 1.0).abs() < 1e-12);
+    assert!(part.number("contact_rms_slope").unwrap() < 2.0 * slope);
+}

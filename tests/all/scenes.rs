@@ -73,6 +73,8 @@ fn elastic_and_adhesive_scenes_quote_their_answers() {
         "measured_tip",
         "afm_tip",
         "humid_tip",
+        "adhesive_pad",
+        "rough_pull_off",
         "crossed_cylinders",
         "springs_of_hertz",
         "springs_of_jkr",

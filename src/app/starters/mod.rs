@@ -23,6 +23,7 @@ starters!(
     "jkr",
     "maugis",
     "capillary",
+    "pad",
     "wavy",
     "viscoelastic",
     "layer",

@@ -26,6 +26,7 @@ mod impact;
 mod ground;
 mod lying;
 mod machine;
+mod pad;
 mod plastic;
 mod power_law;
 mod rolling;
@@ -56,6 +57,7 @@ pub fn all() -> Vec<Case> {
         ground::CASES,
         stress::CASES,
         adhesive::CASES,
+        pad::CASES,
         viscoelastic::CASES,
         power_law::CASES,
         friction::CASES,

@@ -21,9 +21,12 @@ const HARDNESS: f64 = 2.8;
 pub fn in_words(plan: &Plan, state: &Normal) -> Vec<String> {
     match plan {
         Plan::Round(round) => ground::in_words(round, state),
-        Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::HalfSpace(_) => {
-            of_roughness(plan, state.force, state.stiffness)
-        }
+        Plan::Impact(_)
+        | Plan::Plane(_)
+        | Plan::Rough(_)
+        | Plan::RoughImpact(_)
+        | Plan::Pad(_)
+        | Plan::HalfSpace(_) => of_roughness(plan, state.force, state.stiffness),
     }
 }
 
@@ -89,7 +92,7 @@ impl NominallyFlat {
                 let elastic = pixels.relaxation.is_none() && pixels.hardness.is_none() && pixels.ground.is_none();
                 elastic && pixels.attraction == ElasticAdhesion::None
             }
-            Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) => false,
+            Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) | Plan::Pad(_) => false,
         };
         let surface = plan.surface().filter(|_| bare && plan.profile().is_none())?;
         let area = match (plan, &surface.source) {

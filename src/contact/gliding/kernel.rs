@@ -121,7 +121,7 @@ impl Kernel {
         let dashpot = self.spectrum.viscosity() * speed;
         impulse += (self.spectrum.equilibrium() * (start + 0.5 * speed * duration) + dashpot) * duration;
         heat += dashpot * speed * duration;
-        tally.pressed(duration, (impulse, speed * impulse, heat));
+        tally.press((speed, duration), (impulse, heat));
     }
 
     /// Whether the profile is above a free spring at both ends, and cannot have met it between them: u is convex.

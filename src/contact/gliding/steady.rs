@@ -47,6 +47,8 @@ pub struct SteadyState {
     pub leading_edge: Option<f64>,
     /// Where it ends [m]; behind the middle it is negative.
     pub trailing_edge: Option<f64>,
+    /// Root mean square slope of what is in contact of a rough line.
+    pub rms_slope: Option<f64>,
     /// By how much force and resistance may be off, as parts of themselves.
     pub error: f64,
 }
@@ -174,7 +176,8 @@ impl SteadyGlide {
                 } else {
                     self.once(&track, speed)
                 };
-                Ok(of_sums((speed, depth), &sums, [None, None]))
+                let rms_slope = sums.rms_speed().map(|rms| rms / speed);
+                Ok(SteadyState { rms_slope, ..of_sums((speed, depth), &sums, [None, None]) })
             }
         }
     }
@@ -202,6 +205,7 @@ fn of_sums((speed, indentation): (f64, f64), sums: &Tally, edges: [Option<f64>; 
         work: sums.work,
         leading_edge: edges[0],
         trailing_edge: edges[1],
+        rms_slope: None,
         error: 0.0,
     }
 }
@@ -221,7 +225,8 @@ fn off(one: f64, other: f64) -> f64 {
 /// Bodies that do not touch.
 fn apart(speed: f64, indentation: f64) -> SteadyState {
     let (force, resistance, work, error) = (0.0, 0.0, 0.0, 0.0);
-    SteadyState { speed, indentation, force, resistance, work, leading_edge: None, trailing_edge: None, error }
+    let (leading_edge, trailing_edge, rms_slope) = (None, None, None);
+    SteadyState { speed, indentation, force, resistance, work, leading_edge, trailing_edge, rms_slope, error }
 }
 
 /// Two arguments around `guess` between which a function becomes positive that grows with a slope of one to two.

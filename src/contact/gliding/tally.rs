@@ -14,6 +14,10 @@ pub(super) struct Tally {
     pub work: f64,
     /// Energy turned into heat [J/m], a sum of positive terms.
     pub heat: f64,
+    /// Time for which it was pressed [s].
+    pub pressed: f64,
+    /// ∫ u̇² dt [m²/s] over that time.
+    pub squares: f64,
     /// Time that has passed [s].
     pub time: f64,
     /// When it was first touched [s].
@@ -100,8 +104,8 @@ impl Diary {
 }
 
 impl Tally {
-    /// Adds a piece with its impulse, work and heat.
-    pub fn pressed(&mut self, duration: f64, (impulse, work, heat): (f64, f64, f64)) {
+    /// Adds a piece at the speed u̇ with its impulse and heat.
+    pub fn press(&mut self, (speed, duration): (f64, f64), (impulse, heat): (f64, f64)) {
         self.touched = self.touched.or(Some(self.time));
         if let Some(diary) = &mut self.diary {
             diary.pressed(duration);
@@ -109,8 +113,15 @@ impl Tally {
         self.time += duration;
         self.released = Some(self.time);
         self.impulse += impulse;
-        self.work += work;
+        self.pressed += duration;
+        self.squares += speed * speed * duration;
+        self.work += speed * impulse;
         self.heat += heat;
+    }
+
+    /// Root mean square of u̇ [m/s] while it was pressed.
+    pub fn rms_speed(&self) -> Option<f64> {
+        (self.pressed > 0.0).then(|| (self.squares / self.pressed).sqrt())
     }
 
     /// Adds a piece of recovery with its heat.
@@ -130,8 +141,8 @@ impl Tally {
             diary.note(spectrum, piece);
         }
         match *piece {
-            Piece::Pressed { duration, .. } => {
-                self.pressed(duration, (spectrum.impulse(piece), ledger.work, ledger.dissipated));
+            Piece::Pressed { speed, duration, .. } => {
+                self.press((speed, duration), (spectrum.impulse(piece), ledger.dissipated));
             }
             Piece::Free { duration, .. } => self.free(duration, ledger.dissipated),
         }

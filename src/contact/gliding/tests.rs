@@ -219,6 +219,11 @@ proptest! {
         let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
         let force = spectrum.equilibrium() * (depth + lowest);
         prop_assert!((state.force / force - 1.0).abs() < 1e-9, "{:e} {force:e}", state.force);
+        // All of it touches: the slope is that of the chords of the line.
+        let chords = (0..count).map(|k| (gaps[(k + 1) % count] - gaps[k]) * count as f64);
+        let slope = (chords.map(|chord| chord * chord).sum::<f64>() / count as f64).sqrt();
+        // A chord is the difference of two depths, of some tenths.
+        prop_assert!((state.rms_slope.unwrap() / slope - 1.0).abs() < 1e-12 + 1e-14 * depth);
     }
 
     /// Partial contact: found at once it is what comes of itself after many periods; where the period starts does

@@ -69,7 +69,7 @@ fn coulomb(plan: &Plan) -> Option<f64> {
             PixelFriction::Partial { coefficient } | PixelFriction::Coupled { coefficient } => Some(*coefficient),
             PixelFriction::Gross(_) => None,
         },
-        Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => None,
+        Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::Pad(_) => None,
     }
 }
 

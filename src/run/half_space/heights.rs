@@ -16,6 +16,25 @@ pub struct Heights {
 }
 
 impl Heights {
+    /// Root mean square slope |∇h| of the pixels under pressure, by differences over two pixels; one-sided at a border.
+    #[must_use]
+    pub fn rms_slope_where(&self, pressure: &Array2<f64>) -> Option<f64> {
+        let (rows, columns) = self.values.dim();
+        let slope = |(one, other): ((usize, usize), (usize, usize)), pixel: f64| {
+            let apart = (other.0 - one.0 + other.1 - one.1) as f64 * pixel;
+            if apart > 0.0 { (self.values[other] - self.values[one]) / apart } else { 0.0 }
+        };
+        let square = |(row, column): (usize, usize)| {
+            let (left, right) = ((row, column.saturating_sub(1)), (row, (column + 1).min(columns - 1)));
+            let (below, above) = ((row.saturating_sub(1), column), ((row + 1).min(rows - 1), column));
+            slope((left, right), self.pixel[0]).powi(2) + slope((below, above), self.pixel[1]).powi(2)
+        };
+        let touching = pressure.indexed_iter().filter(|(_, p)| **p > 0.0).map(|(at, _)| square(at));
+        let (count, sum) =
+            touching.filter(|square| square.is_finite()).fold((0u32, 0.0), |(n, sum), s| (n + 1, sum + s));
+        (count > 0).then(|| (sum / f64::from(count)).sqrt())
+    }
+
     /// A shape whose tip stands on the node in the middle; `height` [m] over x and y [m].
     pub fn about_tip([rows, columns]: [usize; 2], pixel: [f64; 2], height: impl Fn(f64, f64) -> f64) -> Self {
         let place = |index: usize, count: usize, pixel: f64| (index as f64 - (count / 2) as f64) * pixel;

@@ -229,6 +229,7 @@ impl<'p> Series<'p> {
             tangential: state.tangential,
             gliding: None,
             worn: None,
+            joined: None,
             machine: None,
             pixels: Some(state.pixels),
         };

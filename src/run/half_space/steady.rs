@@ -8,7 +8,7 @@ use crate::halfspace::steady::{SteadyContact, SteadyResponse, Travelled};
 use crate::halfspace::{HalfSpaceError, Prescribed, Solution};
 use crate::material::Spectrum;
 use crate::run::SimulationError;
-use crate::run::gliding::{self, beside_theory, held};
+use crate::run::gliding::{self, ROUGH, Rubbing, beside_theory, held};
 use crate::run::record::{ErrorEstimate, Record};
 use crate::run::table::{Column, Table};
 use crate::run::unit::Unit;
@@ -21,6 +21,8 @@ use crate::shape::Boundary;
 pub(super) struct Glides {
     pub(super) states: Vec<SteadyState>,
     contacts: Vec<Touching>,
+    /// The same with the areas over which their heat is spread.
+    pub(super) rubbing: Vec<Rubbing>,
     /// The contact at the last speed.
     pub(super) last: Option<Solution>,
 }
@@ -105,6 +107,7 @@ fn at_speeds(
         let error = apart(&found, &rough);
         glides.states.push(state(plan, pressing, &found, (speed, error)));
         glides.contacts.push(touching(&found.solution));
+        glides.rubbing.extend(rubbing(plan, pressing.heights, &glides));
         (glides.last, coarser) = (Some(found.solution), Some(rough.solution));
     }
     Ok(glides)
@@ -134,6 +137,7 @@ fn state(
         work: *resistance,
         leading_edge: edges.map(|[_, leading]| leading),
         trailing_edge: edges.map(|[trailing, _]| trailing),
+        rms_slope: pressing.heights.rms_slope_where(&solution.pressure),
         error,
     }
 }
@@ -154,10 +158,19 @@ fn touching(solution: &Solution) -> Touching {
     Touching { area, area_fraction: area / whole, peak_pressure: solution.peak_pressure() }
 }
 
+/// The last steady state, with the nominal area of a rough surface or else that of its contact.
+fn rubbing(plan: &HalfSpacePlan, heights: &Heights, glides: &Glides) -> Option<Rubbing> {
+    let flat = plan.surface().is_some() && plan.profile().is_none();
+    let nominal = heights.pixel[0] * heights.pixel[1] * heights.values.len() as f64;
+    let area = if flat { nominal } else { glides.contacts.last()?.area };
+    Some((*glides.states.last()?, area))
+}
+
 impl Glides {
     /// One row per speed; of a flat rough surface with Persson's theory beside it.
     pub(super) fn table(&self, plan: &HalfSpacePlan) -> Option<Table> {
         let table = gliding::table(&self.states)?.with(&COLUMNS, self.contacts.iter());
+        let table = table.with(&ROUGH, self.rubbing.iter());
         let (Some(surface), None, Some(travel)) = (plan.surface(), plan.profile(), &plan.travel) else {
             return Some(table);
         };

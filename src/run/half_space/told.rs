@@ -51,6 +51,7 @@ pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<
     }
     results.extend(records.last().iter().flat_map(|last| at_end(last)));
     results.extend(gliding::results(plan.travel.as_ref(), records, &glides.states));
+    results.extend(gliding::results_of_rough(plan.travel.as_ref(), &glides.rubbing));
     results
 }
 

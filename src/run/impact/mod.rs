@@ -123,6 +123,7 @@ fn records(plan: &ImpactPlan, moments: &[ImpactState]) -> Vec<Record> {
         tangential: None,
         gliding: None,
         worn: None,
+        joined: None,
         machine: None,
     };
     moments.iter().map(record).collect()

@@ -99,6 +99,7 @@ fn member(plan: &RoughImpactPlan, seed: u64) -> Result<Member, SimulationError> 
                 tangential: None,
                 gliding: None,
                 worn: None,
+                joined: None,
                 machine: None,
                 pixels: None,
             };

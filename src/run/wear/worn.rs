@@ -262,6 +262,7 @@ impl<'p> WornRun<'p> {
             gliding: None,
             worn,
             pixels: None,
+            joined: None,
             machine: None,
         };
         self.records.push(self.last);

@@ -27,6 +27,7 @@ pub(super) fn on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
     let why = match (shape.family(), shape, motion) {
         (Family::Tips(_), _, _) => "their places side by side are none of a bed",
         (Family::Wavy(_), _, _) => "a series of the half-plane has no springs to be gone through",
+        (Family::Pad(_), _, _) => "its springs are pressed from straight above",
         (Family::Line(_) | Family::Map(..), _, Motion::Rolls) => {
             "what rolls lays each of its heights on one place of the ground, which a line that is drawn over it does not: expected Glide"
         }

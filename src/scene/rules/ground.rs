@@ -43,6 +43,8 @@ pub(super) fn under_shape(draft: &Draft<'_>) -> Option<Problem> {
         (_, Shape::Ellipsoid(_)) => "its contact is an ellipse",
         (Family::Round, shape) if shape.is_plane() => "of layers the bed under a round contact is known",
         (Family::Round, _) => return None,
+        // It has a rule of its own.
+        (Family::Pad(_), _) => return None,
         (Family::Line(_) | Family::Map(..) | Family::Tips(_) | Family::Wavy(_), _) => {
             "of layers the bed under a single round contact is known"
         }
@@ -74,8 +76,9 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let ((_, name), adhesion) = (uneven(draft)?, draft.adhesion(Look::Kind)?.traits());
     let on_pixels = draft.chooses_solver()?;
     let why = match adhesion.range {
+        Range::Vanishing(_) if matches!(draft.shape()?.family(), Family::Pad(_)) => return None,
         Range::Vanishing(_) if name == "Winkler" => {
-            "its springs have no neighbours by which an edge could open: expected no adhesion, or Layered(…)"
+            "its springs have no neighbours by which an edge could open: expected no adhesion, Layered(…), or the shape Pad(…), whose springs let go one by one"
         }
         Range::Vanishing(_) if on_pixels && name == "Graded" => {
             "at its surface it has no modulus that the ring of pixels could be made of in which an attraction without a range acts: expected Maugis(work: …, stress: …), or no solver"

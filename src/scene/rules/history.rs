@@ -53,7 +53,7 @@ pub(super) fn depth_of_wavy(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Optio
                 shape.name()
             ),
         ),
-        Family::Round | Family::Line(_) | Family::Map(..) | Family::Tips(_) | Family::Wavy(_) => None,
+        Family::Round | Family::Line(_) | Family::Map(..) | Family::Tips(_) | Family::Wavy(_) | Family::Pad(_) => None,
     }
 }
 

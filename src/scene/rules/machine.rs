@@ -69,6 +69,7 @@ pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
         }
         Family::Tips(_) => "tips side by side turn the body as they slip",
         Family::Wavy(_) => "a series of the half-plane has no depth",
+        Family::Pad(_) => "its force has a kink where springs begin to join or to let go",
     };
     let shape = not_round(shape).unwrap_or_else(|| format!("a {}", shape.name()));
     refused("machine", format!("on {shape} cannot be computed, for {why}: expected a round shape"))

@@ -15,6 +15,7 @@ mod glide;
 mod ground;
 mod history;
 mod machine;
+mod pad;
 mod parts;
 mod pixels;
 mod plastic;
@@ -105,7 +106,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 96] = [
+pub const RULES: [Rule; 99] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -168,6 +169,9 @@ pub const RULES: [Rule; 96] = [
     Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),
     Rule::many(Shape, Bodies, parts::viscoelastic_on_plane),
+    Rule::once(Shape, Bodies, pad::on_bodies),
+    Rule::once(Shape, Adhesion, pad::closing_of_summits),
+    Rule::entry(Shape, pad::moves),
     Rule::entry(Shape, history::impact_on_plane),
     Rule::entry(Shape, history::slide_on_plane),
     Rule::entry(Shape, history::depth_of_wavy),

@@ -258,6 +258,7 @@ pub(super) fn not_round(shape: &Shape) -> Option<String> {
         Family::Round | Family::Tips(_) => None,
         Family::Line(_) | Family::Map(..) => Some(format!("the rough shape {}", shape.name())),
         Family::Wavy(_) => Some(shape.name().to_owned()),
+        Family::Pad(_) => Some(format!("a {}", shape.name())),
     }
 }
 
@@ -274,6 +275,10 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
         return None;
     }
     let (of, why) = match (shape.family(), &adhesion.range) {
+        (Family::Pad(_), Range::Vanishing(_)) => return None,
+        (Family::Pad(_), Range::Finite(_)) => {
+            ("", "its springs and summits hold what they touch: expected Jkr(work: …)")
+        }
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => (
             " of Viscoelastic bodies",
@@ -317,6 +322,9 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
                 not_round(shape).unwrap_or_default()
             ),
         ),
+        (Family::Pad(_), _) => {
+            cannot_be_on(draft, "friction", friction.name(), "its springs and summits are pressed from straight above")
+        }
         (Family::Round | Family::Tips(_) | Family::Wavy(_), _) => {
             cannot_be_on(draft, "friction", friction.name(), "its series is that of a pressure and knows no shear")
         }

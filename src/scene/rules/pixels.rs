@@ -166,6 +166,10 @@ pub(super) fn shape(draft: &Draft<'_>) -> Option<Problem> {
         );
         return refused("shape", what);
     }
+    if let Family::Pad(_) = shape.family() {
+        let what = "Pad with the solver HalfSpace cannot be computed, for it tells how its heights are scattered and not where they are: expected a RoughLine or HeightMap, or no solver";
+        return refused("shape", what);
+    }
     repeated(asked, shape).or_else(|| several(draft.whole_shape()?))
 }
 

@@ -74,6 +74,7 @@ pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
         (Family::Line(_) | Family::Map(..), _) => "a line that stands for a surface does not know the real pressure",
         (Family::Tips(_), _) => "the wear of tips side by side is not that of rings around an axis",
         (Family::Wavy(_), _) => "a series of the half-plane knows no wear",
+        (Family::Pad(_), _) => "its heights do not stay normal as the highest wear first",
     };
     let shape = not_round(shape).unwrap_or_else(|| format!("a {}", shape.name()));
     refused("wear", format!("{name} on {shape} cannot be computed, for {why}: expected a round shape"))

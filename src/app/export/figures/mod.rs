@@ -20,7 +20,7 @@ mod sweep;
 mod wear;
 
 use crate::app::figure::{Axis, Figure, Panel, Series};
-use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, Outcome, Record};
+use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, JOINED_SHARE, Outcome, Record};
 use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::Plot;
@@ -64,6 +64,7 @@ fn suiting(plan: &Plan, outcome: &Outcome) -> Vec<Plot> {
             _ => vec![Plot::Restitution],
         },
         Plan::Plane(_) => vec![Plot::Force, Plot::Radius, Plot::Pressure],
+        Plan::Pad(_) => vec![Plot::Force, Plot::Energy],
         Plan::Rough(RoughPlan { travel: Some(travel), .. }) => {
             gliding::suiting(travel).into_iter().chain([Plot::Shape]).collect()
         }
@@ -121,9 +122,12 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Leak => pixels::leak(outcome).into_iter().collect(),
         Plot::Area => match plan {
             Plan::HalfSpace(pixels) => vec![pixels::area(plan, pixels, outcome)],
-            Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) => {
-                friction::area(plan, outcome).into_iter().collect()
-            }
+            Plan::Round(_)
+            | Plan::Impact(_)
+            | Plan::Plane(_)
+            | Plan::Rough(_)
+            | Plan::RoughImpact(_)
+            | Plan::Pad(_) => friction::area(plan, outcome).into_iter().collect(),
         },
         Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
         Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
@@ -144,7 +148,7 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
         }
         Plan::Rough(rough) => Some(rough::line(rough)),
         Plan::RoughImpact(impact) => Some(rough::line(&impact.rough)),
-        Plan::Plane(_) | Plan::HalfSpace(_) => None,
+        Plan::Plane(_) | Plan::Pad(_) | Plan::HalfSpace(_) => None,
     }
 }
 
@@ -152,7 +156,7 @@ fn indenter(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
 fn oblique(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
     let angle = match plan {
         Plan::Impact(plan) => plan.impact.incidence(),
-        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::HalfSpace(_) => {
+        Plan::Round(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::Pad(_) | Plan::HalfSpace(_) => {
             return Vec::new();
         }
     };
@@ -174,6 +178,7 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             let over_time = [INDENTATION, FORCE].map(|column| against_time(records, &column));
             over_time.into_iter().chain([rough::against_depth(outcome)]).collect()
         }
+        Plan::Pad(_) => [&FORCE, &JOINED_SHARE].map(against_depth).into(),
         Plan::Plane(_) | Plan::HalfSpace(_) => vec![against_depth(force_of(plan))],
         Plan::Impact(_) => {
             let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);

@@ -81,7 +81,7 @@ fn hurst(plan: &RoughPlan) -> Option<f64> {
         Family::Line(RoughShape { base: None, spectrum: SpectrumSource::SelfAffine(spectrum), .. }) => {
             Some(spectrum.hurst.si())
         }
-        Family::Line(_) | Family::Map(..) | Family::Round | Family::Tips(_) | Family::Wavy(_) => None,
+        Family::Line(_) | Family::Map(..) | Family::Round | Family::Tips(_) | Family::Wavy(_) | Family::Pad(_) => None,
     }
 }
 
