@@ -81,7 +81,8 @@ impl RollingBody {
             | Shape::Topography(_)
             | Shape::Tips(_)
             | Shape::PlaneWave(_)
-            | Shape::PlaneWavy(_) => None,
+            | Shape::PlaneWavy(_)
+            | Shape::Pad(_) => None,
         }
     }
 

@@ -205,7 +205,8 @@ impl Shape {
             | Self::Tips(_)
             | Self::Cylinder(_)
             | Self::PlaneWave(_)
-            | Self::PlaneWavy(_) => None,
+            | Self::PlaneWavy(_)
+            | Self::Pad(_) => None,
         }
     }
 

@@ -113,7 +113,8 @@ fn axisymmetric(shape: &Shape, d: f64) -> Attempt<Option<ClosedForm>> {
         | Shape::Tips(_)
         | Shape::Cylinder(_)
         | Shape::PlaneWave(_)
-        | Shape::PlaneWavy(_) => Ok(None),
+        | Shape::PlaneWavy(_)
+        | Shape::Pad(_) => Ok(None),
     }
 }
 

@@ -110,14 +110,14 @@ impl<'h> RubbingMap<'h> {
     /// As [`solve`](super::solve), and contact and shear that do not find each other.
     pub fn advance(&mut self, control: Prescribed, slide: [f64; 2]) -> Result<RubbedState, HalfSpaceError> {
         let mut shear = self.shear.clone();
-        let mut lift = self.response.into_surface(&shear, &mut self.work);
+        let mut lift = self.response.lift_of(&shear, &mut self.work);
         for _ in 0..ROUNDS {
             let mut contact = self.press(control, &lift)?;
             let pressure: Vec<f64> = contact.pressure.iter().copied().collect();
             let bounds: Vec<f64> = pressure.iter().map(|&pressure| self.bound(pressure)).collect();
             let drawn = self.response.by_pressure(&pressure, &mut self.work);
             let found = self.rub((&drawn, &bounds), &shear, slide, &contact)?;
-            let next = self.response.into_surface(&found.shear, &mut self.work);
+            let next = self.response.lift_of(&found.shear, &mut self.work);
             let change = lift.iter().zip(&next).fold(0.0, |most: f64, (one, other)| most.max((one - other).abs()));
             let scale = contact.displacement.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             self.pressure = Some(contact.pressure.clone());

@@ -151,7 +151,7 @@ impl CoupledResponse {
     #[must_use]
     pub fn lifted(&self, shear: [ArrayView2<'_, f64>; 2]) -> Array2<f64> {
         let given = shear.map(|part| part.iter().copied().collect());
-        self.on_pixels(&self.into_surface(&given, &mut Work::default()))
+        self.on_pixels(&self.lift_of(&given, &mut Work::default()))
     }
 
     pub(super) fn on_pixels(&self, values: &[f64]) -> Array2<f64> {
@@ -173,7 +173,7 @@ impl CoupledResponse {
         })
     }
 
-    pub(super) fn into_surface(&self, [x, y]: &Along, work: &mut Work) -> Vec<f64> {
+    pub(super) fn lift_of(&self, [x, y]: &Along, work: &mut Work) -> Vec<f64> {
         let [lifted, _] = self.product([x, y], (1, work), |wave, sign, [x, y]| {
             [turned(x * wave.lifted[0] + y * sign * wave.lifted[1]), Amplitude::default()]
         });

@@ -42,7 +42,7 @@ impl Stuck<'_> {
         let mut slip = self.slip(&shear, work);
         let compliance = self.response.compliance();
         let (mut step, mut energy) = (compliance.recip(), 0.0);
-        let mut behind = vec![energy; LOOK_BACK];
+        let mut behind = [energy; LOOK_BACK];
         let mut residual = f64::INFINITY;
         for iteration in 0..self.most {
             residual = self.residual(&shear, &slip);

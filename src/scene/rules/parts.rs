@@ -276,7 +276,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     }
     let (of, why) = match (shape.family(), &adhesion.range) {
         (Family::Pad(_), Range::Vanishing(_)) => return None,
-        (Family::Pad(_), Range::Finite(_)) => {
+        (Family::Pad(_), Range::Finite(_) | Range::Fading(_)) => {
             ("", "its springs and summits hold what they touch: expected Jkr(work: …)")
         }
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
