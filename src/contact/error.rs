@@ -64,6 +64,14 @@ pub enum BedError {
         /// Speed [m/s].
         speed: f64,
     },
+    /// A liquid flows faster than its edge is pulled.
+    #[error(
+        "drawn out at {speed:e} m/s the bodies never part: a liquid flows, and at this speed pulls its edge less than holds it: expected a faster speed, or an equilibrium modulus above zero"
+    )]
+    NeverParts {
+        /// Speed [m/s].
+        speed: f64,
+    },
     /// Wear beyond what numbers hold.
     #[error(
         "wear at this rate cannot be followed, for its numbers are too large: expected a smaller coefficient or a shorter way"

@@ -43,9 +43,10 @@ pub use cycle::Loop;
 
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::creep::Creep;
-use crate::contact::error::ContactError;
+use crate::contact::error::{BedError, ContactError};
 use crate::contact::model::{ContactModel, Pull, Straight};
 use crate::contact::state::{Normal, Tangential};
+use crate::material::Spectrum;
 use chords::Chords;
 use course::{Course, Extent, Path};
 use cycle::Cycle;
@@ -551,7 +552,8 @@ impl Driver {
     /// Depth [m] at which a retraction from here at the speed `speed` [m/s] parts the bodies.
     ///
     /// # Errors
-    /// The contact cannot follow.
+    /// The contact cannot follow, or the bodies never part: a liquid that is stretched steadily bears v ΣEᵢτᵢ, which may be
+    /// less than its edge holds.
     pub fn last_depth(&self, contact: &mut dyn ContactModel, speed: f64) -> Result<f64, ContactError> {
         if let Some(depth) = contact.last_depth() {
             return depth;
@@ -561,7 +563,11 @@ impl Driver {
             Ok::<_, ContactError>(contact.look(&ahead(contact, -speed, time))?.contact_radius > 0.0)
         };
         let mut high = start.abs().max(1e-300) / speed;
+        let steady = contact.memory().as_deref().and_then(steady_after);
         while held(contact, high)? {
+            if steady.is_some_and(|steady| high > steady && high * speed > start.abs()) {
+                return Err(BedError::NeverParts { speed }.into());
+            }
             high *= 2.0;
         }
         let known = contact.parting(&ahead(contact, -speed, high))?.map(|parting| parting.time);
@@ -594,6 +600,16 @@ impl Driver {
     pub fn last_loop(&self) -> Option<Loop> {
         self.cycle.moduli()
     }
+}
+
+/// Parts of the slowest time after which nothing of a start is left, e^−64.
+const FADED: f64 = 64.0;
+
+/// The time [s] after which a liquid that is stretched steadily has the same load for ever; `None` of a solid, whose load
+/// grows.
+fn steady_after(spectrum: &Spectrum) -> Option<f64> {
+    let slowest = spectrum.terms().iter().map(|term| term.time).fold(0.0, f64::max);
+    (spectrum.equilibrium() <= 0.0).then_some(FADED * slowest)
 }
 
 /// Energy stored and lost [J].

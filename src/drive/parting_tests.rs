@@ -217,3 +217,18 @@ fn springs_let_go_at_once_are_those_of_a_sudden_retraction() {
     damped.leave();
     assert!((damped.ledger().stored / stored - 1.0).abs() < 1e-9 && damped.radius() <= 0.0, "{:?}", damped.ledger());
 }
+
+/// A liquid that is stretched steadily bears v ΣEᵢτᵢ: below √(2πaE(0)w) its edge holds for ever, above it gives way.
+#[test]
+fn a_liquid_that_flows_fast_enough_is_never_torn_off() {
+    let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 0.0, terms: vec![(2e6, 0.05)], viscosity: 0.0 }));
+    let law = Attraction::instantaneous(0.05, &spectrum);
+    let mut contact = ContinuousContact::new(Memory::new(spectrum, ball()).with(law));
+    contact.follow(&Straight::between(0.0, 1e-5, 1.0)).unwrap();
+    let a = contact.state().contact_radius.unwrap();
+    let holds = (std::f64::consts::TAU * a * 2e6 * 0.05).sqrt() / (2e6 * 0.05);
+    let driver = Driver::new(&contact, 1e-6);
+    let slow = driver.last_depth(&mut contact, 0.5 * holds);
+    assert!(matches!(slow, Err(ContactError::Bed(BedError::NeverParts { .. }))), "{slow:?}");
+    assert!(driver.last_depth(&mut contact, 2.0 * holds).is_ok());
+}

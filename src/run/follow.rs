@@ -26,6 +26,8 @@ pub(super) struct Run {
     deepest: Option<Kept>,
     /// The contact that remembers at its greatest force, if fields are wanted.
     strongest: Option<Kept>,
+    /// The force [N], entry and time [s] of the marked state, as long as the force has not fallen since.
+    rising: Option<(f64, usize, f64)>,
     /// The contact at its greatest force, if it is to be drawn.
     pressed: Option<Kept>,
     wanted: Wanted,
@@ -84,6 +86,7 @@ impl Run {
             fields: Vec::new(),
             deepest: None,
             strongest: None,
+            rising: None,
             pressed: None,
             wanted,
             jumps: Vec::new(),
@@ -207,9 +210,8 @@ impl Run {
         let state = self.driver.state(self.contact.as_ref());
         let tangential = self.contact.tangential();
         self.push(state, tangential, self.time);
-        let falls = self.strongest.as_ref().is_some_and(|kept| state.force < kept.most);
-        if self.wanted.fields && !falls && self.contact.memory().is_some() {
-            self.strongest = Some(self.kept(state.force));
+        if self.wanted.fields && self.contact.memory().is_some() {
+            self.look_at_force(state.force);
         }
         self.look_strongest(&state);
         if self.wanted.stresses && self.carried.as_ref().is_none_or(|carried| carried.is_below(&state, tangential)) {
@@ -262,6 +264,27 @@ impl Run {
         self.time
     }
 
+    /// Keeps the state at the greatest force: a contact that can is marked as long as the force rises, and copied as it
+    /// was when it falls.
+    fn look_at_force(&mut self, force: f64) {
+        let most = self.rising.map(|(most, ..)| most).or(self.strongest.as_ref().map(|kept| kept.most));
+        if most.is_some_and(|most| force < most) {
+            self.strongest = self.marked().or(self.strongest.take());
+            self.rising = None;
+            self.contact.unmark();
+        } else if self.contact.mark() {
+            self.rising = Some((force, self.entry, self.time));
+        } else {
+            self.strongest = Some(self.kept(force));
+        }
+    }
+
+    /// The contact at its mark, if that is where the force was greatest.
+    fn marked(&self) -> Option<Kept> {
+        let (most, entry, time) = self.rising?;
+        Some(Kept { most, contact: self.contact.at_mark()?, entry, time })
+    }
+
     /// Keeps the present state if none before was as deep.
     fn look_deepest(&mut self) {
         let present = self.driver.state(self.contact.as_ref());
@@ -274,7 +297,8 @@ impl Run {
     /// Pressure on the axis [Pa] of a contact that remembers at its largest force; `None` where a field shows it or where
     /// it is singular. Bodies that relax have lost it by the end of the entry.
     pub(super) fn pressure_at_largest_force(&self) -> Option<f64> {
-        let kept = self.strongest.as_ref()?;
+        let marked = self.marked();
+        let kept = marked.as_ref().or(self.strongest.as_ref())?;
         let shown = self.fields.iter().any(|field| (field.time - kept.time).abs() <= 0.0);
         if shown { None } else { kept.contact.loading()?.pressure(0.0) }
     }

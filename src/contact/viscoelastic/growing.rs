@@ -40,13 +40,15 @@ pub struct GrowingBed {
     profile: Arc<dyn Profile>,
     /// Largest depth so far [m].
     deepest: f64,
+    /// The same when the bed was marked.
+    deepest_at_mark: f64,
 }
 
 impl GrowingBed {
     /// A bed never touched.
     #[must_use]
     pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>, layout: Layout) -> Self {
-        Self { bed: Lazy::new(spectrum, layout), profile, deepest: 0.0 }
+        Self { bed: Lazy::new(spectrum, layout), profile, deepest: 0.0, deepest_at_mark: 0.0 }
     }
 
     /// The springs.
@@ -166,6 +168,22 @@ impl ContactModel for GrowingBed {
 
     fn copy(&self) -> Box<dyn ContactModel> {
         Box::new(self.clone())
+    }
+
+    fn mark(&mut self) -> bool {
+        self.bed.mark();
+        self.deepest_at_mark = self.deepest;
+        true
+    }
+
+    fn unmark(&mut self) {
+        self.bed.unmark();
+    }
+
+    fn at_mark(&self) -> Option<Box<dyn ContactModel>> {
+        let (bed, profile) = (self.bed.at_mark()?, self.profile.clone());
+        let deepest = self.deepest_at_mark;
+        Some(Box::new(Self { bed, profile, deepest, deepest_at_mark: deepest }))
     }
 
     fn memory(&self) -> Option<Arc<Spectrum>> {

@@ -158,6 +158,27 @@ fn triangles_by_springs() {
 proptest! {
     #![proptest_config(crate::laws::cases(64))]
 
+    /// A bed goes back to where it was marked to the last bit, whatever has been tried and done since.
+    #[test]
+    fn a_mark_is_gone_back_to(recipe in recipe(8), before in history(4), after in history(4)) {
+        let mut bed = Lazy::new(Arc::new(Spectrum::new(&recipe.relaxation())), Layout::uniform(&unit_ball(), 1.0, 30));
+        before.iter().for_each(|motion| bed.advance(motion.speed, motion.duration));
+        let then = bed.clone();
+        bed.mark();
+        for motion in &after {
+            bed.tried(-motion.speed, motion.duration, Lazy::force);
+            bed.advance(motion.speed, motion.duration);
+        }
+        let back = bed.at_mark().unwrap();
+        let bits = |bed: &Lazy| {
+            let springs = (0..30).flat_map(|j| [bed.line_load(j), bed.displacement(j)]);
+            springs.chain([bed.force(), bed.ledger().dissipated]).map(f64::to_bits).collect::<Vec<_>>()
+        };
+        prop_assert_eq!(bits(&back), bits(&then));
+        bed.unmark();
+        prop_assert!(bed.at_mark().is_none());
+    }
+
     /// One motion in one step or in many: the same states to rounding. Each piece rounds the depth
     /// anew, and the force feels that with at most the stiffness 2E(0)a of the whole bed.
     #[test]

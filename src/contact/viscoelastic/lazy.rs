@@ -49,6 +49,14 @@ pub struct Lazy {
     since: Vec<Instant>,
     now: Now,
     journal: Option<Vec<Undo>>,
+    marked: Option<Mark>,
+}
+
+/// A state to be gone back to, and what springs have changed since.
+#[derive(Debug, Clone)]
+struct Mark {
+    now: Now,
+    changed: Vec<Undo>,
 }
 
 /// All that changes in every motion: O(terms) numbers.
@@ -143,6 +151,7 @@ impl Lazy {
             rest: vec![0.0; count],
             since: vec![Instant::default(); count],
             journal: None,
+            marked: None,
             spectrum,
             layout,
             now,
@@ -309,7 +318,9 @@ impl Lazy {
 
     fn store(&mut self, j: usize, spring: Spring) {
         let row = self.row(j);
-        if let Some(journal) = &mut self.journal {
+        let mark = self.marked.as_mut().map(|mark| &mut mark.changed);
+        // What is tried is taken back, and nothing of it is to be taken back later.
+        if let Some(journal) = self.journal.as_mut().or(mark) {
             let constants = self.constants[row.clone()].to_vec();
             journal.push(Undo { spring: j, since: self.since[j], rest: self.rest[j], constants });
         }
@@ -350,13 +361,39 @@ impl Lazy {
         self.journal = Some(Vec::new());
         self.advance(speed, duration);
         let seen = look(self);
-        for undo in self.journal.take().into_iter().flatten().rev() {
+        let changed = self.journal.take().unwrap_or_default();
+        self.take_back(changed, before);
+        seen
+    }
+
+    /// Undoes what has changed since the state `before`.
+    fn take_back(&mut self, changed: Vec<Undo>, before: Now) {
+        for undo in changed.into_iter().rev() {
             let row = self.row(undo.spring);
             self.constants[row].copy_from_slice(&undo.constants);
             (self.since[undo.spring], self.rest[undo.spring]) = (undo.since, undo.rest);
         }
         self.now = before;
-        seen
+    }
+
+    /// Marks the present state: until it is marked again, [`at_mark`](Self::at_mark) gives it back, at the cost of the
+    /// springs touched or released since.
+    pub fn mark(&mut self) {
+        self.marked = Some(Mark { now: self.now.clone(), changed: Vec::new() });
+    }
+
+    /// Forgets the mark.
+    pub fn unmark(&mut self) {
+        self.marked = None;
+    }
+
+    /// A bed as this one was when it was marked; `None` if it was not.
+    #[must_use]
+    pub fn at_mark(&self) -> Option<Self> {
+        let mut bed = self.clone();
+        let Mark { now, changed } = bed.marked.take()?;
+        bed.take_back(changed, now);
+        Some(bed)
     }
 
     /// Normal force F = Σ 2Δx q [N].
