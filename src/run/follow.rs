@@ -6,7 +6,7 @@ use super::{SimulationError, Wanted, fields};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Effort, Pose};
-use crate::contact::state::{Normal, Tangential};
+use crate::contact::state::{Joined, Normal, Tangential};
 use crate::drive::course::{Course, Extent, Path};
 use crate::drive::{Driver, Loop};
 use crate::scene::plan::Shared;
@@ -222,7 +222,9 @@ impl Run {
     }
 
     fn push(&mut self, normal: Normal, tangential: Option<Tangential>, time: f64) {
-        let (gliding, joined) = (self.contact.gliding(), self.contact.pieces());
+        // What happened on the way there happened in another state.
+        let present = |_: &Joined| self.contact.state().force.total_cmp(&normal.force).is_eq();
+        let (gliding, joined) = (self.contact.gliding(), self.contact.pieces().filter(present));
         let (entry, worn, pixels, machine) = (self.entry, None, None, None);
         let record = Record { entry, time, normal, tangential, gliding, worn, pixels, joined, machine };
         if self.records.last() != Some(&record) {

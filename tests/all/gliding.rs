@@ -177,6 +177,35 @@ fn a_temperature_shifts_the_speed() {
     assert_eq!(glided(&same, 0.1).to_bits(), glided(&rubber(""), 0.1).to_bits());
 }
 
+/// Measured shifts shift as the law they come from; beyond them nothing is known.
+#[test]
+fn a_table_of_shifts_is_its_law() {
+    let rows: Vec<f64> = (0..7).map(|k| 283.15 + 10.0 * f64::from(k)).collect();
+    let law = |t: f64| -8.86 * (t - 293.15) / (101.6 + (t - 293.15));
+    let shifts: Vec<f64> = rows.iter().map(|&t| law(t)).collect();
+    let tables = InMemory::default().with("shift.csv", &[("temperature_k", &rows), ("log10_shift", &shifts)]);
+    let resolved = |temperature: &str, shift: &str| {
+        let body =
+            RUBBER.replace("poisson: 0.5,", &format!("poisson: 0.5, temperature: {temperature}, shift: {shift},"));
+        let text = scene(
+            "Paraboloid(radius: 5e-3)",
+            &format!("Rigid, {body}"),
+            "",
+            "Press(to: 0.1, over: 1), Glide(speed: 0.01)",
+        );
+        Scene::from_ron(&text).unwrap().resolve(&tables)
+    };
+    let coefficient = |shift: &str| {
+        let plan = resolved("\"60 degC\"", shift).unwrap_or_else(|problems| panic!("{problems:?}"));
+        number(&run::run(&plan, Wanted::NOTHING).unwrap(), "resistance_coefficient")
+    };
+    let (table, wlf) =
+        (coefficient("Table(\"shift.csv\")"), coefficient("Wlf(c1: 8.86, c2: 101.6, reference: 293.15)"));
+    assert!((table / wlf - 1.0).abs() < 1e-10, "{table} {wlf}");
+    let problems = resolved("\"80 degC\"", "Table(\"shift.csv\")").err().unwrap();
+    assert!(problems[0].to_string().contains("from 283.15 to 343.15 K"), "{problems:?}");
+}
+
 /// A rough line glides in the steady state: slowly and fast without resistance, at rest under its force.
 #[test]
 fn a_rough_line_glides() {

@@ -124,6 +124,70 @@ fn a_ball_on_rubber_comes_to_lie() {
     assert!(outcome.number("energy_error").unwrap() < 1e-3 && outcome.error_estimate.relative < 5e-2, "{outcome:?}");
 }
 
+/// A soft bead, R = 5 mm, E* = 4/3 MPa, w = 50 mJ/m², in the machine and the history of `rest`.
+fn sticky(rest: &str) -> Outcome {
+    outcome(&format!(
+        "(shape: Paraboloid(radius: 5e-3), bodies: (Elastic(young: 1e6, poisson: 0.5), Rigid), adhesion: Jkr(work: 0.05), {rest})"
+    ))
+}
+
+/// Work to part the bead from first touch, 7.092196 (w⁵R⁴/E*²)^{1/3}, and the stretch at which it parts,
+/// 3/4 (π²w²R/E*²)^{1/3} [J, m].
+fn parting() -> (f64, f64) {
+    let (w, r, e) = (0.05f64, 5e-3f64, 4e6 / 3.0);
+    let stretch = 0.75 * (std::f64::consts::PI.powi(2) * w * w * r / (e * e)).cbrt();
+    (7.092_196 * (w.powi(5) * r.powi(4) / (e * e)).cbrt(), stretch)
+}
+
+/// An adhesive bead that falls fast bounces with what the jumps leave of its energy, and one that falls slowly stays.
+#[test]
+fn an_adhesive_bead_bounces_or_stays() {
+    let (lost, stretch) = parting();
+    let mass = 5e-6;
+    let critical = 2.0 * lost / mass;
+    let fall = |height: f64| {
+        sticky(&format!(
+            "machine: (mass: {mass}), history: [Fall(height: {height:e}, over: 0.05)], accuracy: 1e-3, steps: 20"
+        ))
+    };
+    let high = 4.0 * critical / (2.0 * 9.80665);
+    let outcome = fall(high);
+    let (speeds, rebounds) = (times(&outcome, "bounces", "speed"), times(&outcome, "bounces", "rebound_speed"));
+    assert!(!rebounds.is_empty(), "{outcome:?}");
+    for (speed, rebound) in speeds.iter().zip(&rebounds) {
+        // As it parts it is higher by the stretch than where it touched.
+        let right = speed * speed - critical - 2.0 * 9.80665 * stretch;
+        assert!((rebound * rebound / right - 1.0).abs() < 2e-3, "{speed} {rebound} {right}");
+    }
+    assert!(outcome.number("energy_error").unwrap() < 1e-3, "{:?}", outcome.number("energy_error"));
+    assert!(times(&fall(0.8 * critical / (2.0 * 9.80665)), "bounces", "rebound_speed").is_empty());
+}
+
+/// About a load an adhesive contact swings with dF/dd of its own way, softer than with an edge that stands still; drawn too
+/// far it snaps off.
+#[test]
+fn an_adhesive_contact_rings_and_snaps_off() {
+    let load = 2e-3;
+    let ring = |amplitude: &str| {
+        sticky(&format!(
+            "machine: (mass: 5e-4), history: [Press(to: {load}, over: 1), Ring(amplitude: {amplitude}, over: 0.1)], accuracy: 1e-3, steps: 20"
+        ))
+    };
+    let depth = |force: f64| {
+        sticky(&format!("history: [Press(to: {force:e}, over: 1)]")).number("final_indentation_m").unwrap()
+    };
+    let step = 1e-5;
+    let stiffness = 2.0 * step / (depth(load + step) - depth(load - step));
+    let right = (stiffness / 5e-4).sqrt() / std::f64::consts::TAU;
+    let found = ring("1e-7").number("frequency_hz").unwrap();
+    assert!((found / right - 1.0).abs() < 1e-3, "{found} {right}");
+    let far = ring("1e-4");
+    let last = far.records.iter().map(|record| record.normal.dissipated).fold(0.0, f64::max);
+    assert!(
+        last > 0.0 && far.records.iter().any(|record| record.normal.force.abs() <= 0.0 && record.machine.is_some())
+    );
+}
+
 /// A punch of granite under rate and state, with what the friction, the machine and the history say.
 fn granite(friction: &str, machine: &str, history: &str) -> String {
     format!(

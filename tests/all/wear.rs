@@ -138,3 +138,24 @@ fn worn_bodies_part() {
     let (work, told) = (work.sum::<f64>(), number(&worn, "work_j"));
     assert!((work / told - 1.0).abs() < 2e-3, "{work} {told}");
 }
+
+/// A ball known by a table of its heights wears as the ball does.
+#[test]
+fn a_measured_ball_wears_as_a_ball() {
+    let rows: Vec<f64> = (0..=80).map(|k| 0.05 * f64::from(k)).collect();
+    let heights: Vec<f64> = rows.iter().map(|r| 0.5 * r * r).collect();
+    let tables = InMemory::default().with("ball.csv", &[("radius_m", &rows), ("height_m", &heights)]);
+    let of = |shape: &str| {
+        let text = format!(
+            "(shape: {shape}, bodies: (Elastic(young: 0.75, poisson: 0.5), Rigid), friction: Coulomb(coefficient: 0.3), \
+            {} history: [Press(to: 1, over: 1), Slide(to: 2, over: 1)])",
+            archard(0.2)
+        );
+        let plan = Notation::Ron.plan(&text, &tables).map_err(|problems| problems[0].clone()).unwrap();
+        run(&plan, Wanted::NOTHING).unwrap()
+    };
+    let (measured, ball) = (of("Table(\"ball.csv\")"), of("Paraboloid(radius: 1)"));
+    assert!((number(&measured, "worn_volume_m3") / 0.4 - 1.0).abs() < 1e-12);
+    let depth = |outcome: &Outcome| outcome.records.last().unwrap().worn.unwrap().depth;
+    assert!((depth(&measured) / depth(&ball) - 1.0).abs() < 1e-3, "{} {}", depth(&measured), depth(&ball));
+}

@@ -171,6 +171,7 @@ impl ContactModel for Pad {
     fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
         let mut probe = self.clone();
         probe.to(piece.to);
+        // There is no radius; what is asked of it is whether the bodies touch.
         let contact_radius = if probe.joined() { 1.0 } else { 0.0 };
         Ok(Glance { force: probe.state().force, contact_radius })
     }

@@ -71,8 +71,10 @@ impl Path {
     /// The depth [m] below `depth` [m] where the force is least; `None` where it grows on the way out, or never pulls.
     pub(super) fn least_below(&self, depth: f64) -> Option<f64> {
         let last = self.end() + WITHIN * self.bed.deviation;
-        let turns = self.hold.leaves > 0.0 && depth > last && self.slope(depth) > 0.0 && self.slope(last) < 0.0;
-        turns.then(|| root::within(|d| self.slope(d), last, depth))
+        // Where elements are about to leave, what counts is how the force goes once they do.
+        let below = depth - self.width();
+        let turns = self.hold.leaves > 0.0 && below > last && self.slope(below) > 0.0 && self.slope(last) < 0.0;
+        turns.then(|| root::within(|d| self.slope(d), last, below))
     }
 
     /// The depth [m] from which on the force grows on the way in, between these depths: `low` if it grows at once.

@@ -103,7 +103,7 @@ pub trait MovedMass {
 }
 
 /// A mass that a spring draws along the surface, step by step.
-pub trait DrawnMass {
+pub trait DrawnMass: Send {
     /// Draws on at the speed `speed` [m/s] from now on.
     fn draw(&mut self, speed: f64);
 

@@ -1,4 +1,4 @@
-//! A mass on a contact that remembers, along the normal, in straight steps of the depth.
+//! A mass on a contact that remembers or adheres, along the normal, in straight steps of the depth.
 
 use super::mass::{Happening, MassMoment, MassState};
 use super::{Held, MachineError, MovedMass, Suspension};
@@ -165,7 +165,9 @@ impl SteppedMachine<'_> {
         let time = if step < until - time { time + step } else { until };
         self.state = MassState { time, depth, speed: to[1], damped: to[2] };
         self.since = 0.0;
-        Ok(None)
+        // An adhesive contact joins where the bodies touch.
+        let what = Happening::Touches;
+        Ok((lands && self.contact.joined()).then_some(MassMoment { what, state: self.state }))
     }
 
     /// Mean speed [m/s] of a step of the duration `step` [s].

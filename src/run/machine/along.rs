@@ -63,17 +63,20 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
             let mass = |tolerance: f64| {
                 Box::new(RatedMass::new(law.suspension, friction, (found.carried, found.age, tolerance)))
             };
-            let motion = led(mass(tolerance), 1)?;
-            let error = motion.apart(&led(mass(rated::COARSER * tolerance), 1)?);
+            let other = || led(mass(rated::COARSER * tolerance), 1);
+            let (motion, other) = rayon::join(|| led(mass(tolerance), 1), other);
+            let motion = motion?;
+            let error = motion.apart(&other?);
             let told = (rated::results(law, friction, found.carried), rated::warnings(friction, found.carried));
             (motion, Some((error, rated::COARSE)), told)
         }
         None => {
             let mass = || Box::new(Drawn::new(law.suspension, memory.clone(), law.left));
-            let motion = led(mass(), 1)?;
+            let (motion, other) = rayon::join(|| led(mass(), 1), || led(mass(), OTHER_PIECES));
+            let motion = motion?;
             // What a mass does after a slip depends on how it swung before: other pieces of the same way show how well that is known.
             let slipped = !motion.slips.is_empty();
-            let error = if slipped { Some((motion.apart(&led(mass(), OTHER_PIECES)?), PIECES)) } else { None };
+            let error = if slipped { Some((motion.apart(&other?), PIECES)) } else { None };
             (motion, error, (Vec::new(), Vec::new()))
         }
     };

@@ -17,9 +17,11 @@ use super::results::{self, Pressures};
 use super::table::Table;
 use super::{SimulationError, Solved, Wanted, compose};
 use crate::drive::machine::{MachineError, MassMoment};
+use crate::material::Relaxation;
 use crate::run::unit::Unit;
 use crate::scene::law::MachineLaw;
 use crate::scene::plan::RoundPlan;
+use std::sync::Arc;
 
 /// What a machine has done.
 struct Moved {
@@ -42,6 +44,7 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<
     let moved = match plan.contact.bodies().relaxation() {
         _ if law.is_along() => along::run(plan, law, &before)?,
         Some(relaxation) => halved::run(plan, relaxation, (law, &before))?,
+        None if plan.contact.bodies().adheres() => halved::run(plan, &Arc::new(unrelaxed(plan)), (law, &before))?,
         None => normal::run(law, &mut before)?,
     };
     let error_estimate = estimate(plan, &before, &moved);
@@ -64,6 +67,11 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<
         fields: before.fields,
     };
     Ok(Solved::without_load(outcome))
+}
+
+/// Elastic bodies as bodies that remember nothing.
+fn unrelaxed(plan: &RoundPlan) -> Relaxation {
+    Relaxation { equilibrium: plan.pair.normal, terms: Vec::new(), viscosity: 0.0 }
 }
 
 /// How far work from outside and what has become of it are apart, as a part of the largest of them.

@@ -68,7 +68,9 @@ impl Motion<'_> {
         let lies = self.follow(mass)?;
         let mut results = self.results(lies);
         let stiffness = self.suspension.stiffness + self.before.normal.stiffness;
-        if let MachineMotion::Ring { .. } = self.entry.motion {
+        // An adhesive edge moves along, and makes the contact softer than it is at a given edge.
+        let plain = self.before.normal.stored.surface.abs() <= 0.0;
+        if let (MachineMotion::Ring { .. }, true) = (self.entry.motion, plain) {
             let frequency = (stiffness / self.suspension.mass).sqrt() / TAU;
             results.push(Named::number("small_frequency", Unit::HERTZ, frequency));
         }
@@ -88,7 +90,7 @@ impl<'r> Motion<'r> {
         let (held, from, fall) = match entry.motion {
             MachineMotion::Ring { amplitude } => {
                 let push = before.normal.force;
-                if push <= 0.0 {
+                if before.normal.contact_radius.is_none_or(|a| a <= 0.0) {
                     return Err(SimulationError::Refused(format!(
                         "history[{}]: the bodies are apart, and nothing holds the mass about a depth: expected an Indent or Press into contact before Ring",
                         entry.entry

@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::parts::not_round;
+use crate::contact::adhesion::Range;
 use crate::friction::Friction;
 use crate::input::problem::Problem;
 use crate::material::Body;
@@ -93,11 +94,19 @@ pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pr
 pub(super) fn under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let motion = entry.machine?.motion;
     let adhesion = draft.adhesion(Look::Kind)?.traits();
+    let pinned = draft.adhesion(Look::Whole).is_some_and(|adhesion| adhesion.traits().closing.is_some());
     let why = match motion {
         MachineMotion::Drive { .. } => "the springs of an adhesive edge are pulled and have no limit μq",
-        MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => {
-            "an edge that jumps makes a kink in the motion, which is followed of a single Impact only"
-        }
+        MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => match adhesion.range {
+            Range::Finite(_) => "an attraction across the gap acts on the mass before the bodies touch",
+            Range::Vanishing(_) if draft.pair_relaxes()? => {
+                "the edge of a body that relaxes joins and leaves within a step of the mass: expected Elastic bodies, or an Impact"
+            }
+            Range::Vanishing(_) if pinned => {
+                "an edge that stands still between two works leaves it within a step of the mass"
+            }
+            Range::Vanishing(_) => return None,
+        },
     };
     refused_entry(
         entry,
