@@ -98,7 +98,9 @@ pub(super) fn under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opti
     let why = match motion {
         MachineMotion::Drive { .. } => "the springs of an adhesive edge are pulled and have no limit μq",
         MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => match adhesion.range {
-            Range::Finite(_) => "an attraction across the gap acts on the mass before the bodies touch",
+            Range::Finite(_) | Range::Fading(_) => {
+                "an attraction across the gap acts on the mass before the bodies touch"
+            }
             Range::Vanishing(_) if draft.pair_relaxes()? => {
                 "the edge of a body that relaxes joins and leaves within a step of the mass: expected Elastic bodies, or an Impact"
             }
