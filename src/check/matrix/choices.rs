@@ -1,6 +1,6 @@
 //! What the combinations are made of: each part as a scene writes it, with what proves it.
 
-use super::proved::Proved::{self, Case, Laws, Whole};
+use super::part::Proved::{self, Case, Laws, Whole};
 use crate::check::attempt::Proof::{Other, Rounding};
 
 /// What proves a part: under a round contact, a lying one, a rough line, a plane section, on pixels.

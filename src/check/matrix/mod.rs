@@ -16,6 +16,7 @@ mod ends;
 mod known;
 mod laws;
 mod led;
+mod part;
 mod proved;
 mod table;
 mod variation;

@@ -18,22 +18,12 @@ use super::Cell;
 use super::choices::{ADHESIONS, BODIES, DRIVES, FRICTIONS, SHAPES};
 use super::ends::outcome;
 use super::known::beside_finer;
+use super::part::Proved;
 use super::variation::Variation;
 use crate::check::attempt::{Attempt, Proof};
 use crate::check::cases;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
-
-/// What proves a part of a combination.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Proved {
-    /// It is nothing beside what it goes with.
-    Whole,
-    /// A case with its name.
-    Case(&'static str),
-    /// The laws over the matrix, limits and twins among them, with the strength they have.
-    Laws(Proof),
-}
 
 /// What the scene of a combination is held against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
