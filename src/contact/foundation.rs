@@ -109,10 +109,30 @@ mod tests {
     use super::*;
     use crate::contact::adhesion::equilibrium::{Control, Equilibrium};
     use crate::contact::adhesion::line::EdgeLine;
-    use crate::ground::{Grounded, PowerLaw};
+    use crate::ground::{Grounded, Layers, PowerLaw};
     use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson};
-    use crate::material::Graded;
+    use crate::material::{Graded, Joint, Sheet, Stack};
     use crate::shape::Paraboloid;
+
+    /// Depth and force of an adhesive edge at a = h, w = 1e-3, g = x²/10, E* = 1: numbers given to 11 digits.
+    #[test]
+    fn an_adhesive_edge_on_layers() {
+        let sheet = |shear: f64, poisson: f64| Sheet { shear, poisson, thickness: 1.0, joint: Joint::Bonded };
+        let gel = Stack { sheets: vec![sheet(1.0, 0.5)], base: None };
+        let film = Stack { sheets: vec![sheet(1.0, 0.3)], base: Some(sheet(0.1, 0.3)) };
+        for (stack, depth, force) in
+            [(gel, 0.027_347_159_332, -0.018_884_392_816), (film, -0.018_667_611_853, -0.024_729_449_527)]
+        {
+            let ball = Arc::new(Paraboloid { radius: Length::new(10.0).unwrap() });
+            let bed = Grounded::new(ball, Arc::new(Layers::new(vec![(1.0, stack)])));
+            let place = bed.place(1.0);
+            let ground = Foundation::new(Arc::new(bed), 1.0);
+            let edge = -ground.elongation(place, 1e-3);
+            assert!(
+                (ground.depth(place) + edge - depth).abs() < 1e-11 && (ground.force(place, edge) - force).abs() < 1e-11
+            );
+        }
+    }
 
     /// The slopes of the equilibrium and the energy balance of the edge, by central differences.
     #[test]

@@ -7,6 +7,7 @@ use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson};
 use crate::material::{Graded, Joint, Sheet, Stack};
 use crate::numerics::quadrature;
 use crate::shape::{Paraboloid, Sphere};
+use proptest::prelude::*;
 use std::sync::Arc;
 
 fn sheet(shear: f64, poisson: f64, joint: Joint) -> Sheet {
@@ -170,7 +171,8 @@ fn compliances_of_two_bodies_add() {
 fn thin_layers() {
     let far = 2e4;
     let shape = Arc::new(Paraboloid { radius: Length::new(far).unwrap() });
-    for (poisson, a, ratio) in [(0.5, 20.0, 1.0432356), (0.3, 20.0, 0.99937261)] {
+    let ratios = [(0.5, 20.0, 1.0432356), (0.3, 20.0, 0.99937261), (0.3, 80.0, 0.99995675)];
+    for (poisson, a, ratio) in ratios {
         let radius = 1000.0;
         let shape = Arc::new(Paraboloid { radius: Length::new(radius).unwrap() });
         let bed = Grounded::new(shape, Arc::new(Layers::new(vec![(1.0, on_rigid(poisson, Joint::Bonded))])));
@@ -397,6 +399,114 @@ fn tables_are_the_integral_equation() {
         }
     }
     assert!(worst[0] < 1e-11 && worst[1] < layers::TABLES, "{worst:?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Random layers: k′ = 2E*q₁² by differences, and the depth of a paraboloid from the stiffness alone is that from the
+    /// resolvent, which a power of the exponent two asks for.
+    #[test]
+    fn random_layers_are_springs(
+        parts in prop::collection::vec((-30i32..=30, 0i32..=50, 2i32..=30, any::<bool>()), 1..4),
+        base in prop::option::of((-30i32..=30, 0i32..=50)),
+        radius in -20i32..=9,
+    ) {
+        let sheet = |(shear, poisson, thickness, slides): (i32, i32, i32, bool)| Sheet {
+            shear: 10f64.powf(0.1 * f64::from(shear)),
+            poisson: 0.01 * f64::from(poisson),
+            thickness: 0.1 * f64::from(thickness),
+            joint: if slides { Joint::Sliding } else { Joint::Bonded },
+        };
+        let base = base.map(|(shear, poisson)| sheet((shear, poisson, 1, false)));
+        let layers = Layers::new(vec![(1.0, Stack { sheets: parts.into_iter().map(sheet).collect(), base })]);
+        let a = 10f64.powf(0.1 * f64::from(radius)) * layers.scale().unwrap();
+        let h = 1e-4;
+        let slope = (layers.measure(a * (1.0 + h)) - layers.measure(a * (1.0 - h))) / (2.0 * h * a);
+        // Bound: h² and the rounding of a difference over it.
+        prop_assert!((slope / layers.density(a) - 1.0).abs() < 1e-6, "{a}: {slope} {}", layers.density(a));
+        let power = crate::shape::Power {
+            exponent: crate::input::quantity::Positive::new(2.0).unwrap(),
+            coefficient: crate::input::quantity::Positive::new(0.05).unwrap(),
+        };
+        let (square, resolvent) = (layers.depth_share(paraboloid().as_ref(), a), layers.depth_share(&power, a));
+        prop_assert!((square / resolvent - 1.0).abs() < layers::TABLES, "{a}: {square} {resolvent}");
+    }
+}
+
+/// A paraboloid of R = 10 on a layer of the thickness 1 bonded to a rigid base, or sliding on it, E* = 1.
+fn on_a_rigid_base(poisson: f64, joint: Joint) -> (Grounded, Arc<Layers>) {
+    let layers = Arc::new(Layers::new(vec![(1.0, on_rigid(poisson, joint))]));
+    (Grounded::new(paraboloid(), layers.clone()), layers)
+}
+
+/// Over twelve decades of a/h: places lead back to radii, stiffness and depth grow, from a half-space to the power of a thin
+/// layer that can be compressed, and d_e′ = 2s/Rs′ by differences, which narrow contacts know from the integral equation alone.
+#[test]
+fn twelve_decades_of_the_radius() {
+    let layers = [
+        (0.0, Joint::Bonded, 2.0),
+        (0.3, Joint::Bonded, 2.0),
+        (0.45, Joint::Bonded, 2.0),
+        (0.3, Joint::Sliding, 2.0),
+        (0.5, Joint::Sliding, 2.0),
+    ];
+    for (poisson, joint, power) in layers {
+        let (bed, ground) = on_a_rigid_base(poisson, joint);
+        let known = bed.known_to(1e6);
+        assert!(known >= 1e6, "{poisson} {joint:?}: {known}");
+        let mut before = [0.0; 3];
+        for k in 0..=60 {
+            let a = 10f64.powf(-6.0 + 0.2 * f64::from(k));
+            let s = bed.place(a);
+            assert!((bed.contact_radius(s) / a - 1.0).abs() < 1e-12, "{poisson}: {a}");
+            let here = [s, bed.reduced(s), ground.growth(a)];
+            assert!(here[0] > before[0] && here[1] > before[1], "{poisson}: {a} {here:?} {before:?}");
+            // A layer that can hardly be compressed goes by the fourth power before it goes by the second.
+            assert!(here[2] > 1.0 - 1e-12 && here[2] < 4.1, "{poisson}: {a} {here:?}");
+            let depth = |a: f64| bed.reduced(bed.place(a));
+            let h = 1e-4;
+            let slope = (depth(a * (1.0 + h)) - depth(a * (1.0 - h))) / (2.0 * h * a);
+            let right = 0.2 * s / ground.density(a);
+            // Bound: h² and the rounding of a difference over it.
+            assert!((slope / right - 1.0).abs() < 1e-7, "{poisson}: {a} {slope} {right}");
+            before = here;
+        }
+        assert!((before[2] / power - 1.0).abs() < 1e-5, "{poisson}: {before:?}");
+    }
+}
+
+/// The force over that of Winkler's springs: the rest falls as (h/a)² but for a logarithm.
+#[test]
+fn the_rate_of_the_thin_limit() {
+    let (bed, _) = on_a_rigid_base(0.3, Joint::Bonded);
+    let modulus = 0.7 * 0.91 / (1.3 * 0.4);
+    let rest = |a: f64| {
+        let (depth, force) = (bed.reduced(bed.place(a)), 2.0 * bed.load_integral(bed.place(a)));
+        (force / (10.0 * std::f64::consts::PI * modulus * depth * depth) - 1.0).abs()
+    };
+    let rate = rest(100.0) / rest(1000.0);
+    assert!(rate > 50.0 && rate < 100.0 && rest(1e5) < 3e-8, "{} {} {}", rest(100.0), rest(1000.0), rest(1e5));
+}
+
+/// Where the integral equation ends the polynomial goes on; what turns from one power to the other far out, or lies on a
+/// base that gives, ends there, and so does every other shape.
+#[test]
+fn the_end_of_the_integral_equation() {
+    for poisson in [0.0, 0.3] {
+        let (bed, ground) = on_a_rigid_base(poisson, Joint::Bonded);
+        let jump = ground.density(64.0 * (1.0 + 1e-12)) / ground.density(64.0) - 1.0;
+        assert!(jump.abs() < 1e-8, "{poisson}: {jump:e}");
+        assert!(bed.table_error() <= 1e-8);
+    }
+    for poisson in [0.499, 0.5] {
+        assert!(on_a_rigid_base(poisson, Joint::Bonded).0.known_to(1e3) <= 64.0);
+    }
+    let given = Grounded::new(paraboloid(), Arc::new(Layers::new(vec![(1.0, on_base(0.1, 0.3, 0.3))])));
+    assert!(given.known_to(1e3) <= 64.0);
+    let cone = Arc::new(crate::shape::Cone { slope: crate::input::quantity::Positive::new(0.1).unwrap() });
+    let layers = Layers::new(vec![(1.0, on_rigid(0.3, Joint::Bonded))]);
+    assert!(Grounded::new(cone, Arc::new(layers)).known_to(1e3) <= 64.0);
 }
 
 /// Towards the equator of a ball a radius is known to rounding, which is more and more of what is left to the equator: the

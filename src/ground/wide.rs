@@ -4,25 +4,26 @@
 //! q₁² → Aaⁿ, A = π/(2ⁿ m Γ((n + 1)/2)²), as of a body graded by that power. The border of the contact adds a length to its
 //! radius and what bends there fades, so that q₁²/Aaⁿ is a smooth function of 1/a: the polynomial that is 1 at 1/a = 0
 //! and meets punches of moderate radii is known on the whole way between. What is left of the reflection at the base,
-//! e^(−2βa), is nothing from 8 thicknesses on.
+//! e^(−2βa), is nothing from 10 thicknesses on.
 //!
 //! A layer that can hardly be compressed (ν a little below 1/2), or a stack much thicker than its topmost layer, turns from
-//! one power to the other on its way: then a wider punch is not met, and nothing is told.
+//! one power to the other on its way; of one that cannot be compressed M falls below the rounding of its matrices. Then a
+//! wider punch is not met, and nothing is told.
 
 use super::kernel::Kernel;
 use super::punch::{self, Punch};
 use std::f64::consts::PI;
 
 /// Relative error of stiffness and depth beyond the integral equation.
-pub(super) const ERROR: f64 = 1e-9;
+pub(super) const ERROR: f64 = 1e-8;
 /// Punches that are met, their radii in thicknesses from the least on.
 const MET: usize = 9;
-const LEAST: f64 = 8.0;
-const MOST: f64 = 44.0;
+const LEAST: f64 = 10.0;
+const MOST: f64 = 64.0;
 /// Radii that must be met as well.
-const TRIED: [f64; 2] = [30.0, 60.0];
+const TRIED: [f64; 2] = [35.0, 90.0];
 /// Wave numbers squared, times the thickness of the stack squared, from which the longest waves are led to the limit.
-const LONG: (f64, f64) = (0.01, 0.4);
+const LONG: (f64, f64) = (0.005, 0.05);
 /// Parts of M/t that are nothing, and that are enough for a layer that can be compressed.
 const NOTHING: f64 = 1e-9;
 const ENOUGH: f64 = 1e-3;

@@ -42,6 +42,7 @@ mod impact;
 mod machine;
 pub mod table;
 pub mod unit;
+mod unloading;
 mod warnings;
 mod wave;
 mod wear;
@@ -243,6 +244,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     results.extend(results::of_friction(plan, &run.records));
     results.extend(viscoelastic::results(plan, &run));
     results.extend(plastic::results(plan, &run.records));
+    results.extend(unloading::results(plan, &run.records));
     results.extend(wave::results(plan, &run.records));
     results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
     results.extend(rolled.iter().flat_map(Rolled::results));
@@ -269,6 +271,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
             .chain(viscoelastic::remark(&run))
             .chain(sliding::short_slides(plan, &run.records))
             .chain(wave::remark(plan, &run.records))
+            .chain(unloading::remark(plan, &run.records))
             .chain(gliding::remark(plan))
             .chain(rolled.iter().filter_map(Rolled::remark))
             .collect(),

@@ -3,6 +3,7 @@
 
 use crate::check::case::{Attempt, Case, Pairs, Proof};
 use crate::check::sketch::{Sketch, ball, beside, elastic, relaxing, si};
+use crate::check::ways;
 use crate::material::{Body, Graded, Joint, Layer, Layered, Relaxation, Winkler};
 use std::f64::consts::PI;
 
@@ -12,14 +13,18 @@ const FORMULA: &str = "closed forms; tables of 20 nodes, a few dozen roundings";
 pub(super) const CASES: &[Case] = &[
     Case::new("ground/incompressible layer bonded to a rigid base", Proof::Rounding, 5e-11, DIGITS)
         .weak("one thickness wide")
-        .by(incompressible),
+        .by(incompressible)
+        .ways(ways::ground::gel),
     Case::new("ground/layer that slides on a rigid base", Proof::Rounding, 5e-11, DIGITS)
         .weak("three thicknesses wide")
         .by(sliding),
     Case::new("ground/layer on a softer base", Proof::Rounding, 5e-11, DIGITS)
         .weak("a force at three radii")
         .by(soft_base),
-    Case::new("ground/stiff film", Proof::Rounding, 5e-11, DIGITS).weak("three thicknesses wide").by(film),
+    Case::new("ground/stiff film", Proof::Rounding, 5e-11, DIGITS)
+        .weak("three thicknesses wide")
+        .by(film)
+        .ways(ways::ground::film),
     Case::new("ground/jkr on a layer", Proof::Rounding, 5e-11, DIGITS)
         .weak("one depth, after the jump into contact")
         .by(adhesive),

@@ -25,5 +25,6 @@ pub use crate::contact::plane::{
 pub use beside::{NominallyFlat, in_words, of_roughness};
 pub use exact_range::{ExactRange, exact_ranges};
 pub use greenwood_williamson::{GreenwoodWilliamson, SummitStatistics, gaussian_tail};
+pub use ground::{film_weight, gel_series};
 pub use persson::{area_fraction, low_load_area_slope};
 pub use scaling::{StiffnessLaw, contact_conductance, plasticity_index, power_law_fit, stiffness_exponent};

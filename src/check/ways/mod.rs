@@ -22,6 +22,7 @@ pub(super) mod elastic;
 pub(super) mod friction;
 #[cfg(feature = "half-space")]
 mod grid;
+pub(super) mod ground;
 pub(super) mod impact;
 pub(super) mod rough;
 mod scene;
