@@ -140,7 +140,8 @@ impl<'p> Rubbing<'p> {
                 Ok(told(memory))
             }
             Self::Coupled(dragged) => {
-                let tangential = dragged.as_ref().map_or_else(Tangential::default, |dragged| dragged.1.tangential);
+                let at_rest = Tangential { stored: Some(0.0), dissipated: Some(0.0), ..Tangential::default() };
+                let tangential = dragged.as_ref().map_or(at_rest, |dragged| dragged.1.tangential);
                 Ok(Tangential { slide: stroke.slide[1], ..tangential })
             }
             Self::Gross { slip, pressed } => {
