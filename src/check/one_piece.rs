@@ -189,7 +189,7 @@ fn differenced(profile: &dyn Profile, step: f64, x: f64) -> f64 {
 fn mean_curvature_radius(shape: &Shape, profile: &dyn Profile, limit: f64) -> Option<f64> {
     match shape {
         Shape::WavyParaboloid(wavy) => Some(wavy.radius.si()),
-        Shape::Table(_) => {
+        Shape::Table(_) | Shape::SmoothTable(_) => {
             // Least squares of f = r²/2R: R = Σr⁴ / 2Σr²f.
             let places = (1..=STEPS).map(|k| limit * f64::from(k) / f64::from(STEPS));
             let sums = places.map(|r| (r.powi(4), r * r * profile.height(r)));

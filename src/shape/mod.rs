@@ -42,7 +42,7 @@ pub use measured::Measured;
 pub use paraboloid::Paraboloid;
 pub use plane::{Cylinder, PlaneRipple, PlaneWave, PlaneWavy};
 pub use power::{Cone, Power};
-pub use profile::{Profile, Rim, height_by_integral, reduced_by_integral};
+pub use profile::{Moved, Profile, Rim, height_by_integral, reduced_by_integral};
 pub use punch::FlatPunch;
 pub use rough_line::{RoughShape, Seeds};
 pub use rounded::{RoundedCone, RoundedPunch};
@@ -88,6 +88,8 @@ pub enum Shape {
     Ellipsoid(Ellipsoid),
     /// Measured profile: a table with the columns `radius_m` and `height_m`.
     Table(PathBuf),
+    /// The same with noise: made to rise so that the contact stays a circle, and how far heights were moved is told.
+    SmoothTable(PathBuf),
     /// Rough line, alone or on a smooth shape.
     RoughLine(RoughShape),
     /// Heights of a measured or generated surface, a plain matrix or `.npy` [m], and the size of a pixel.
@@ -165,6 +167,7 @@ impl Shape {
             Self::WavyParaboloid(_) => "WavyParaboloid",
             Self::Ellipsoid(_) => "Ellipsoid",
             Self::Table(_) => "Table",
+            Self::SmoothTable(_) => "SmoothTable",
             Self::RoughLine(_) => "RoughLine",
             Self::Cylinder(_) => "Cylinder",
             Self::PlaneWave(_) => "PlaneWave",
@@ -207,7 +210,8 @@ impl Shape {
             | Self::Ellipsoid(_)
             | Self::Cylinder(_)
             | Self::PlaneWave(_)
-            | Self::Table(_) => Family::Round,
+            | Self::Table(_)
+            | Self::SmoothTable(_) => Family::Round,
             Self::RoughLine(line) => Family::Line(line),
             Self::HeightMap(path, pixel) => Family::Map(MapSource::Plain(path, *pixel)),
             Self::Topography(topography) => Family::Map(MapSource::Treated(topography)),
@@ -249,6 +253,7 @@ impl Shape {
             Self::Cylinder(shape) => Arc::new(Lying::from(shape)),
             Self::PlaneWave(shape) => Arc::new(Lying::from(shape)),
             Self::Table(path) => Arc::new(Measured::read(path, tables)?),
+            Self::SmoothTable(path) => Arc::new(Measured::smooth(path, tables)?),
             Self::RoughLine(line) => match &line.base {
                 Some(base) => base.profile(tables)?,
                 None => return Err(ShapeError::NoProfile(self.name())),

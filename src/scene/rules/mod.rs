@@ -105,7 +105,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 94] = [
+pub const RULES: [Rule; 95] = [
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -129,6 +129,7 @@ pub const RULES: [Rule; 94] = [
     Rule::once(Bodies, Springs, plastic::on_springs),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Bodies, power_law::under_adhesion),
+    Rule::once(Bodies, Bodies, power_law::in_layers),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
