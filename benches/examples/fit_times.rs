@@ -3,6 +3,7 @@
 //! Data by closed forms and by whole runs, with noise; the median of repeats, one thread. With words behind it, those rows
 //! alone whose names have one of them: `-- Ting power`.
 
+use rayon::prelude::*;
 use springbed::check::power_law::PowerTriangle;
 use springbed::fit::prony::Moduli;
 use springbed::fit::{Curve, Options, Question};
@@ -45,9 +46,14 @@ fn forces(text: &str, time: &[f64], depth: &[f64]) -> Outcome<Vec<f64>> {
     Ok(forces[forces.len() - depth.len()..].to_vec())
 }
 
-fn told(name: &str, mut work: impl FnMut() -> Outcome<()>) -> Outcome<()> {
+/// Whether a row is asked for.
+fn wanted(name: &str) -> bool {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    if !words.is_empty() && !words.iter().any(|word| name.contains(word.as_str())) {
+    words.is_empty() || words.iter().any(|word| name.contains(word.as_str()))
+}
+
+fn told(name: &str, mut work: impl FnMut() -> Outcome<()>) -> Outcome<()> {
+    if !wanted(name) {
         return Ok(());
     }
     work()?;
@@ -68,6 +74,48 @@ fn fitted(name: &str, scene: &str, free: &[&str], curve: &Curve) -> Outcome<()> 
         black_box(question.fit(curve, &InMemory::default())?);
         Ok(())
     })
+}
+
+/// A thin gel on glass: modulus, thickness and first touch, 1000 points.
+fn layered() -> Outcome<()> {
+    let gel = |young: &str, thickness: &str| {
+        format!(
+            r#"(shape: Paraboloid(radius: "10 um"), bodies: (Layered(layers: [(body: Elastic(young: "{young}", poisson: 0.49),
+            thickness: "{thickness}")], base: Rigid, bond: Bonded), Rigid), "#
+        )
+    };
+    let depth: Vec<f64> = (0..1000).map(|k| 2e-9 * f64::from(k) - 0.5e-6).collect();
+    let time: Vec<f64> = (0..depth.len()).map(|k| k as f64).collect();
+    let made = format!("{}{}", gel("2 kPa", "5 um"), r#"history: [Table("drive.csv")])"#);
+    let data = curve(None, depth.clone(), &forces(&made, &time, &depth)?);
+    let start = format!("{}{}", gel("1 kPa", "8 um"), r#"history: [Indent(to: "1 um", over: 1)])"#);
+    let inside = "bodies.0.layers.0";
+    let free = [format!("{inside}.body.young=10 Pa..100 kPa"), format!("{inside}.thickness=1 um..100 um")];
+    fitted("layer on glass, 1000 points, first touch and baseline", &start, &[&free[0], &free[1]], &data)
+}
+
+/// 64 × 64 curves of 1000 points on all threads, each made, fitted and forgotten.
+fn force_map() -> Outcome<()> {
+    const CURVES: usize = 64 * 64;
+    let name = "force map, 64 x 64 curves of 1000 points";
+    if !wanted(name) {
+        return Ok(());
+    }
+    let scene = r#"(shape: Paraboloid(radius: "5 um"), bodies: (Elastic(young: "1 kPa", poisson: 0.5), Rigid),
+        history: [Indent(to: "1 um", over: 1)])"#;
+    let question = Question::new(&Scene::from_ron(scene)?, &["bodies.0.young"], Options::default())?;
+    let one = |number: usize| {
+        let stiffness = 1e3 + number as f64;
+        let depth: Vec<f64> = (0..1000).map(|k| f64::from(k) * 3e-9).collect();
+        let force: Vec<f64> =
+            depth.iter().map(|z| 4.0 / 3.0 * stiffness * (5e-6 * (z - 1.3e-6).max(0.0).powi(3)).sqrt()).collect();
+        question.fit(&curve(None, depth, &force), &InMemory::default()).map(|fit| fit.values[0])
+    };
+    let began = Instant::now();
+    let all: Result<Vec<f64>, _> = (0..CURVES).into_par_iter().map(one).collect();
+    black_box(all?);
+    println!("{name:60} {:8.2} s on {} threads", began.elapsed().as_secs_f64(), rayon::current_num_threads());
+    Ok(())
 }
 
 fn main() -> Outcome<()> {
@@ -113,6 +161,9 @@ fn main() -> Outcome<()> {
     let data = curve(Some(time), depth, &force);
     let free = ["bodies.0.shear.modulus=10 Pa..100 kPa", "bodies.0.shear.exponent=0.02..0.8"];
     fitted("power law, 1000 points, first touch and baseline", &format!("{soft}{history}"), &free, &data)?;
+
+    layered()?;
+    force_map()?;
 
     let frequency: Vec<f64> = (0..60).map(|k| 0.01 * 10f64.powf(0.1 * f64::from(k))).collect();
     let sums = |f: f64| {

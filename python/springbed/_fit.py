@@ -73,7 +73,7 @@ class Fit:
 
     @property
     def models(self) -> list[dict[str, Any]]:
-        """The models that were compared: ``model``, ``aic_beyond_best``, ``weight``, ``parameters`` and more of each."""
+        """The models that were compared: ``model``, ``bic_beyond_best``, ``weight``, ``parameters`` and more of each."""
         return self._summary["models"]
 
     def figure(self) -> Figure:
@@ -115,7 +115,7 @@ def fit(
         place of a range for none, or texts ``"bodies.0.young=1 kPa..1 MPa"``.
     **options
         ``columns="depth=z [nm], force=F [nN]"``, ``spring="0.05 N/m"`` (deflection and piezo), ``baseline`` ("absent",
-        "constant", "linear"), ``contact`` ("free", "zero"), ``drive`` ("depth", "force"), ``way`` ("both", "in", "out"),
+        "constant", "linear", "virtual"), ``contact`` ("free", "zero"), ``drive`` ("depth", "force"), ``way`` ("both", "in", "out"),
         ``range="-1 um..300 nm"``, ``robust=True``; ``given={"shape.radius": "2 %"}`` for what is known with a standard error
         only (``spring`` is the cantilever), ``models=["hertz", "jkr", "layered"]`` to compare (``Fit.models``).
 

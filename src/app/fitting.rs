@@ -126,7 +126,8 @@ impl Fitting {
 /// The question `measured` asks of a model.
 fn question(measured: &Measured, model: &Candidate) -> Result<Question, String> {
     let Measured { baseline, contact, drive, way, loss, .. } = *measured;
-    let mut options = Options { baseline, contact, drive, way, loss, ..Options::default() };
+    let spring = measured.spring.map(SpringStiffness::si);
+    let mut options = Options { baseline, contact, drive, way, loss, spring, ..Options::default() };
     let told =
         |error: FitError| if model.name.is_empty() { error.to_string() } else { format!("{}: {error}", model.name) };
     let asked = |options| Question::new(&model.scene, &model.free, options).map_err(told);

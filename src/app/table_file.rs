@@ -18,37 +18,37 @@ use super::{matrix_file, topography_file};
 use crate::input::table::{Columns, RawMap, TableError, Tables};
 use csv::{ErrorKind, Reader, ReaderBuilder, StringRecord};
 use ndarray::Array2;
-use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// Largest table: a few million rows.
 const LARGEST: u64 = 256 << 20;
 
 /// The tables beside a scene file, and which of them have been asked for.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct TableFiles {
     folder: PathBuf,
-    read: RefCell<BTreeSet<PathBuf>>,
+    read: Mutex<BTreeSet<PathBuf>>,
 }
 
 impl TableFiles {
     /// Tables whose paths are relative to the folder of the file `scene`.
     #[must_use]
     pub fn beside(scene: &Path) -> Self {
-        Self { folder: scene.parent().unwrap_or_else(|| Path::new("")).to_owned(), read: RefCell::default() }
+        Self { folder: scene.parent().unwrap_or_else(|| Path::new("")).to_owned(), read: Mutex::default() }
     }
 
     /// The files that have been asked for so far.
     #[must_use]
     pub fn read(&self) -> Vec<PathBuf> {
-        self.read.borrow().iter().cloned().collect()
+        self.read.lock().unwrap_or_else(PoisonError::into_inner).iter().cloned().collect()
     }
 
     /// The file of the table a scene calls `path`.
     fn file(&self, path: &Path) -> PathBuf {
         let file = self.folder.join(path);
-        self.read.borrow_mut().insert(file.clone());
+        self.read.lock().unwrap_or_else(PoisonError::into_inner).insert(file.clone());
         file
     }
 

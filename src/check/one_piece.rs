@@ -191,7 +191,7 @@ fn mean_curvature_radius(shape: &Shape, profile: &dyn Profile, limit: f64) -> Op
     if let Shape::WavyParaboloid(wavy) = shape {
         return Some(wavy.radius.si());
     }
-    let Shape::Table(_) = shape else { return None };
+    let (Shape::Table(_) | Shape::SmoothTable(_)) = shape else { return None };
     // Least squares of f = r²/2R: R = Σr⁴ / 2Σr²f.
     let places = (1..=STEPS).map(|k| limit * f64::from(k) / f64::from(STEPS));
     let sums = places.map(|r| (r.powi(4), r * r * profile.height(r)));

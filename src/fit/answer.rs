@@ -1,14 +1,16 @@
 //! What a fit says: values, intervals, what the data can tell and what they cannot.
 
-use super::frame::Frame;
+use super::frame::{Frame, VIRTUAL};
 use super::given::Carried;
 use super::interval::{Valley, without};
 use super::map::{Around, Map};
 use super::noise::{Moments, student};
 use super::solve::{Found, Task};
+use super::unsure::Unsure;
 use super::verdict::{Noise, Verdict};
 use super::{FitError, Question};
 use crate::contact::adhesion::equilibrium::Control;
+use crate::scene::fit::Baseline;
 use nalgebra::{DMatrix, SymmetricEigen};
 
 /// A parameter and how sure it is.
@@ -54,6 +56,8 @@ pub struct Fit {
     pub control: Control,
     /// Numbers of the points that counted.
     pub used: Vec<usize>,
+    /// Free parameters that move a jump of the model and no force alone: those of its adhesion, where it jumps.
+    pub jumping: usize,
     /// Numbers of the points that were left out because the model jumps there.
     pub on_jumps: Vec<usize>,
     /// Model and baseline, one per point of the curve.
@@ -98,7 +102,8 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
     let rest = task.rest(&found.answer);
     let baseline = frame.baseline(&rest);
     let off = without(frame, &rest, &baseline);
-    let judged = Moments::of(frame, &chosen, &rest).judged(frame.correlation);
+    let moments = Moments::of(frame, &chosen, &off);
+    let judged = moments.judged(frame.correlation);
     let freedom = rest.len().saturating_sub(moving.len()).max(1) as f64;
     let quantile = student(freedom);
     let mut notes = Vec::new();
@@ -120,20 +125,29 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
         (Some(inverse), Some(j), Some(k)) => judged.variance * inverse[(j, k)],
         _ => 0.0,
     };
-    let valley = Valley { task, found: &found, rise: quantile * quantile * judged.variance, covariance: &covariance };
+    let unsure = inverse.as_ref().and_then(|_| Unsure::of(&moments));
+    let error_and_reach = |at: usize| {
+        let plain = covariance(at, at).sqrt();
+        unsure.as_ref().zip(place_of(at)).map_or((plain, quantile * plain), |(unsure, at)| unsure.error_and_reach(at))
+    };
+    let valley = Valley { task, found: &found, variance: judged.variance, covariance: &covariance };
     let told = |at: usize| {
-        let error = covariance(at, at).sqrt();
-        let known = error > 0.0 || (inverse.is_some() && place_of(at).is_some());
-        estimate(&valley, at, (known.then_some(error), quantile), &names[at], &baseline)
+        let known = inverse.is_some() && place_of(at).is_some();
+        estimate(&valley, at, known.then(|| error_and_reach(at)), &names[at], &baseline)
     };
     let parameters: Vec<Estimate> = (0..columns.len()).map(told).collect();
     for (free, _) in free.iter().zip(&ends).filter(|(_, end)| **end) {
         let value = parameters.iter().find(|one| one.path == free.path).map_or(0.0, |one| one.value);
         notes.push(format!("{} sits at the end of its range, {value:?} {}: widen it", free.path, free.unit));
     }
-    let errors: Vec<f64> = (0..task.count()).map(|at| covariance(at, at).sqrt()).collect();
-    let around = Around { task, found: &found, errors: &errors, variance: judged.variance, freedom };
-    let map = question.map.and_then(|pair| around.map(pair, &names).map_err(|why| notes.push(why)).ok());
+    let errors: Vec<f64> = (0..task.count()).map(|at| error_and_reach(at).0).collect();
+    let map = question.map.and_then(|pair| {
+        // As much wider as the intervals of both are.
+        let wider: f64 =
+            pair.iter().map(|&at| error_and_reach(at).1 / (quantile * covariance(at, at).sqrt())).product();
+        let around = Around { task, found: &found, errors: &errors, variance: wider * judged.variance, freedom };
+        around.map(pair, &names).map_err(|why| notes.push(why)).ok()
+    });
     let correlations = correlations(columns.len(), &covariance);
     notes.extend(alike(&names, &correlations));
     let deviation = (off.iter().map(|x| x * x).sum::<f64>() / freedom).sqrt();
@@ -142,7 +156,9 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
     let touching: Vec<usize> = (0..rest.len()).filter(|&n| found.answer.response[frame.used[n]].abs() > 0.0).collect();
     let apart: Vec<usize> = (0..rest.len()).filter(|&n| found.answer.response[frame.used[n]].abs() <= 0.0).collect();
     let noise = Noise::before(frame, &off, &apart).map(|noise| noise.not_below(floor));
+    // A depth made of a deflection has the noise of the force in it: what is left has a shape by itself.
     let verdict = noise
+        .filter(|_| question.options.baseline != Baseline::Virtual)
         .filter(|_| touching.len() > columns.len() + 10)
         .map(|noise| Verdict::of(frame, (&columns, &off), &touching, noise));
     let rejected = verdict.is_some_and(|verdict| verdict.rejects());
@@ -174,6 +190,7 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
         aic: rest.len() as f64 * squares.ln() + 2.0 * moving.len() as f64,
         control: question.control,
         used: frame.used.clone(),
+        jumping: if found.answer.jumps.is_empty() { 0 } else { of_adhesion(free) },
         on_jumps: Vec::new(),
         model: found.answer.response.iter().enumerate().map(|(at, model)| model + line(at)).collect(),
         values: found.place.values,
@@ -181,6 +198,11 @@ pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, Fi
         carried: Vec::new(),
         map,
     })
+}
+
+/// How many free parameters are of the adhesion.
+fn of_adhesion(free: &[super::Free]) -> usize {
+    free.iter().filter(|free| free.path.starts_with("adhesion.")).count()
 }
 
 fn at_end(free: &super::Free, value: f64) -> bool {
@@ -191,7 +213,11 @@ fn at_end(free: &super::Free, value: f64) -> bool {
 /// Names of all that is fitted.
 fn names(question: &Question, task: &Task<'_>) -> Vec<String> {
     let free = task.model.free.iter().map(|free| free.path.clone());
-    let lines = if question.control == Control::Force { ["contact_point", "tilt"] } else { ["baseline", "tilt"] };
+    let lines = match (question.control, question.options.baseline) {
+        (Control::Force, _) => ["contact_point", "tilt"],
+        (Control::Indentation, Baseline::Virtual) => ["baseline", VIRTUAL],
+        (Control::Indentation, Baseline::Absent | Baseline::Constant | Baseline::Linear) => ["baseline", "tilt"],
+    };
     let touch = task.touch.then(|| "contact_point".to_owned());
     free.chain(touch).chain(lines.into_iter().take(task.frame.columns().len()).map(str::to_owned)).collect()
 }
@@ -212,24 +238,18 @@ fn blind(normal: &DMatrix<f64>) -> Vec<usize> {
     (0..normal.nrows()).filter(|&at| direction[at].abs() > 0.1).collect()
 }
 
-/// Estimate number `at`, with its standard error on the natural scale and the quantile of the interval.
-fn estimate(
-    valley: &Valley<'_>,
-    at: usize,
-    (error, quantile): (Option<f64>, f64),
-    path: &str,
-    baseline: &[f64],
-) -> Estimate {
+/// Estimate number `at`, with its standard error and half of its interval on the natural scale.
+fn estimate(valley: &Valley<'_>, at: usize, sure: Option<(f64, f64)>, path: &str, baseline: &[f64]) -> Estimate {
     let Task { model, frame, .. } = valley.task;
     let (drive, response) = if model.control == Control::Force { ("N", "m") } else { ("m", "N") };
     if let Some(free) = model.free.get(at) {
         let value = valley.found.place.values[at];
         let end = |sign: f64| {
-            let natural = error.and_then(|error| valley.end(at, sign * quantile * error));
+            let natural = sure.and_then(|(_, reach)| valley.end(at, sign * reach));
             natural.map(|natural| free.value(natural)).filter(|end| (free.low..=free.high).contains(end))
         };
         let rate = if free.is_ratio() { value } else { 1.0 };
-        let standard_error = error.map(|error| error * rate);
+        let standard_error = sure.map(|(error, _)| error * rate);
         return Estimate {
             path: path.to_owned(),
             value,
@@ -245,12 +265,16 @@ fn estimate(
         (touch, beyond) => {
             let column = beyond - usize::from(touch);
             let scale = if column == 0 { 1.0 } else { 1.0 / frame.largest };
-            let per = if model.control == Control::Force { "m/N" } else { "N/m" };
+            let per = match model.control {
+                _ if path == VIRTUAL => "",
+                Control::Force => "m/N",
+                Control::Indentation => "N/m",
+            };
             (baseline[column] * scale, scale, if column == 0 { response } else { per })
         }
     };
-    let standard_error = error.map(|error| error * scale);
-    let reach = standard_error.map(|error| quantile * error);
+    let standard_error = sure.map(|(error, _)| error * scale);
+    let reach = sure.map(|(_, reach)| reach * scale);
     Estimate {
         path: path.to_owned(),
         value,

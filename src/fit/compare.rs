@@ -1,7 +1,10 @@
 //! Which of several models the data are for.
 //!
-//! Akaike's criterion −2 ln L + 2p over the points that count in all of them, with L for normal noise whose neighbours may
-//! be alike; exp(−Δ/2) over its sum is the weight of a model (Akaike 1974; Burnham & Anderson 2002).
+//! Schwarz's criterion −2 ln L + (p + m) ln n over the n points that count in all of them, with L for normal noise whose
+//! neighbours may be alike and p parameters, of which m move a jump; exp(−Δ/2) over its sum is the weight of a model
+//! (Schwarz 1978, Ann. Stat. 6, 461). A parameter that moves a jump counts twice: its best place is the luckiest of n
+//! (Zhang & Siegmund 2007, Biometrics 63, 22). Akaike's 2p takes noise for adhesion: of 120 Hertzian curves with white
+//! noise JKR would win 15.
 
 use super::answer::Fit;
 use super::curve::Curve;
@@ -12,7 +15,7 @@ use crate::scene::fit::Baseline;
 /// Where a model stands among others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Standing {
-    /// Akaike's criterion over the points that count in all models, less that of the best.
+    /// Schwarz's criterion over the points that count in all models, less that of the best.
     pub beyond_best: f64,
     /// Weight, one over all models.
     pub weight: f64,
@@ -31,7 +34,8 @@ pub fn compared(curve: &Curve, fits: &[&Fit]) -> Vec<Standing> {
     let criterion = |fit: &&Fit| {
         let measured = curve.answered(fit.control);
         let rest: Vec<f64> = frame.used.iter().map(|&at| measured[at] - fit.model[at]).collect();
-        deviance(&frame, &rest) + 2.0 * fit.parameters.len() as f64
+        let counted = fit.parameters.len() + fit.jumping;
+        deviance(&frame, &rest) + counted as f64 * (points as f64).ln()
     };
     let criteria: Vec<f64> = fits.iter().map(criterion).collect();
     let best = criteria.iter().copied().fold(f64::INFINITY, f64::min);

@@ -3,9 +3,13 @@
 use crate::scene::fit::Baseline;
 use nalgebra::{DMatrix, DVector};
 
+/// What the virtual deflection of a cantilever is called among the parameters, a pure number [m/m].
+pub const VIRTUAL: &str = "virtual_deflection";
+
 /// Points that count, their weights and their noise, and the baseline.
 ///
-/// Noise of the correlation ρ between neighbours becomes white by e_i = r_i − ρr_{i−1} (Prais & Winsten 1954); the
+/// Noise of the correlation ρ between neighbours becomes white by e_i = r_i − ρr_{i−1} (Prais & Winsten 1954), over gaps by
+/// the power of ρ that is left there; the
 /// baseline is projected out, so that what is left depends on the parameters of the model alone (Golub & Pereyra 1973).
 #[derive(Debug, Clone)]
 pub struct Frame {
@@ -15,7 +19,7 @@ pub struct Frame {
     pub weights: Vec<f64>,
     /// Correlation ρ of the noise of neighbours.
     pub correlation: f64,
-    /// What the drive is divided by in the column of the tilt.
+    /// What the drive is divided by in the column of the tilt, or what stands in its place.
     pub largest: f64,
     /// Columns of the baseline, one value per used point.
     columns: Vec<Vec<f64>>,
@@ -33,7 +37,7 @@ impl Frame {
         let columns = match baseline {
             Baseline::Absent => Vec::new(),
             Baseline::Constant => vec![one.clone()],
-            Baseline::Linear => vec![one.clone(), tilt()],
+            Baseline::Linear | Baseline::Virtual => vec![one.clone(), tilt()],
         };
         let frame = Self { weights: one, used, correlation: 0.0, largest, columns, basis: Vec::new() };
         frame.projected()
@@ -43,6 +47,17 @@ impl Frame {
     #[must_use]
     pub fn with(&self, weights: Vec<f64>, correlation: f64) -> Self {
         Self { weights, correlation, ..self.clone() }.projected()
+    }
+
+    /// The same with another second column of the baseline, given for all points of the curve.
+    #[must_use]
+    pub fn along(self, column: &[f64]) -> Self {
+        let mut columns = self.columns.clone();
+        let largest = self.used.iter().map(|&at| column[at].abs()).fold(f64::MIN_POSITIVE, f64::max);
+        if let Some(second) = columns.get_mut(1) {
+            *second = self.used.iter().map(|&at| column[at] / largest).collect();
+        }
+        Self { largest, columns, ..self }.projected()
     }
 
     fn projected(mut self) -> Self {
@@ -99,6 +114,13 @@ impl Frame {
         number > 0 && self.used[number] == self.used[number - 1] + 1
     }
 
+    /// Rows from the used point before the point `number` to it; one of the first.
+    #[must_use]
+    pub fn steps(&self, number: usize) -> i32 {
+        let before = number.checked_sub(1).map_or(0, |before| self.used[before]);
+        i32::try_from(self.used[number].saturating_sub(before)).unwrap_or(i32::MAX).max(1)
+    }
+
     /// Values of the used points, weighted and made white.
     #[must_use]
     pub fn whitened(&self, values: &[f64]) -> Vec<f64> {
@@ -108,8 +130,13 @@ impl Frame {
         if rho.abs() <= 0.0 {
             return weighted;
         }
-        let white = |number: usize| {
-            if self.follows(number) { weighted[number] - rho * weighted[number - 1] } else { first * weighted[number] }
+        let white = |number: usize| match number {
+            0 => first * weighted[0],
+            _ if self.follows(number) => weighted[number] - rho * weighted[number - 1],
+            _ => {
+                let steps = self.steps(number);
+                (weighted[number] - rho.powi(steps) * weighted[number - 1]) / over_gap(steps, rho)
+            }
         };
         (0..weighted.len()).map(white).collect()
     }
@@ -143,6 +170,12 @@ impl Frame {
         let solved = matrix.svd(true, true).solve(&rest, 1e-10);
         solved.map_or_else(|_| vec![0.0; columns.len()], |found| found.as_slice().to_vec())
     }
+}
+
+/// Deviation of what comes new over a gap of `steps` rows in units of that of one: √((1 − ρ^{2g})/(1 − ρ²)).
+#[must_use]
+pub fn over_gap(steps: i32, rho: f64) -> f64 {
+    ((1.0 - rho.powi(steps).powi(2)) / (1.0 - rho * rho)).sqrt()
 }
 
 /// Sums side by side, so that none waits for the one before it.

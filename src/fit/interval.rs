@@ -16,20 +16,25 @@ pub struct Valley<'v> {
     pub task: Task<'v>,
     /// Its answer.
     pub found: &'v Found,
-    /// Rise of the sum of squares at the ends.
-    pub rise: f64,
+    /// Variance of the noise.
+    pub variance: f64,
     /// Covariances of natural parameters, first touch last.
     pub covariance: &'v dyn Fn(usize, usize) -> f64,
 }
 
 impl Valley<'_> {
     /// The end of parameter `at` on the natural scale, `reach` its distance by the parabola, with its sign; the
-    /// parabola's own where it is good enough, `None` where the range ends first.
+    /// parabola's own where it is good enough, `None` where the range ends first. The sum of squares rises to it by the
+    /// variance times the square of the distance in standard errors.
     #[must_use]
     pub fn end(&self, at: usize, reach: f64) -> Option<f64> {
         let here = self.task.natural(at, &self.found.place);
         let beside = |share: f64| self.beside(at, share * reach);
-        let rise = self.risen(&beside(1.0)?)?;
+        let whole = self.variance * reach * reach / (self.covariance)(at, at);
+        if whole.is_nan() || whole <= 0.0 {
+            return Some(here + reach);
+        }
+        let rise = self.risen(&beside(1.0)?)? / whole;
         if (rise - 1.0).abs() <= STRAIGHT {
             return Some(here + reach);
         }
@@ -38,10 +43,10 @@ impl Valley<'_> {
         let mut share = (1.0 / rise.max(0.0625).sqrt()).clamp(0.25, 4.0);
         let mut place = beside(share)?;
         // A tenth of what an end may be off.
-        let tolerance = 0.2 * CLOSE * self.rise / (self.found.squares + self.rise);
+        let tolerance = 0.2 * CLOSE * whole / (self.found.squares + whole);
         for _ in 0..STEPS {
             let freed = Task { kept: [Some(at), None], ..self.task }.solved(&place, tolerance).ok()?;
-            let root = (freed.squares - self.found.squares).max(0.0).sqrt() / self.rise.sqrt();
+            let root = (freed.squares - self.found.squares).max(0.0).sqrt() / whole.sqrt();
             if (root - 1.0).abs() < CLOSE {
                 break;
             }
@@ -83,10 +88,10 @@ impl Valley<'_> {
         Some(place)
     }
 
-    /// The rise of the sum of squares at a place, in units of that at the ends.
+    /// The rise of the sum of squares at a place.
     fn risen(&self, place: &Place) -> Option<f64> {
         let rest = self.task.residual(&self.task.answer(place).ok()?);
-        Some((dot(&rest, &rest) - self.found.squares) / self.rise)
+        Some(dot(&rest, &rest) - self.found.squares)
     }
 }
 

@@ -4,8 +4,10 @@
 //! ΔS = σ²·ν[(1 − p)^{−2/ν} − 1], with the variance σ² of the noise and ν degrees of freedom left: twice the quantile of
 //! Fisher's F for 2 and ν.
 
+use super::model::{Last, Model};
 use super::solve::{Found, Place, Task};
 use super::{FitError, Question};
+use rayon::prelude::*;
 
 /// Confidence over two parameters.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,7 +78,7 @@ impl Around<'_> {
     /// The map over the parameters number `pair`.
     pub fn map(&self, pair: [usize; 2], names: &[String]) -> Result<Map, String> {
         let [x, y] = [self.values(pair[0])?, self.values(pair[1])?];
-        let columns: Vec<Vec<Option<f64>>> = x.iter().map(|&x| self.column(pair, x, &y)).collect();
+        let columns: Vec<Vec<Option<f64>>> = x.par_iter().map(|&x| self.column(pair, x, &y)).collect();
         let value =
             |at: usize, natural: &f64| self.task.model.free.get(at).map_or(*natural, |free| free.value(*natural));
         let unit = |at: usize| self.task.model.free.get(at).map_or("m", |free| free.unit);
@@ -104,13 +106,16 @@ impl Around<'_> {
     /// The rises of a column, each search begun where that of its neighbour on the side of the answer ended.
     fn column(&self, pair: [usize; 2], x: f64, y: &[f64]) -> Vec<Option<f64>> {
         let mut rises = vec![None; y.len()];
+        // Threads would take the scene that was decided last from each other.
+        let last = Last::default();
+        let task = Task { model: Model { last: &last, ..self.task.model }, ..self.task };
         let here = self.task.natural(pair[1], &self.found.place);
         let middle = (0..y.len()).min_by(|&a, &b| (y[a] - here).abs().total_cmp(&(y[b] - here).abs())).unwrap_or(0);
         for way in [(middle..y.len()).collect::<Vec<_>>(), (0..middle).rev().collect()] {
-            let mut place = self.task.with(pair[0], x, &self.found.place);
+            let mut place = task.with(pair[0], x, &self.found.place);
             for row in way {
-                let kept = Task { kept: pair.map(Some), ..self.task };
-                let Ok(found) = kept.solved(&self.task.with(pair[1], y[row], &place), TOLERANCE) else { continue };
+                let kept = Task { kept: pair.map(Some), ..task };
+                let Ok(found) = kept.solved(&task.with(pair[1], y[row], &place), TOLERANCE) else { continue };
                 rises[row] = Some((found.squares - self.found.squares).max(0.0) / self.variance);
                 place = found.place;
             }

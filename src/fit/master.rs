@@ -29,6 +29,8 @@ pub struct Master {
     pub reference: f64,
     /// Temperatures [K], rising, and log₁₀ a_T of each.
     pub shifts: Vec<(f64, f64)>,
+    /// Standard errors of log₁₀ a_T, in the same order, by what one spectrum leaves of all moduli; zero at the reference.
+    pub errors: Vec<f64>,
     /// C₁ and C₂ [K] of Williams, Landel & Ferry; `None` where the shifts have no such law.
     pub wlf: Option<(f64, f64)>,
     /// The moduli over reduced frequencies a_T f.
@@ -82,11 +84,11 @@ impl Sweeps {
         let nearest = (0..means.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
         let zero = if reference.is_some() { nearest } else { means.len() / 2 };
         let logs = self.laid(&groups, means.len(), zero)?;
-        let logs = self.searched(&groups, logs, zero)?;
+        let (logs, errors) = self.searched(&groups, logs, zero)?;
         let reduced = self.shifted(&groups, &logs);
         let spectrum = reduced.spectrum()?;
         let shifts: Vec<(f64, f64)> = means.iter().copied().zip(logs.iter().map(|log| log / LN_10)).collect();
-        Ok(Master { reference: means[zero], wlf: wlf(&shifts, means[zero]), shifts, reduced, spectrum })
+        Ok(Master { reference: means[zero], wlf: wlf(&shifts, means[zero]), shifts, errors, reduced, spectrum })
     }
 
     /// The number of the temperature of each point, and the temperatures, rising.
@@ -140,8 +142,8 @@ impl Sweeps {
         Ok(logs)
     }
 
-    /// ln a_T with which one spectrum explains all moduli best.
-    fn searched(&self, groups: &[usize], logs: Vec<f64>, zero: usize) -> Result<Vec<f64>, FitError> {
+    /// ln a_T with which one spectrum explains all moduli best, and the standard errors of log₁₀ a_T.
+    fn searched(&self, groups: &[usize], logs: Vec<f64>, zero: usize) -> Result<(Vec<f64>, Vec<f64>), FitError> {
         let laid = self.shifted(groups, &logs);
         let smoothing = laid.spectrum()?.smoothing;
         let moving: Vec<usize> = (0..logs.len()).filter(|&at| at != zero).collect();
@@ -150,7 +152,10 @@ impl Sweeps {
             Search { sweeps: self, groups, plain: System::of(&laid), smoothing, moving, logs, here, state: None };
         search.look();
         let rule = LevenbergMarquardt::new().with_ftol(TOLERANCE).with_xtol(TOLERANCE).with_gtol(1e-14);
-        Ok(rule.with_patience(20).minimize(search).0.logs)
+        let mut search = rule.with_patience(20).minimize(search).0;
+        search.look();
+        let errors = search.errors();
+        Ok((search.logs, errors))
     }
 }
 
@@ -218,6 +223,22 @@ struct Search<'s> {
 }
 
 impl Search<'_> {
+    /// Standard errors of log₁₀ a_T: of the slopes J the inverse of JᵀJ, times the mean square of what is left of the moduli.
+    fn errors(&self) -> Vec<f64> {
+        let mut errors = vec![0.0; self.logs.len()];
+        let Some((rest, slopes)) = &self.state else { return errors };
+        let rows = 2 * self.groups.len();
+        let squares: f64 = rest.iter().take(rows).map(|x| x * x).sum();
+        let variance = squares / rows.saturating_sub(self.moving.len()).max(1) as f64;
+        if let Some(root) = (slopes.transpose() * slopes).cholesky() {
+            let inverse = root.inverse();
+            for (at, &group) in self.moving.iter().enumerate() {
+                errors[group] = (variance * inverse[(at, at)]).sqrt() / LN_10;
+            }
+        }
+        errors
+    }
+
     /// What is left at the present shifts, and its slopes.
     fn look(&mut self) {
         let moduli = self.sweeps.shifted(self.groups, &self.logs);
@@ -288,8 +309,11 @@ mod tests {
             let (all, log) = sweeps(noise);
             let master = all.master(Some(298.0)).unwrap();
             assert!((master.reference - 300.0).abs() < 0.1);
-            for &(t, found) in &master.shifts {
+            for (&(t, found), error) in master.shifts.iter().zip(&master.errors) {
                 assert!((found - log(t)).abs() < bound, "{t} {found} {}", log(t));
+                // Four of them, and what a spectrum on a grid of times leaves without noise.
+                assert!((found - log(t)).abs() < 4.0 * error + 2e-3 || noise <= 0.0, "{t} {found} {error}");
+                assert!((*error > 0.0) == ((t - master.reference).abs() > 0.1) && *error < bound, "{t} {error}");
             }
             let (c1, c2) = master.wlf.unwrap();
             assert!((c1 / 8.86 - 1.0).abs() < 4.0 * bound && (c2 / 101.6 - 1.0).abs() < 4.0 * bound, "{c1} {c2}");

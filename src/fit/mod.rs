@@ -47,6 +47,8 @@ mod remembering;
 mod slopes;
 mod solve;
 mod start;
+mod straight;
+mod unsure;
 mod verdict;
 mod widened;
 
@@ -106,6 +108,8 @@ pub struct Options {
     pub range: (f64, f64),
     /// How points far off count.
     pub loss: Loss,
+    /// Stiffness of the cantilever [N/m], where its virtual deflection is the baseline.
+    pub spring: Option<f64>,
 }
 
 impl Default for Options {
@@ -118,6 +122,7 @@ impl Default for Options {
             way: Way::default(),
             range,
             loss: Loss::default(),
+            spring: None,
         }
     }
 }
@@ -181,6 +186,7 @@ impl Question {
             None => by_scene,
         };
         let accuracy = scene.accuracy.map_or(1e-6, |accuracy| accuracy.si());
+        straight::checked(&options, control)?;
         Ok(Self { places, free, given: Vec::new(), map: None, options, control, accuracy })
     }
 
@@ -245,7 +251,20 @@ impl Question {
     /// As of [`fit`](Self::fit).
     pub fn fit_in_doubt(&self, (curve, doubts): (&Curve, &[Doubt]), tables: &dyn Tables) -> Result<Fit, FitError> {
         curve.checked().map_err(FitError::Data)?;
-        let touch = self.touches();
+        match self.options.spring.filter(|_| self.options.baseline == Baseline::Virtual) {
+            Some(spring) => self.straightened((curve, doubts), tables, spring),
+            None => Ok(self.fit_along((curve, doubts), tables, None)?.0),
+        }
+    }
+
+    /// The same with the second column of the baseline given, and then with the slopes of the response in first touch.
+    fn fit_along(
+        &self,
+        (curve, doubts): (&Curve, &[Doubt]),
+        tables: &dyn Tables,
+        column: Option<&[f64]>,
+    ) -> Result<(Fit, Vec<f64>), FitError> {
+        let touch_is_free = self.touches();
         let used = self.used(curve);
         let needed = self.free.len() + 3 + SPARE;
         if used.len() < needed {
@@ -255,19 +274,27 @@ impl Question {
         let last = Last::default();
         let model = Model { places: &self.places, free: &self.free, tables, curve, control: self.control, last: &last };
         let frame = Frame::new(curve.driven(self.control), used, self.options.baseline);
+        let frame = match column {
+            Some(column) => frame.along(column),
+            None => frame,
+        };
         // Slopes by differences: half of the digits of what the scene is computed to.
         let step = if self.control == Control::Indentation || model.is_cheap() { 1e-7 } else { self.accuracy.sqrt() };
-        let task = Task { model, frame: &frame, touch, step, kept: [None; 2], scaling: None };
+        let task = Task { model, frame: &frame, touch: touch_is_free, step, kept: [None; 2], scaling: None };
         let (found, scaling) = self.nearest(task)?;
         let task = Task { scaling, ..task };
         let (frame, found) = jumps::left_out(&task, found, TOLERANCE).map_err(FitError::Scene)?;
         let (frame, found) = self.weighed(Task { frame: &frame, ..task }, found)?;
         let weighed = Task { frame: &frame, ..task };
         let carried = self.carried(&weighed, &found, doubts).map_err(FitError::Scene)?;
+        let touch = match column {
+            Some(_) => weighed.slopes(&found.place, &found.answer).map_err(FitError::Scene)?.pop().unwrap_or_default(),
+            None => Vec::new(),
+        };
         let mut fit = answer::told(self, weighed, found)?.widened(&self.free, carried);
         fit.on_jumps = task.frame.used.iter().copied().filter(|at| fit.used.binary_search(at).is_err()).collect();
         fit.notes.extend(jumps::told(curve, &fit.on_jumps));
-        Ok(fit)
+        Ok((fit, touch))
     }
 
     /// The points that count.

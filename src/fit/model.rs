@@ -22,9 +22,7 @@ use crate::scene::history::Entry;
 use crate::scene::law::{ContactLaw, ElasticAdhesion};
 use crate::scene::plan::{Plan, RoundPlan};
 use crate::text::place::{Places, Value};
-use std::cell::RefCell;
-use std::rc::Rc;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A scene under the drive of a curve.
 #[derive(Clone, Copy)]
@@ -45,7 +43,7 @@ pub struct Model<'m> {
 
 /// The scene that was decided last, with its values: first touch is no part of it.
 #[derive(Default)]
-pub struct Last(RefCell<Option<(Vec<f64>, Rc<Decided>)>>);
+pub struct Last(Mutex<Option<(Vec<f64>, Arc<Decided>)>>);
 
 /// A scene that is decided for a curve.
 pub struct Decided {
@@ -127,7 +125,7 @@ pub struct Sloped {
     /// The slopes.
     pub slopes: Slopes,
     numbers: Vec<f64>,
-    scene: Rc<Decided>,
+    scene: Arc<Decided>,
 }
 
 /// The largest relative change of a number of the bodies over a step by which slopes are taken.
@@ -172,14 +170,14 @@ impl Model<'_> {
     }
 
     /// The scene at the free values `values`, decided.
-    fn decided(&self, values: &[f64]) -> Result<Rc<Decided>, String> {
-        if let Some((known, decided)) = self.last.0.borrow().as_ref()
+    fn decided(&self, values: &[f64]) -> Result<Arc<Decided>, String> {
+        if let Some((known, decided)) = self.last.0.lock().unwrap_or_else(PoisonError::into_inner).as_ref()
             && known == values
         {
             return Ok(decided.clone());
         }
-        let decided = Rc::new(self.decide(values)?);
-        *self.last.0.borrow_mut() = Some((values.to_vec(), decided.clone()));
+        let decided = Arc::new(self.decide(values)?);
+        *self.last.0.lock().unwrap_or_else(PoisonError::into_inner) = Some((values.to_vec(), decided.clone()));
         Ok(decided)
     }
 

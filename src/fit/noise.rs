@@ -2,9 +2,10 @@
 //!
 //! r_i = ρr_{i−1} + e_i with white e (AR(1)). ρ maximises the restricted likelihood (Patterson & Thompson 1971), which
 //! counts what the fitted columns X have taken out of the residuals:
-//! −2 ln L = (n − p) ln(S/(n − p)) + ln|XᵀR⁻¹X| − m ln(1 − ρ²), with S = rᵀR⁻¹r after X, p columns, m runs without a gap.
+//! −2 ln L = (n − p) ln(S/(n − p)) + ln|XᵀR⁻¹X| − ln(1 − ρ²) − Σ ln c, with S = rᵀR⁻¹r after X, and p columns. Over a gap of g
+//! rows what is left goes on by ρ^g: r_i = ρ^g r_{i−g} + e/√c, c = (1 − ρ²)/(1 − ρ^{2g}).
 
-use super::frame::{Frame, dot};
+use super::frame::{Frame, dot, over_gap};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -17,12 +18,36 @@ pub struct Moments {
     earlier: DMatrix<f64>,
     /// Σ (a_i a_{i−1}ᵀ + a_{i−1} a_iᵀ).
     crossed: DMatrix<f64>,
-    /// The same over points without one.
+    /// The same of the first point.
     first: DMatrix<f64>,
+    gaps: Vec<Gap>,
     points: usize,
-    runs: usize,
     /// Scales of the columns, the residual last.
     scales: Vec<f64>,
+}
+
+/// The same sums of a point behind a gap and the one before it.
+#[derive(Debug, Clone)]
+struct Gap {
+    steps: i32,
+    later: DMatrix<f64>,
+    earlier: DMatrix<f64>,
+    crossed: DMatrix<f64>,
+}
+
+/// Factors of the sums over a gap at a correlation: c, cρ^{2g} and cρ^g.
+#[derive(Debug, Clone, Copy)]
+struct Over {
+    later: f64,
+    earlier: f64,
+    crossed: f64,
+}
+
+impl Over {
+    fn of(steps: i32, rho: f64) -> Self {
+        let (kept, later) = (rho.powi(steps), 1.0 / over_gap(steps, rho).powi(2));
+        Self { later, earlier: later * kept * kept, crossed: later * kept }
+    }
 }
 
 /// What is known at a correlation.
@@ -36,6 +61,8 @@ pub struct Judged {
     pub inverse: Option<DMatrix<f64>>,
     /// The normal matrix of columns of length one, whose least eigenvalue tells how well they are told apart.
     pub normal: DMatrix<f64>,
+    /// What the columns take of the residual, one coefficient each; empty where they cannot be told apart.
+    pub shift: Vec<f64>,
     /// −2 ln L, up to a constant of the columns.
     pub likelihood: f64,
 }
@@ -56,6 +83,7 @@ impl Moments {
         let zero = DMatrix::zeros(count, count);
         let (mut later, mut earlier, mut crossed, mut first) = (zero.clone(), zero.clone(), zero.clone(), zero);
         let runs = runs(frame);
+        let gaps = runs.iter().skip(1).map(|run| gap(frame, &all, (&scales, run.start))).collect();
         for j in 0..count {
             for k in 0..=j {
                 let scale = 1.0 / (scales[j] * scales[k]);
@@ -66,35 +94,50 @@ impl Moments {
                 }
             }
         }
-        Self { later, earlier, crossed, first, points: frame.len(), runs: runs.len(), scales }
+        Self { later, earlier, crossed, first, gaps, points: frame.len(), scales }
     }
 
     /// What is known if neighbours have the correlation `rho`.
     #[must_use]
     pub fn judged(&self, rho: f64) -> Judged {
-        let whole = &self.later + &self.earlier * (rho * rho) - &self.crossed * rho + &self.first * (1.0 - rho * rho);
+        let mut whole =
+            &self.later + &self.earlier * (rho * rho) - &self.crossed * rho + &self.first * (1.0 - rho * rho);
+        for gap in &self.gaps {
+            let over = Over::of(gap.steps, rho);
+            whole += &gap.later * over.later + &gap.earlier * over.earlier - &gap.crossed * over.crossed;
+        }
         let p = self.scales.len() - 1;
         let normal = whole.view((0, 0), (p, p)).clone_owned();
         let tail = whole.view((0, p), (p, 1)).clone_owned();
         let cholesky = normal.clone().cholesky();
         let taken = cholesky.as_ref().map_or(0.0, |root| (tail.transpose() * root.solve(&tail))[(0, 0)]);
-        let freedom = self.points.saturating_sub(p).max(1) as f64;
+        let freedom = self.freedom();
         let squares = (whole[(p, p)] - taken).max(0.0);
         let determinant = cholesky.as_ref().map_or(0.0, |root| root.l().diagonal().iter().map(|x| 2.0 * x.ln()).sum());
         let variance = squares * self.scales[p].powi(2) / freedom;
-        let likelihood =
-            freedom * squares.max(f64::MIN_POSITIVE).ln() + determinant - self.runs as f64 * (1.0 - rho * rho).ln();
+        let likelihood = freedom * squares.max(f64::MIN_POSITIVE).ln() + determinant + self.of_noise(rho);
+        let unscaled = |at: usize, x: f64| x * self.scales[p] / self.scales[at];
+        let shift = cholesky.as_ref().map_or_else(Vec::new, |root| {
+            root.solve(&tail).iter().enumerate().map(|(at, &x)| unscaled(at, x)).collect()
+        });
         let inverse = cholesky.map(|root| {
             let scale = DMatrix::from_diagonal(&DVector::from_iterator(p, self.scales[..p].iter().map(|s| 1.0 / s)));
             &scale * root.inverse() * &scale
         });
-        Judged { correlation: rho, variance, inverse, normal: correlated(&normal), likelihood }
+        Judged { correlation: rho, variance, inverse, normal: correlated(&normal), shift, likelihood }
     }
 
     /// The most likely correlation, zero unless it is more than two standard errors from it.
     #[must_use]
     pub fn most_likely(&self) -> Judged {
-        let white = self.judged(0.0);
+        let (white, peak) = (self.judged(0.0), self.judged(self.peak().tanh()));
+        // Twice the standard error is a likelihood ratio of 4.
+        if peak.likelihood < white.likelihood - 4.0 { peak } else { white }
+    }
+
+    /// atanh of the most likely correlation.
+    #[must_use]
+    pub fn peak(&self) -> f64 {
         let mut triangle = Vec::new();
         let mut at = |x: f64| (x.tanh(), self.likelihood(x.tanh(), &mut triangle));
         let (mut low, mut high) = (-LARGEST.atanh(), LARGEST.atanh());
@@ -112,23 +155,52 @@ impl Moments {
                 at_right = at(right);
             }
         }
-        // Twice the standard error is a likelihood ratio of 4.
-        if at_left.1 < white.likelihood - 4.0 { self.judged(at_left.0) } else { white }
+        at_left.0.atanh()
+    }
+
+    /// ln|R| in units of the variance of e.
+    fn of_noise(&self, rho: f64) -> f64 {
+        let gaps = self.gaps.iter().map(|gap| 2.0 * over_gap(gap.steps, rho).ln()).sum::<f64>();
+        gaps - (1.0 - rho * rho).ln()
+    }
+
+    /// Number of points.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Degrees of freedom left by the columns.
+    #[must_use]
+    pub fn freedom(&self) -> f64 {
+        self.points.saturating_sub(self.scales.len() - 1).max(1) as f64
+    }
+
+    /// atanh of the largest correlation looked for.
+    #[must_use]
+    pub fn farthest() -> f64 {
+        LARGEST.atanh()
     }
 
     /// −2 ln L at the correlation `rho`, as of [`judged`](Self::judged): the root of the bordered normal matrix, row by row
     /// in `triangle`, has the determinant and, last of all, what is left after the columns.
     fn likelihood(&self, rho: f64, triangle: &mut Vec<f64>) -> f64 {
         let count = self.scales.len();
+        let over: Vec<Over> = self.gaps.iter().map(|gap| Over::of(gap.steps, rho)).collect();
         triangle.clear();
         let mut determinant = 0.0;
         let mut squares = 0.0;
         for j in 0..count {
             let row = triangle.len();
             for k in 0..=j {
+                let behind = self.gaps.iter().zip(&over).map(|(gap, over)| {
+                    gap.later[(j, k)] * over.later + gap.earlier[(j, k)] * over.earlier
+                        - gap.crossed[(j, k)] * over.crossed
+                });
                 let whole = self.later[(j, k)] + rho * rho * (self.earlier[(j, k)] - self.first[(j, k)])
                     - rho * self.crossed[(j, k)]
-                    + self.first[(j, k)];
+                    + self.first[(j, k)]
+                    + behind.sum::<f64>();
                 let above = k * (k + 1) / 2;
                 let taken: f64 =
                     triangle[row..].iter().zip(&triangle[above..]).take(k).map(|(one, other)| one * other).sum();
@@ -146,8 +218,21 @@ impl Moments {
                 }
             }
         }
-        let freedom = self.points.saturating_sub(count - 1).max(1) as f64;
-        freedom * squares.max(f64::MIN_POSITIVE).ln() + determinant - self.runs as f64 * (1.0 - rho * rho).ln()
+        let freedom = self.freedom();
+        freedom * squares.max(f64::MIN_POSITIVE).ln() + determinant + self.of_noise(rho)
+    }
+}
+
+/// The sums of the point number `at` behind a gap and the one before it.
+fn gap(frame: &Frame, all: &[Vec<f64>], (scales, at): (&[f64], usize)) -> Gap {
+    let of = |product: &dyn Fn(&[f64], &[f64]) -> f64| {
+        DMatrix::from_fn(all.len(), all.len(), |j, k| product(&all[j], &all[k]) / (scales[j] * scales[k]))
+    };
+    Gap {
+        steps: frame.steps(at),
+        later: of(&|a, b| a[at] * b[at]),
+        earlier: of(&|a, b| a[at - 1] * b[at - 1]),
+        crossed: of(&|a, b| a[at] * b[at - 1] + a[at - 1] * b[at]),
     }
 }
 
@@ -158,8 +243,8 @@ fn runs(frame: &Frame) -> Vec<Range<usize>> {
     starts.iter().zip(ends).map(|(&start, end)| start..end).collect()
 }
 
-/// Σ ab over points with a neighbour before them, over those neighbours, of each with the other's neighbour, and over the
-/// first points of the runs.
+/// Σ ab over points with a neighbour before them, over those neighbours, of each with the other's neighbour, and of the
+/// first point.
 fn neighbours(a: &[f64], b: &[f64], runs: &[Range<usize>]) -> [f64; 4] {
     let mut sums = [0.0; 4];
     for run in runs {
@@ -168,7 +253,9 @@ fn neighbours(a: &[f64], b: &[f64], runs: &[Range<usize>]) -> [f64; 4] {
         sums[0] += dot(&a[1..], &b[1..]);
         sums[1] += dot(&a[..last], &b[..last]);
         sums[2] += dot(&a[1..], &b[..last]) + dot(&a[..last], &b[1..]);
-        sums[3] += a[0] * b[0];
+        if run.start == 0 {
+            sums[3] = a[0] * b[0];
+        }
     }
     sums
 }
@@ -241,6 +328,29 @@ mod tests {
             last
         };
         (0..count).map(|_| next()).collect()
+    }
+
+    /// The sums against white columns, and the determinant against that of the whole matrix, with gaps.
+    #[test]
+    fn noise_goes_on_behind_gaps() {
+        let used = vec![0, 1, 2, 5, 6, 10, 11, 12, 13];
+        let count = used.len();
+        let values = noise(count, 0.0);
+        let frame = Frame::new(&[0.0; 14], used.clone(), Baseline::Absent);
+        for rho in [0.0, 0.3, 0.9, -0.5] {
+            let judged = Moments::of(&frame, &[], &values).judged(rho);
+            let white = frame.with(vec![1.0; count], rho).whitened(&values);
+            let scale = length(&values);
+            assert!((judged.variance * count as f64 / dot(&white, &white) - 1.0).abs() < 1e-12);
+            // R_ij = ρ^{|i − j|}/(1 − ρ²).
+            let apart = |i: usize, j: usize| i32::try_from(used[i].abs_diff(used[j])).unwrap();
+            let whole = DMatrix::from_fn(count, count, |i, j| rho.powi(apart(i, j)) / (1.0 - rho * rho));
+            let rest = DVector::from_vec(values.clone());
+            let squares = rest.dot(&whole.clone().lu().solve(&rest).unwrap());
+            assert!((squares / dot(&white, &white) - 1.0).abs() < 1e-12, "{rho}");
+            let exact = count as f64 * (squares / (scale * scale)).ln() + whole.determinant().ln();
+            assert!((judged.likelihood - exact).abs() < 1e-10, "{rho} {} {exact}", judged.likelihood);
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::Ground;
 use crate::numerics::chebyshev::Chebyshev;
 use crate::numerics::quadrature;
-use crate::shape::{Profile, Rim};
+use crate::shape::{Moved, Profile, Rim};
 use std::f64::consts::{PI, TAU};
 use std::sync::{Arc, OnceLock};
 
@@ -248,6 +248,10 @@ impl Profile for Grounded {
 
     fn first_fall(&self) -> Option<f64> {
         self.shape.first_fall().map(|fall| self.ground.measure(fall.min(self.reach())))
+    }
+
+    fn moved(&self) -> Option<Moved> {
+        self.shape.moved()
     }
 
     fn sampling_error(&self, a: f64) -> f64 {

@@ -52,8 +52,8 @@ impl TableError {
     }
 }
 
-/// A source of tables.
-pub trait Tables {
+/// A source of tables, which several threads may ask.
+pub trait Tables: Sync {
     /// Names of the columns the table at `path` has, in its order.
     ///
     /// # Errors

@@ -16,6 +16,7 @@ pub mod discrete;
 pub mod exponential;
 pub mod extrapolation;
 pub mod extremum;
+pub mod isotonic;
 pub mod legendre;
 pub mod normal;
 pub mod quadrature;

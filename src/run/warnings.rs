@@ -4,7 +4,7 @@ use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
 use crate::scene::plan::{HalfSpacePlan, Plan, RoughImpactPlan, RoughPlan, Shared};
 use crate::scene::surface::Source;
-use crate::shape::{Profile, Shape, Sphere};
+use crate::shape::{Moved, Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
 /// Slope of the indenter at the edge beyond which the half-space is doubtful; the error grows with
@@ -92,7 +92,16 @@ fn round(plan: &Plan, profile: &dyn Profile, records: &[Record]) -> Vec<String> 
     let Some(a) = radii.max_by(f64::total_cmp) else { return Vec::new() };
     let shape =
         [steep(plan, profile, a), not_a_ball(plan, a), not_two_balls(plan, a), two_radii(plan), connected(profile, a)];
-    shape.into_iter().chain([tabor(plan), coupled(plan)]).flatten().collect()
+    let shape = shape.into_iter().chain([profile.moved().map(told_of_moved)]);
+    shape.chain([tabor(plan), coupled(plan)]).flatten().collect()
+}
+
+/// What was done to a measured profile with noise.
+fn told_of_moved(moved: Moved) -> String {
+    format!(
+        "the measured heights were made to rise, their slope over ln r too, so that the contact stays a circle: moved by {:.2e} m (root of the mean square), {:.2e} m at most",
+        moved.rms, moved.largest
+    )
 }
 
 /// Whether a body has a yield stress.

@@ -73,6 +73,9 @@ pub enum Baseline {
     Constant,
     /// A constant and a tilt, in proportion to the drive.
     Linear,
+    /// A constant and a virtual deflection: a part of the deflection of a cantilever in proportion to the way of its piezo,
+    /// which is in the force and in the depth.
+    Virtual,
 }
 
 /// Where the bodies touch first.

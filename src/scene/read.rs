@@ -73,10 +73,12 @@ impl Reading<'_> {
 
     /// The table that a history entry names.
     fn motion(&mut self, (number, entry): (usize, &Entry)) -> Option<MotionTable> {
-        let Entry::Table(path) = entry else { return None };
+        let (path, control) = entry.table()?;
         let place = format!("history[{number}]");
         let problem = |what: String| vec![Problem::new(&place, what)];
-        self.part(&place, |tables| MotionTable::read(path, tables).map_err(|error| problem(error.to_string())))
+        self.part(&place, |tables| {
+            MotionTable::read((path, control), tables).map_err(|error| problem(error.to_string()))
+        })
     }
 }
 
@@ -138,7 +140,7 @@ impl Geometry {
 
 /// Whether the state of a contact follows from its present depth or force, which a wave needs that may lie flat.
 fn is_of_the_present(scene: &Scene) -> bool {
-    let slides = |entry: &Entry| matches!(entry, Entry::Slide(_) | Entry::Shake(_) | Entry::Table(_));
+    let slides = |entry: &Entry| matches!(entry, Entry::Slide(_) | Entry::Shake(_)) || entry.table().is_some();
     let rubs = scene.friction.is_some() && scene.history.iter().any(slides);
     let pinned = scene.adhesion.as_ref().is_some_and(|adhesion| adhesion.traits().closing.is_some());
     !scene.relaxes() && !pinned && !rubs && scene.springs.is_none()

@@ -44,7 +44,7 @@ pub use pad::{Pad, Summits};
 pub use paraboloid::Paraboloid;
 pub use plane::{Cylinder, PlaneRipple, PlaneWave, PlaneWavy};
 pub use power::{Cone, Power};
-pub use profile::{Profile, Rim, height_by_integral, reduced_by_integral};
+pub use profile::{Moved, Profile, Rim, height_by_integral, reduced_by_integral};
 pub use punch::FlatPunch;
 pub use rough_line::{RoughShape, Seeds};
 pub use rounded::{RoundedCone, RoundedPunch};
@@ -90,6 +90,8 @@ pub enum Shape {
     Ellipsoid(Ellipsoid),
     /// Measured profile: a table with the columns `radius_m` and `height_m`.
     Table(PathBuf),
+    /// The same with noise: made to rise so that the contact stays a circle, and how far heights were moved is told.
+    SmoothTable(PathBuf),
     /// Rough line, alone or on a smooth shape.
     RoughLine(RoughShape),
     /// Heights of a measured or generated surface, a plain matrix or `.npy` [m], and the size of a pixel.
@@ -171,6 +173,7 @@ impl Shape {
             Self::WavyParaboloid(_) => "WavyParaboloid",
             Self::Ellipsoid(_) => "Ellipsoid",
             Self::Table(_) => "Table",
+            Self::SmoothTable(_) => "SmoothTable",
             Self::RoughLine(_) => "RoughLine",
             Self::Cylinder(_) => "Cylinder",
             Self::PlaneWave(_) => "PlaneWave",
@@ -228,7 +231,8 @@ impl Shape {
             | Self::Ellipsoid(_)
             | Self::Cylinder(_)
             | Self::PlaneWave(_)
-            | Self::Table(_) => Family::Round,
+            | Self::Table(_)
+            | Self::SmoothTable(_) => Family::Round,
             Self::RoughLine(line) => Family::Line(line),
             Self::HeightMap(path, pixel) => Family::Map(MapSource::Plain(path, *pixel)),
             Self::Topography(topography) => Family::Map(MapSource::Treated(topography)),
@@ -271,6 +275,7 @@ impl Shape {
             Self::Cylinder(shape) => Arc::new(Lying::from(shape)),
             Self::PlaneWave(shape) => Arc::new(Lying::from(shape)),
             Self::Table(path) => Arc::new(Measured::read(path, tables)?),
+            Self::SmoothTable(path) => Arc::new(Measured::smooth(path, tables)?),
             Self::RoughLine(line) => match &line.base {
                 Some(base) => base.profile(tables)?,
                 None => return Err(ShapeError::NoProfile(self.name())),

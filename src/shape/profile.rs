@@ -5,6 +5,15 @@ use crate::numerics::quadrature;
 use crate::numerics::root;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
+/// How far measured heights were moved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moved {
+    /// By the most [m].
+    pub largest: f64,
+    /// Root of the mean square [m].
+    pub rms: f64,
+}
+
 /// The end of a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rim {
@@ -127,6 +136,11 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
     /// Radius [m] at which g′ first becomes negative: a larger contact would not stay simply
     /// connected and the mapping would not be exact. `None` if that never happens.
     fn first_fall(&self) -> Option<f64> {
+        None
+    }
+
+    /// How far measured heights were moved to make them rise; `None` of others.
+    fn moved(&self) -> Option<Moved> {
         None
     }
 

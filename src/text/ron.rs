@@ -21,10 +21,33 @@ pub fn scene(text: &str) -> Result<Scene, Faulty<Scene, TextError>> {
     let options = ron::Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_VARIANT_NEWTYPES)
         .with_recursion_limit(DEEPEST);
-    options.from_str(text).or_else(|_| {
+    let read = options.from_str(text);
+    if let (Ok(_), Some(fault)) = (&read, no_power_law(text)) {
+        return Err(Faulty { faults: vec![fault], rest: None });
+    }
+    read.or_else(|_| {
         let read = |mending: &Mending| options.from_str_seed(text, mending.watch(PhantomData));
         mend::read_all(text.len(), read, |error| wrong(&error.code))
             .map_err(|faulty| faulty.told(|error| explained(text, error)))
+    })
+}
+
+/// A series of terms under the name of a power law: RON reads the name before fields and forgets it.
+fn no_power_law(text: &str) -> Option<TextError> {
+    const NAME: &str = "PowerLaw";
+    if !text.contains(NAME) {
+        return None;
+    }
+    let values = walk::values(text);
+    let named = values.iter().filter(|(path, token)| path.ends_with(".shear") && text[token.clone()] == *NAME);
+    let mut empty = named.filter(|(path, _)| {
+        let modulus = format!("{path}.modulus");
+        values.iter().all(|(path, _)| *path != modulus)
+    });
+    empty.next().map(|(path, token)| {
+        let right =
+            "expected PowerLaw(modulus: …, exponent: …, time: …), or (equilibrium: …, terms: […]) without a name";
+        TextError::at(text, token.start, format!("{path}: PowerLaw has no modulus: {right}"))
     })
 }
 

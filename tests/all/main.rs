@@ -10,6 +10,8 @@ mod beds;
 mod circles;
 #[cfg(feature = "cli")]
 mod compare;
+#[cfg(feature = "cli")]
+mod coverage;
 mod elastic_laws;
 #[cfg(feature = "cli")]
 mod fit;

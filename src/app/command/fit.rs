@@ -34,7 +34,8 @@ pub struct Arguments {
     /// Stiffness of the cantilever, for data of deflection and piezo, such as "0.05 N/m".
     #[arg(long, value_name = "STIFFNESS")]
     spring: Option<SpringStiffness>,
-    /// Line under the force: absent, constant (the default) or linear.
+    /// Line under the force: absent, constant (the default), linear, or virtual: a deflection of the cantilever in proportion
+    /// to the way of the piezo.
     #[arg(long, value_name = "KIND", value_parser = baseline)]
     baseline: Option<Baseline>,
     /// First touch: free (the default), or at the zero of the depths.
@@ -77,7 +78,8 @@ fn baseline(text: &str) -> Result<Baseline, String> {
         "absent" => Ok(Baseline::Absent),
         "constant" => Ok(Baseline::Constant),
         "linear" => Ok(Baseline::Linear),
-        _ => Err("expected absent, constant or linear".to_owned()),
+        "virtual" => Ok(Baseline::Virtual),
+        _ => Err("expected absent, constant, linear or virtual".to_owned()),
     }
 }
 

@@ -101,7 +101,7 @@ fn models_text(models: &[Tried]) -> String {
     for Tried { name, standing, answer } in ranked {
         let told = match (standing, answer) {
             (Some(standing), Ok(answered)) => {
-                let mut told = format!("ΔAIC {:.1}, weight {:.3}", standing.beyond_best, standing.weight);
+                let mut told = format!("ΔBIC {:.1}, weight {:.3}", standing.beyond_best, standing.weight);
                 let tabor = answered.tabor.map(|tabor| format!(", Tabor parameter {tabor:.3}"));
                 told.push_str(&tabor.unwrap_or_default());
                 told.push_str(if answered.fit.rejected { "; the data speak against it" } else { "" });
@@ -124,7 +124,7 @@ pub fn models_table(fitted: &Fitted) -> Result<String, csv::Error> {
     writer.write_record(MODEL_COLUMNS)?;
     for model in &fitted.models {
         let row = ModelRow::of(model);
-        let head = [cell(row.aic_beyond_best), cell(row.weight), cell(row.chi2), cell(row.tabor_parameter)];
+        let head = [cell(row.bic_beyond_best), cell(row.weight), cell(row.chi2), cell(row.tabor_parameter)];
         let rejected = row.rejected.map_or_else(String::new, |rejected| rejected.to_string());
         let line = |parameter: Option<&Parameter<'_>>| {
             let of = |of: fn(&Parameter<'_>) -> Option<f64>| cell(parameter.and_then(of));
@@ -147,7 +147,7 @@ pub fn models_table(fitted: &Fitted) -> Result<String, csv::Error> {
 
 const MODEL_COLUMNS: [&str; 13] = [
     "model",
-    "aic_beyond_best",
+    "bic_beyond_best",
     "weight",
     "chi2",
     "tabor_parameter",

@@ -41,7 +41,7 @@ struct GivenRow<'f> {
 #[derive(Serialize)]
 pub(super) struct ModelRow<'f> {
     pub model: &'f str,
-    pub aic_beyond_best: Option<f64>,
+    pub bic_beyond_best: Option<f64>,
     pub weight: Option<f64>,
     pub chi2: Option<f64>,
     pub rejected: Option<bool>,
@@ -56,7 +56,7 @@ impl<'f> ModelRow<'f> {
         let fit = answer.ok().map(|answered| &answered.fit);
         Self {
             model: &tried.name,
-            aic_beyond_best: tried.standing.map(|standing| standing.beyond_best),
+            bic_beyond_best: tried.standing.map(|standing| standing.beyond_best),
             weight: tried.standing.map(|standing| standing.weight),
             chi2: fit.and_then(|fit| fit.chi2),
             rejected: fit.map(|fit| fit.rejected),

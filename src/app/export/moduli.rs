@@ -32,16 +32,21 @@ struct Shifted {
 struct Shift {
     temperature_k: f64,
     log10_shift: f64,
+    standard_error: f64,
 }
 
 impl Shifted {
     fn of(master: &Master) -> Self {
-        let shift = |&(temperature_k, log10_shift): &(f64, f64)| Shift { temperature_k, log10_shift };
+        let shift = |(&(temperature_k, log10_shift), &standard_error): (&(f64, f64), &f64)| Shift {
+            temperature_k,
+            log10_shift,
+            standard_error,
+        };
         Self {
             reference_k: master.reference,
             wlf_c1: master.wlf.map(|law| law.0),
             wlf_c2_k: master.wlf.map(|law| law.1),
-            shifts: master.shifts.iter().map(shift).collect(),
+            shifts: master.shifts.iter().zip(&master.errors).map(shift).collect(),
         }
     }
 }
@@ -96,9 +101,9 @@ pub fn spectrum_text(file: &str, spectrum: &Spectrum, master: Option<&Master>) -
     let terms: Vec<String> = spectrum.terms.iter().map(term).collect();
     let _ = writeln!(lines, "shear: (equilibrium: {:.5e}, terms: [{}])", spectrum.equilibrium, terms.join(", "));
     if let Some(master) = master {
-        for &(temperature, log) in &master.shifts {
+        for (&(temperature, log), error) in master.shifts.iter().zip(&master.errors) {
             let law = master.law(temperature).map_or_else(String::new, |law| format!("  ({law:.3} by the law)"));
-            let _ = writeln!(lines, "  at {temperature:.2} K: log a_T {log:.3}{law}");
+            let _ = writeln!(lines, "  at {temperature:.2} K: log a_T {log:.3} ± {error:.3}{law}");
         }
         let _ = match master.wlf {
             Some((c1, c2)) => {
@@ -116,9 +121,14 @@ pub fn spectrum_text(file: &str, spectrum: &Spectrum, master: Option<&Master>) -
 /// The text cannot be put together.
 pub fn shifts_table(master: &Master) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["temperature_k", "log10_shift", "wlf_log10_shift"])?;
-    for &(temperature, log) in &master.shifts {
-        writer.write_record([cell(Some(temperature)), cell(Some(log)), cell(master.law(temperature))])?;
+    writer.write_record(["temperature_k", "log10_shift", "standard_error", "wlf_log10_shift"])?;
+    for (&(temperature, log), &error) in master.shifts.iter().zip(&master.errors) {
+        writer.write_record([
+            cell(Some(temperature)),
+            cell(Some(log)),
+            cell(Some(error)),
+            cell(master.law(temperature)),
+        ])?;
     }
     text(writer)
 }

@@ -64,6 +64,10 @@ pub enum Entry {
     Impact(Impact),
     /// A table of time and indentation or force, next to the scene.
     Table(PathBuf),
+    /// The same where the table has both, driven by its indentation.
+    DepthTable(PathBuf),
+    /// The same, driven by its force.
+    ForceTable(PathBuf),
 }
 
 /// What an entry is, for all that must know: the rules read it, the stages are followed.
@@ -147,12 +151,25 @@ impl Entry {
             Self::Impact(impact) => {
                 EntryTraits { stages: Vec::new(), impact: Some(impact), ..moves("Impact", "", rest) }
             }
-            Self::Table(path) => EntryTraits {
+            Self::Table(path) | Self::DepthTable(path) | Self::ForceTable(path) => EntryTraits {
                 stages: motion.map_or_else(Vec::new, |motion| motion.stages(number)),
                 table: motion.map(|motion| (path.as_path(), &motion.rows[..])),
                 least_records: motion.map_or(1, |motion| motion.time.len()),
                 ..moves("Table", "", rest)
             },
+        }
+    }
+}
+
+impl Entry {
+    /// The table of a motion, and what of it drives if that is said.
+    #[must_use]
+    pub fn table(&self) -> Option<(&std::path::Path, Option<Control>)> {
+        match self {
+            Self::Table(path) => Some((path.as_path(), None)),
+            Self::DepthTable(path) => Some((path.as_path(), Some(Control::Indentation))),
+            Self::ForceTable(path) => Some((path.as_path(), Some(Control::Force))),
+            _ => None,
         }
     }
 }

@@ -33,14 +33,14 @@ const RIGHT: &str = "expected time_s, one of indentation_m and force_n, and slid
 
 impl MotionTable {
     /// The motion in the table at `path`: columns `time_s`, `indentation_m` or `force_n`, and
-    /// perhaps `slide_m`.
+    /// perhaps `slide_m`; `control` says which where both are there.
     ///
     /// # Errors
     /// The table cannot be read, a column is missing or one too many, there are fewer than two
     /// rows, or the times do not increase.
-    pub fn read(path: &Path, tables: &dyn Tables) -> Result<Self, TableError> {
+    pub fn read((path, control): (&Path, Option<Control>), tables: &dyn Tables) -> Result<Self, TableError> {
         let names = tables.names(path)?;
-        let wanted = wanted(&names).map_err(|message| TableError::whole(path, message))?;
+        let wanted = wanted(&names, control).map_err(|message| TableError::whole(path, message))?;
         let Columns { mut values, rows } = tables.columns(path, &wanted)?;
         let slide = if wanted.len() > 2 { values.pop() } else { None };
         let (Some(control), Some(time)) = (values.pop(), values.pop()) else {
@@ -71,7 +71,7 @@ impl MotionTable {
 }
 
 /// The columns to ask for, in the order time, control, slide.
-fn wanted(names: &[String]) -> Result<Vec<&'static str>, String> {
+fn wanted(names: &[String], control: Option<Control>) -> Result<Vec<&'static str>, String> {
     let has = |name: &str| names.iter().any(|known| known == name);
     let known = ["time_s", "indentation_m", "force_n", "slide_m"];
     if let Some(extra) = names.iter().find(|name| !known.contains(&name.as_str())) {
@@ -80,11 +80,16 @@ fn wanted(names: &[String]) -> Result<Vec<&'static str>, String> {
     if !has("time_s") {
         return Err(format!("the column time_s is missing: {RIGHT}"));
     }
-    let control = match (has("indentation_m"), has("force_n")) {
-        (true, true) => return Err(format!("indentation_m and force_n cannot both be controlled: {RIGHT}")),
-        (true, false) => "indentation_m",
-        (false, true) => "force_n",
-        (false, false) => return Err(format!("neither indentation_m nor force_n is there: {RIGHT}")),
+    let control = match (has("indentation_m"), has("force_n"), control) {
+        (true, true, None) => {
+            let right = "expected DepthTable(…) or ForceTable(…) to say which";
+            return Err(format!("indentation_m and force_n cannot both be controlled: {right}, or {}", &RIGHT[9..]));
+        }
+        (true, _, Some(Control::Indentation)) | (true, false, None) => "indentation_m",
+        (_, true, Some(Control::Force)) | (false, true, None) => "force_n",
+        (_, _, Some(Control::Indentation)) => return Err(format!("the column indentation_m is missing: {RIGHT}")),
+        (_, _, Some(Control::Force)) => return Err(format!("the column force_n is missing: {RIGHT}")),
+        (false, false, None) => return Err(format!("neither indentation_m nor force_n is there: {RIGHT}")),
     };
     Ok([Some("time_s"), Some(control), has("slide_m").then_some("slide_m")].into_iter().flatten().collect())
 }
@@ -105,7 +110,7 @@ mod tests {
 
     fn read(columns: &[(&str, &[f64])]) -> Result<MotionTable, String> {
         let tables = InMemory::default().with("h.csv", columns);
-        MotionTable::read(Path::new("h.csv"), &tables).map_err(|error| error.to_string())
+        MotionTable::read((Path::new("h.csv"), None), &tables).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -114,6 +119,19 @@ mod tests {
         assert_eq!(motion.time, [0.0, 0.5]);
         assert_eq!(motion.control, Driven::Force(vec![2.0, 3.0]));
         assert_eq!(motion.slide, Some(vec![0.0, 1.0]));
+    }
+
+    #[test]
+    fn one_of_two_is_chosen() {
+        let columns: [(&str, &[f64]); 3] =
+            [("time_s", &[0.0, 1.0]), ("indentation_m", &[0.0, 2.0]), ("force_n", &[0.0, 3.0])];
+        let tables = InMemory::default().with("h.csv", &columns);
+        let driven = |control| MotionTable::read((Path::new("h.csv"), Some(control)), &tables).unwrap().control;
+        assert_eq!(driven(Control::Indentation), Driven::Indentation(vec![0.0, 2.0]));
+        assert_eq!(driven(Control::Force), Driven::Force(vec![0.0, 3.0]));
+        let tables = InMemory::default().with("h.csv", &columns[..2]);
+        let error = MotionTable::read((Path::new("h.csv"), Some(Control::Force)), &tables).unwrap_err().to_string();
+        assert!(error.contains("force_n is missing"), "{error}");
     }
 
     #[test]

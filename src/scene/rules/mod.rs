@@ -106,7 +106,7 @@ impl Rule {
 }
 
 /// Every refusal of a pair.
-pub const RULES: [Rule; 99] = [
+pub const RULES: &[Rule] = &[
     Rule::once(Bodies, Bodies, parts::two_rigid),
     Rule::once(Solver, Solver, pixels::built),
     Rule::once(Solver, Solver, pixels::grid),
@@ -131,6 +131,7 @@ pub const RULES: [Rule; 99] = [
     Rule::once(Bodies, Springs, plastic::on_springs),
     Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
     Rule::once(Adhesion, Bodies, power_law::under_adhesion),
+    Rule::once(Bodies, Bodies, power_law::in_layers),
     Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
     Rule::once(Adhesion, Shape, parts::range_on_shape),
     Rule::once(Adhesion, Solver, parts::fading),

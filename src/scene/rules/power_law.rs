@@ -3,6 +3,7 @@
 use super::draft::Draft;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::input::problem::Problem;
+use crate::material::Body;
 use crate::scene::history::EntryTraits;
 use crate::scene::mended::Look;
 use crate::scene::stage::Path;
@@ -24,6 +25,19 @@ pub(super) fn under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
             adhesion.name
         ),
     ))
+}
+
+/// The bed over layers asks for their response at every place and time of a series; the many short times of a power law
+/// make that minutes.
+pub(super) fn in_layers(draft: &Draft<'_>) -> Option<Problem> {
+    if draft.chooses_solver()? {
+        return None;
+    }
+    let (one, two) = draft.bodies(Look::Kind)?;
+    let mut named = [("bodies.0", one), ("bodies.1", two)].into_iter();
+    let (place, _) = named.find(|(_, body)| matches!(body, Body::Layered(_)) && body.power_law().is_some())?;
+    let what = "Layered of bodies that relax by a PowerLaw cannot be computed, for the many short times of the series that stands for it take minutes over layers: expected shear: (equilibrium: …, terms: […]), or Viscoelastic without layers";
+    Some(Problem::new(place, what))
 }
 
 /// The series that stands for the law needs to know the times of the history beforehand.

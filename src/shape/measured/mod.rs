@@ -3,8 +3,9 @@
 mod abel;
 mod interpolant;
 mod samples;
+mod smoothed;
 
-use super::{Profile, Rim};
+use super::{Moved, Profile, Rim};
 use crate::input::table::{Columns, TableError, Tables};
 use crate::numerics::root;
 use interpolant::{FEWEST as FEWEST_ROWS, Interpolant};
@@ -23,6 +24,7 @@ pub struct Measured {
     samples: Samples,
     feature: Option<f64>,
     fall: Option<f64>,
+    moved: Option<Moved>,
 }
 
 impl Measured {
@@ -35,22 +37,46 @@ impl Measured {
         let Columns { values, rows } = tables.columns(path, &["radius_m", "height_m"])?;
         let [radii, heights] = <[Vec<f64>; 2]>::try_from(values)
             .map_err(|_| TableError::whole(path, "expected the columns radius_m and height_m"))?;
-        check((&radii, &heights), &rows).map_err(|(row, message)| match row {
-            Some(row) => TableError::at(path, row, message),
-            None => TableError::whole(path, message),
-        })?;
+        check((&radii, &heights), &rows).map_err(|fault| told(path, fault))?;
         Ok(Self::joined(radii, heights))
+    }
+
+    /// Reads the same columns, whose heights may fall by noise, and makes them rise so that the contact stays a circle.
+    ///
+    /// # Errors
+    /// As of [`read`](Self::read), but for heights that fall: those that do not rise from the first row to the last.
+    pub fn smooth(path: &Path, tables: &dyn Tables) -> Result<Self, TableError> {
+        let Columns { values, rows } = tables.columns(path, &["radius_m", "height_m"])?;
+        let [radii, heights] = <[Vec<f64>; 2]>::try_from(values)
+            .map_err(|_| TableError::whole(path, "expected the columns radius_m and height_m"))?;
+        rising_radii(&radii, &rows).map_err(|fault| told(path, fault))?;
+        let (found, moved) = smoothed::smoothed(&radii, &heights);
+        if found[found.len() - 1] <= found[0] {
+            return Err(TableError::whole(path, "the heights do not rise: expected a flank from the apex outwards"));
+        }
+        // Where g′ falls between rows though their secants rise, it is the cubic that does.
+        Ok(Self { moved: Some(moved), fall: None, ..Self::joined(radii, found) })
     }
 
     fn joined(radii: Vec<f64>, heights: Vec<f64>) -> Self {
         let samples = Samples::new(Interpolant::new(radii, heights));
         let (feature, fall) = (feature(&samples), first_fall(&samples));
-        Self { samples, feature, fall }
+        Self { samples, feature, fall, moved: None }
     }
 }
 
-/// What is wrong with the columns, with the row of the file.
-fn check((radii, heights): (&[f64], &[f64]), rows: &[usize]) -> Result<(), (Option<usize>, String)> {
+/// What is wrong, and in which row of the file.
+type Wrong = (Option<usize>, String);
+
+fn told(path: &Path, (row, message): Wrong) -> TableError {
+    match row {
+        Some(row) => TableError::at(path, row, message),
+        None => TableError::whole(path, message),
+    }
+}
+
+/// What is wrong with the radii.
+fn rising_radii(radii: &[f64], rows: &[usize]) -> Result<(), Wrong> {
     if radii.len() < FEWEST_ROWS {
         return Err((None, format!("{} rows of numbers: expected at least {FEWEST_ROWS}", radii.len())));
     }
@@ -64,9 +90,19 @@ fn check((radii, heights): (&[f64], &[f64]), rows: &[usize]) -> Result<(), (Opti
         if radius <= before {
             return Err((Some(row), format!("radius_m = {radius:?} after {before:?}: expected rising radii")));
         }
+    }
+    Ok(())
+}
+
+/// What is wrong with the columns.
+fn check((radii, heights): (&[f64], &[f64]), rows: &[usize]) -> Result<(), Wrong> {
+    rising_radii(radii, rows)?;
+    for (i, &row) in rows.iter().enumerate().skip(1) {
         let (before, height) = (heights[i - 1], heights[i]);
         if height < before {
-            let message = format!("height_m = {height:?} after {before:?}: expected heights that do not fall");
+            let message = format!(
+                "height_m = {height:?} after {before:?}: expected heights that do not fall, or SmoothTable(…) of heights with noise"
+            );
             return Err((Some(row), message));
         }
     }
@@ -162,6 +198,10 @@ impl Profile for Measured {
         self.fall
     }
 
+    fn moved(&self) -> Option<Moved> {
+        self.moved
+    }
+
     fn breaks(&self, a: f64) -> Vec<f64> {
         self.samples.ends(a)
     }
@@ -187,6 +227,7 @@ mod tests {
     use crate::input::table::InMemory;
     use crate::shape::tests::laws::{metres, plain};
     use crate::shape::{Cone, Paraboloid, Sphere};
+    use proptest::prelude::*;
 
     fn measured(radii: &[f64], height: impl Fn(f64) -> f64) -> Measured {
         let heights: Vec<f64> = radii.iter().map(|&r| height(r)).collect();
@@ -308,6 +349,43 @@ mod tests {
         println!("ready {ready:?}, 100 states {states:?}, 100 pressures {pressures:?}");
     }
 
+    fn smooth(radii: &[f64], heights: &[f64]) -> Measured {
+        let tables = InMemory::default().with("tip.csv", &[("radius_m", radii), ("height_m", heights)]);
+        Measured::smooth(Path::new("tip.csv"), &tables).unwrap()
+    }
+
+    /// What rises as it should stays as it is.
+    #[test]
+    fn a_clean_profile_is_not_moved() {
+        for height in [|r: f64| r * r / 3.0, |r: f64| 0.3 * r, |r: f64| 2.0 - (4.0 - r * r).sqrt()] {
+            let radii = even(200);
+            let heights: Vec<f64> = radii.iter().map(|&r| height(r)).collect();
+            let moved = smooth(&radii, &heights).moved().unwrap();
+            assert!(moved.largest < 1e-14, "{moved:?}");
+        }
+    }
+
+    proptest! {
+        /// A paraboloid with even noise of ±1 % of its height: the contact stays a circle, and the profile comes nearer to
+        /// the paraboloid than the measurement was.
+        #[test]
+        fn noise_is_taken_off(draws in prop::collection::vec(-1000i32..1000, 201)) {
+            let radii = even(201);
+            let noise: Vec<f64> = draws.iter().map(|draw| 1e-5 / 3.0 * f64::from(*draw)).collect();
+            let heights: Vec<f64> = radii.iter().zip(&noise).map(|(r, noise)| r * r / 3.0 + noise).collect();
+            let table = smooth(&radii, &heights);
+            let depth = |k: u32| table.reduced(f64::from(k) / 200.0);
+            prop_assert!((1..=200).all(|k| depth(k - 1) <= depth(k)));
+            // Heights count from their own zero.
+            let square = |off: &dyn Fn(usize) -> f64| {
+                let mean = (0..201).map(off).sum::<f64>() / 201.0;
+                (0..201).map(|k| (off(k) - mean).powi(2)).sum::<f64>()
+            };
+            let left = square(&|k| table.height(radii[k]) - radii[k] * radii[k] / 3.0);
+            prop_assert!(left < 0.25 * square(&|k| noise[k]), "{left}");
+        }
+    }
+
     #[test]
     fn a_terrace_breaks_the_connection() {
         let table = measured(&even(101), |r| if r < 0.5 { 0.2 * r } else { 0.1 + (r - 0.7).max(0.0) });
@@ -359,7 +437,10 @@ mod tests {
         let text = message(&[0.0, 1.0, 1.0], &[0.0; 3]);
         assert_eq!(text, "tip.csv, row 4: radius_m = 1.0 after 1.0: expected rising radii");
         let text = message(&[0.0, 1.0, 2.0], &[0.0, 2.0, 1.0]);
-        assert_eq!(text, "tip.csv, row 4: height_m = 1.0 after 2.0: expected heights that do not fall");
+        assert_eq!(
+            text,
+            "tip.csv, row 4: height_m = 1.0 after 2.0: expected heights that do not fall, or SmoothTable(…) of heights with noise"
+        );
         let text = message(&[0.0, 1.0, 2.0], &[1.0; 3]);
         assert_eq!(text, "tip.csv: all heights are the same: use FlatPunch(radius: …)");
     }

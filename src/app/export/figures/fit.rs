@@ -63,7 +63,7 @@ pub fn models_figure(fitted: &Fitted) -> Figure {
     for ((model, one), (hue, line)) in answered.zip(STYLES.into_iter().cycle()) {
         let drawn = |of: &dyn Fn(usize) -> f64| one.fit.used.iter().map(|&at| (x[at], of(at))).collect::<Vec<_>>();
         let beyond = model.standing.map_or(f64::NAN, |standing| standing.beyond_best);
-        let label = format!("{}, ΔAIC {beyond:.1}", model.name);
+        let label = format!("{}, ΔBIC {beyond:.1}", model.name);
         curves = curves.with(Series::new(label, drawn(&|at| one.fit.model[at])).colour(hue).line(line));
         let rest = one.fit.used.iter().map(|&at| (x[at], response[at] - one.fit.model[at])).collect::<Vec<_>>();
         left = left.with(Series::new("", means(&rest)).colour(hue).line(line));
