@@ -46,12 +46,20 @@ impl Heat {
                 let value = cells.values.get(column * cells.y.len() + row).copied().flatten();
                 let place = value.and_then(|value| ruler.range.place(value));
                 if let (Some(at), Some(from), Some(to)) = (place, map.place((x[0], y[1])), map.place((x[1], y[0]))) {
-                    drawn.push(Cell { from, to, colour: colour(at) });
+                    drawn.push(Cell { from, to, colour: step_of(at) });
                 }
             }
         }
+        // Cells of one colour follow each other, and are one path on the sheet.
+        drawn.sort_by_key(|cell: &Cell| (cell.colour.0, cell.colour.1, cell.colour.2));
         Self { cells: drawn, ruler }
     }
+}
+
+/// The colour of the step of the scale that a fraction of it lies in.
+fn step_of(at: f64) -> RGBColor {
+    let steps = f64::from(STEPS);
+    colour(((at * steps).floor().clamp(0.0, steps - 1.0) + 0.5) / steps)
 }
 
 /// Ends of the cells around rising values: midway between neighbours, as far beyond the outer ones.
