@@ -10,6 +10,8 @@ mod beds;
 mod circles;
 #[cfg(feature = "cli")]
 mod compare;
+#[cfg(feature = "watch")]
+mod devtools;
 mod elastic_laws;
 #[cfg(feature = "cli")]
 mod fit;
