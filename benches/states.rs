@@ -8,6 +8,7 @@ use springbed::contact::adhesion::line::EdgeLine;
 use springbed::contact::direct::QuasiStatic;
 use springbed::contact::foundation::Foundation;
 use springbed::input::quantity::Length;
+use springbed::library::Contact;
 use springbed::run::{Wanted, run};
 use springbed::scene::plan::Plan;
 use springbed::shape::Paraboloid;
@@ -84,5 +85,31 @@ fn pull_off(plan: &Plan) -> f64 {
     outcome.records.iter().map(|record| record.normal.force).fold(0.0, f64::min)
 }
 
-criterion_group!(benches, one_state, one_curve, many_scenes);
+/// A step of a contact that a program of the user owns, its force wanted: a ball on its way to and fro, sticking and
+/// slipping, and a lens in adhesion.
+fn one_step(c: &mut Criterion) {
+    let mut group = c.benchmark_group("step of an owned contact");
+    let ball = Contact::paraboloid(5e-3).unwrap().elastic(115e9).unwrap();
+    let mut ball = ball.coulomb(98e9, 0.3).unwrap();
+    let lens = Contact::paraboloid(2.5e-3).unwrap().elastic(MODULUS).unwrap();
+    let mut lens = lens.jkr(WORK).unwrap();
+    let mut at = 0u32;
+    group.bench_function("hertz with coulomb", |b| {
+        b.iter(|| {
+            at = (at + 1) % 400;
+            let part = f64::from(at.abs_diff(200)) / 200.0;
+            ball.advance(black_box(1e-6 * (1.0 + 0.1 * part)), 3e-7 * part).unwrap();
+            ball.force() + ball.tangential_force()
+        });
+    });
+    group.bench_function("jkr", |b| {
+        b.iter(|| {
+            at = (at + 1) % 400;
+            lens.advance(black_box(1e-5 * (1.0 + f64::from(at.abs_diff(200)) / 200.0)), 0.0).unwrap();
+            lens.force()
+        });
+    });
+}
+
+criterion_group!(benches, one_state, one_step, one_curve, many_scenes);
 criterion_main!(benches);

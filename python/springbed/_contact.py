@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Callable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
@@ -25,79 +25,34 @@ class _Parts(NamedTuple):
     friction: Optional[list[float]]
 
 
-class Contact:
-    """Contacts that remember: each has its own state, all are moved together.
+#: What the makers of contacts take beside the size.
+_PARTS = """
+Parameters
+----------
+modulus
+    E* [Pa] of elastic bodies, 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂.
+relaxation
+    E*(t) of viscoelastic bodies instead: equilibrium modulus [Pa], terms of modulus [Pa] and time [s], viscosity
+    [Pa s].
+work
+    Work of adhesion w [J/m²] (Johnson, Kendall & Roberts).
+stress
+    Attractive stress σ₀ [Pa] up to the gap w/σ₀ (Maugis).
+tangential_modulus, friction
+    G* [Pa] and the coefficient μ of Coulomb friction; not with adhesion.
+count
+    Number of contacts, if no argument is an array.
+"""
 
-    Made by :meth:`sphere`, :meth:`paraboloid` or :meth:`cone`; every argument is one number for all contacts or one for
-    each. Everything is in SI units. Contacts without memory of time (elastic ones) need no ``seconds``.
 
-    >>> ball = Contact.paraboloid(0.01, modulus=230.77e9)
-    >>> ball.advance(1e-6)
-    >>> float(ball.force[0])  # doctest: +ELLIPSIS
-    30.76...
-    """
+def _maker(shape: str, about: str) -> "Callable[..., Contact]":
+    """A maker of contacts of a shape: one signature and one text for all of them."""
 
-    def __init__(self, inner: "_springbed.Contact") -> None:
-        self._inner = inner
-
-    @classmethod
-    def sphere(cls, radius: Floats, **parts: object) -> "Contact":
-        """Spheres of the radius R [m]; the parts are those of :meth:`paraboloid`."""
-        return cls._of("sphere", radius, **parts)  # type: ignore[arg-type]
-
-    @classmethod
-    def cone(cls, slope: Floats, **parts: object) -> "Contact":
-        """Cones f = r·slope; the parts are those of :meth:`paraboloid`."""
-        return cls._of("cone", slope, **parts)  # type: ignore[arg-type]
-
-    @classmethod
-    def paraboloid(
-        cls,
-        radius: Floats,
-        *,
-        modulus: Optional[Floats] = None,
-        relaxation: Optional[tuple[float, list[tuple[float, float]], float]] = None,
-        work: Optional[Floats] = None,
-        stress: Optional[Floats] = None,
-        tangential_modulus: Optional[Floats] = None,
-        friction: Optional[Floats] = None,
-        count: Optional[int] = None,
-    ) -> "Contact":
-        """Paraboloids of the radius of curvature R [m].
-
-        Parameters
-        ----------
-        modulus
-            E* [Pa] of elastic bodies, 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂.
-        relaxation
-            E*(t) of viscoelastic bodies instead: equilibrium modulus [Pa], terms of modulus [Pa] and time [s], viscosity
-            [Pa s].
-        work
-            Work of adhesion w [J/m²] (Johnson, Kendall & Roberts).
-        stress
-            Attractive stress σ₀ [Pa] up to the gap w/σ₀ (Maugis).
-        tangential_modulus, friction
-            G* [Pa] and the coefficient μ of Coulomb friction; not with adhesion.
-        count
-            Number of contacts, if no argument is an array.
-        """
-        return cls._of(
-            "paraboloid",
-            radius,
-            modulus=modulus,
-            relaxation=relaxation,
-            work=work,
-            stress=stress,
-            tangential_modulus=tangential_modulus,
-            friction=friction,
-            count=count,
-        )
-
-    @classmethod
-    def _of(
-        cls,
-        shape: str,
+    def make(
+        cls: "type[Contact]",
         size: Floats,
+        /,
+        *,
         modulus: Optional[Floats] = None,
         relaxation: Optional[tuple[float, list[tuple[float, float]], float]] = None,
         work: Optional[Floats] = None,
@@ -118,6 +73,31 @@ class Contact:
         assert sizes is not None
         parts = _Parts(shape, sizes, moduli, relaxation, works, stresses, tangential, coefficients)
         return cls(_springbed.Contact(parts, max(lengths)))
+
+    make.__name__ = shape
+    make.__qualname__ = f"Contact.{shape}"
+    make.__doc__ = f"{about}\n{_PARTS}"
+    return classmethod(make)  # type: ignore[return-value]
+
+
+class Contact:
+    """Contacts that remember: each has its own state, all are moved together.
+
+    Made by :meth:`sphere`, :meth:`paraboloid` or :meth:`cone`; every argument is one number for all contacts or one for
+    each. Everything is in SI units. Contacts without memory of time (elastic ones) need no ``seconds``.
+
+    >>> ball = Contact.paraboloid(0.01, modulus=230.77e9)
+    >>> ball.advance(1e-6)
+    >>> float(ball.force[0])  # doctest: +ELLIPSIS
+    30.76...
+    """
+
+    def __init__(self, inner: "_springbed.Contact") -> None:
+        self._inner = inner
+
+    sphere = _maker("sphere", "Spheres of the radius R [m].")
+    paraboloid = _maker("paraboloid", "Paraboloids of the radius of curvature R [m].")
+    cone = _maker("cone", "Cones f = r·slope, of the slope of the flank.")
 
     def __len__(self) -> int:
         return len(self._inner)

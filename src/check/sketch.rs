@@ -210,13 +210,13 @@ impl Sketch {
     /// At the depth for a time [s].
     #[must_use]
     pub fn hold(self, over: f64) -> Self {
-        self.entry(|| Ok(Entry::Hold(Hold { over: si(over)? })))
+        self.entry(|| Ok(Entry::Hold(Hold { over: si(over)?, spacing: None })))
     }
 
     /// Under the force for a time [s].
     #[must_use]
     pub fn hold_force(self, over: f64) -> Self {
-        self.entry(|| Ok(Entry::HoldForce(Hold { over: si(over)? })))
+        self.entry(|| Ok(Entry::HoldForce(Hold { over: si(over)?, spacing: None })))
     }
 
     /// To a tangential displacement [m] in a second.

@@ -29,6 +29,7 @@ mod elastic;
 pub mod foundation;
 pub mod error;
 pub mod gliding;
+pub mod inward;
 pub mod loaded;
 pub mod mapped;
 pub mod model;

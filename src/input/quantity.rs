@@ -202,6 +202,8 @@ range!(/** Exponent of a relaxation by a power of time. */ RelaxationRange, "abo
 range!(/** Angle of incidence measured from the surface normal. */ IncidenceRange, "from 0 (head-on) to below 90 degrees",
     value => (0.0..std::f64::consts::FRAC_PI_2).contains(&value));
 
+range!(/** Angle between the axis of a cone and its flank. */ HalfAngleRange, "above 0 and below 90 degrees",
+    value => value > 0.0 && value < std::f64::consts::FRAC_PI_2);
 range!(/** Angle between a liquid and a solid that it wets. */ WettingRange, "from 0 (complete wetting) to below 90 degrees",
     value => (0.0..std::f64::consts::FRAC_PI_2).contains(&value));
 
@@ -270,6 +272,8 @@ pub type GradingExponent = Quantity<Unity, GradingRange>;
 pub type RelaxationExponent = Quantity<Unity, RelaxationRange>;
 /// Angle of incidence [rad] from the surface normal.
 pub type IncidenceAngle = Quantity<Radian, IncidenceRange>;
+/// Angle [rad] between the axis of a cone and its flank.
+pub type HalfAngle = Quantity<Radian, HalfAngleRange>;
 /// Contact angle [rad] of a liquid that wets, through the liquid.
 pub type ContactAngle = Quantity<Radian, WettingRange>;
 

@@ -2,14 +2,18 @@
 
 use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
+use crate::contact::inward::left_out;
 use crate::scene::plan::{HalfSpacePlan, Plan, RoughImpactPlan, RoughPlan, Shared};
 use crate::scene::surface::Source;
 use crate::shape::{Moved, Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
-/// Slope of the indenter at the edge beyond which the half-space is doubtful; the error grows with
-/// the square of the slope.
+/// Slope of the indenter at the edge beyond which the half-space is doubtful.
 const STEEP: f64 = 0.3;
+/// Slope below which nothing is left out that is worth a word.
+const FLAT: f64 = 0.02;
+/// Part of the force that is worth a word.
+const LEFT_OUT: f64 = 0.01;
 /// Relative difference between a paraboloid and the ball it stands for that is worth a word.
 const BALL: f64 = 0.01;
 /// Range of the attraction assumed for the Tabor parameter [m], an atomic distance.
@@ -183,12 +187,25 @@ fn steep(shared: &Shared, profile: &dyn Profile, a: f64) -> Option<String> {
     }
     let height = |radius: f64| profile.height(profile.place(radius));
     let slope = (height(a) - height(a * (1.0 - 1e-3))) / (1e-3 * a);
-    (a > 0.0 && slope.is_finite() && slope > STEEP).then(|| {
-        format!(
-            "the indenter's slope reaches {slope:.2} at the edge of the contact: the half-space assumes slopes well below one, expect errors of the order of {:.0} %",
-            100.0 * slope * slope
-        )
-    })
+    if !(a > 0.0 && slope.is_finite() && slope > FLAT) {
+        return None;
+    }
+    let left_out = if shared.scene.shape.is_plane() { None } else { left_out(&shared.scene.bodies, profile, a) };
+    let told = left_out.filter(|error| error.abs() > LEFT_OUT).map(|error| {
+        let (percent, way) = (100.0 * error.abs(), if error > 0.0 { "small" } else { "large" });
+        format!("the force at a given depth is some {percent:.1} % too {way}, for the surface moves inwards too")
+    });
+    let begins = format!("the indenter's slope reaches {slope:.2} at the edge of the contact");
+    match (told, slope > STEEP) {
+        (Some(told), true) => Some(format!(
+            "{begins}: the half-space assumes slopes well below one; to their first order {told}, their second is not known"
+        )),
+        (Some(told), false) => Some(format!("{begins}: {told}")),
+        (None, true) => Some(format!(
+            "{begins}: the half-space assumes slopes well below one; the error is of their second order and not known"
+        )),
+        (None, false) => None,
+    }
 }
 
 /// A paraboloid stands for two spheres only while a is small against the smaller one.

@@ -24,7 +24,7 @@ use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{Body, Relaxation, Under};
-use crate::scene::history::{EntryTraits, Impact};
+use crate::scene::history::{EntryTraits, Impact, space};
 use crate::scene::stage::Path;
 use crate::shape::{Pad, Profile, Shape};
 use crate::wear::Wear;
@@ -122,7 +122,10 @@ fn misfits(read: &Read, written: Written<'_>) -> Vec<Problem> {
 fn entries<'s>(scene: &'s Scene, read: &'s Read) -> Vec<EntryTraits<'s>> {
     let steps = scene.steps.map(NonZeroUsize::get).or(scene.solver.map(|_| RECORDS_ON_PIXELS));
     let numbered = scene.history.iter().zip(&read.motions).enumerate();
-    numbered.map(|(number, (entry, motion))| entry.traits(number, motion.as_ref(), steps)).collect()
+    let mut entries: Vec<EntryTraits<'_>> =
+        numbered.map(|(number, (entry, motion))| entry.traits(number, motion.as_ref(), steps)).collect();
+    space(scene, &mut entries);
+    entries
 }
 
 /// The kind of plan: every kind of scene and every law is named here once.

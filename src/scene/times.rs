@@ -3,7 +3,7 @@
 use super::Scene;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::material::Times;
-use crate::scene::history::{EntryTraits, MotionTable};
+use crate::scene::history::{EntryTraits, MotionTable, space};
 use crate::scene::stage::{Extent, Path, Stage};
 use std::num::NonZeroUsize;
 
@@ -18,8 +18,9 @@ const AWAY: f64 = 30.0;
 pub(super) fn of(scene: &Scene, motions: &[Option<MotionTable>]) -> Option<Times> {
     let steps = scene.steps.map(NonZeroUsize::get);
     let numbered = scene.history.iter().zip(motions).enumerate();
-    let entries: Vec<EntryTraits<'_>> =
+    let mut entries: Vec<EntryTraits<'_>> =
         numbered.map(|(number, (entry, motion))| entry.traits(number, motion.as_ref(), steps)).collect();
+    space(scene, &mut entries);
     if entries.iter().any(moves_by_itself) {
         return None;
     }
@@ -56,7 +57,7 @@ impl Seen {
         // What stands in the first row of a table is there at once.
         let at_once = stage.extent == Extent::Row && row == 0;
         if over > 0.0 && !at_once {
-            self.shortest = self.shortest.min(over / stage.records.max(1) as f64);
+            self.shortest = self.shortest.min(Stage { over, ..*stage }.first());
         }
         match (stage.control, stage.normal) {
             (Some(Control::Indentation), Path::To(depth)) => self.depth = Some(depth),

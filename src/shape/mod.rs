@@ -17,6 +17,7 @@
 
 mod boundary;
 mod ellipsoid;
+mod flank;
 mod kernel;
 mod lying;
 mod measured;

@@ -1,10 +1,10 @@
 //! Power-law profiles and the cone among them.
 
-use super::Profile;
 use super::kernel::{arcosh_of_ratio, root_of_difference};
-use crate::input::quantity::Positive;
+use super::{Profile, flank};
+use crate::input::quantity::{HalfAngle, Positive};
 use crate::numerics::quadrature;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
 /// Power-law profile f(r) = c rⁿ, g(x) = κₙ c xⁿ with κₙ = √π Γ(n/2+1)/Γ(n/2+½).
@@ -111,11 +111,24 @@ impl Profile for Power {
 ///
 /// t = tan θ is the slope of the flank against the surface (Popov & Heß 2015, eq. 3.14); valid for
 /// small slopes. Check: F = (2/π) E* d²/t.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cone {
-    /// Slope of the flank, rise over run.
+    /// Slope of the flank, rise over run; a scene may give the angle between axis and flank instead, `half_angle`.
     pub slope: Positive,
+}
+
+impl<'de> Deserialize<'de> for Cone {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        /// As a scene writes it.
+        #[derive(Deserialize)]
+        #[serde(rename = "Cone", deny_unknown_fields)]
+        struct Written {
+            slope: Option<Positive>,
+            half_angle: Option<HalfAngle>,
+        }
+        let Written { slope, half_angle } = Written::deserialize(deserializer)?;
+        Ok(Self { slope: flank::slope("Cone", slope, half_angle)? })
+    }
 }
 
 impl Profile for Cone {

@@ -1,11 +1,11 @@
 //! Cone with a rounded tip and flat punch with a rounded edge.
 
-use super::Profile;
 use super::kernel::{OutsideKink, arc_minus_sine, root_of_difference, sine_minus_arc_cosine};
 use super::paraboloid;
-use crate::input::quantity::{Length, Positive};
+use super::{Profile, flank};
+use crate::input::quantity::{HalfAngle, Length, Positive};
 use crate::numerics::root;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 /// Cone with a rounded tip: f(r) = r²/2R up to b = Rt, then t(r − b/2).
@@ -14,13 +14,27 @@ use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 /// the slope of the flank (Ciavarella 1999; Popov, Heß & Willert 2019, ch. 2). With b → 0 it is the
 /// cone, with b → ∞ the paraboloid. Check: R = 1, t = 0.3, x = 0.6 gives
 /// g = 0.36 − 0.6·√0.27 + 0.06π = 0.236726413853.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RoundedCone {
     /// Radius of curvature of the tip.
     pub radius: Length,
-    /// Slope of the flank, rise over run.
+    /// Slope of the flank, rise over run; a scene may give the angle between axis and flank instead, `half_angle`.
     pub slope: Positive,
+}
+
+impl<'de> Deserialize<'de> for RoundedCone {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        /// As a scene writes it.
+        #[derive(Deserialize)]
+        #[serde(rename = "RoundedCone", deny_unknown_fields)]
+        struct Written {
+            radius: Length,
+            slope: Option<Positive>,
+            half_angle: Option<HalfAngle>,
+        }
+        let Written { radius, slope, half_angle } = Written::deserialize(deserializer)?;
+        Ok(Self { radius, slope: flank::slope("RoundedCone", slope, half_angle)? })
+    }
 }
 
 /// Flat punch with a rounded edge: f(r) = (r−b)₊²/2R.

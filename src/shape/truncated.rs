@@ -1,11 +1,11 @@
 //! Cone and paraboloid with a worn-off tip.
 
-use super::Profile;
 use super::kernel::{OutsideKink, root_of_difference};
-use crate::input::quantity::{Length, Positive};
+use super::{Profile, flank};
+use crate::input::quantity::{HalfAngle, Length, Positive};
 use crate::numerics::quadrature;
 use crate::numerics::root;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Truncated cone f(r) = t(r−b)₊, g(x) = t x arccos(b/x) for x > b, else 0.
@@ -13,13 +13,27 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 /// b is the radius of the flat [m], t the slope of the flank (Popov & Heß 2015, ch. 3;
 /// Ejike 1981). F = E*t[a² arccos(b/a) + b√(a²−b²)]. The pressure is infinite (logarithmically) at
 /// r = b. Check: E* = 1, b = 0.3, t = 0.2, a = 0.6 gives d = 0.1256637061435917.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TruncatedCone {
     /// Radius of the flat.
     pub flat_radius: Length,
-    /// Slope of the flank, rise over run.
+    /// Slope of the flank, rise over run; a scene may give the angle between axis and flank instead, `half_angle`.
     pub slope: Positive,
+}
+
+impl<'de> Deserialize<'de> for TruncatedCone {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        /// As a scene writes it.
+        #[derive(Deserialize)]
+        #[serde(rename = "TruncatedCone", deny_unknown_fields)]
+        struct Written {
+            flat_radius: Length,
+            slope: Option<Positive>,
+            half_angle: Option<HalfAngle>,
+        }
+        let Written { flat_radius, slope, half_angle } = Written::deserialize(deserializer)?;
+        Ok(Self { flat_radius, slope: flank::slope("TruncatedCone", slope, half_angle)? })
+    }
 }
 
 /// Truncated paraboloid f(r) = (r²−b²)₊/2R, g(x) = (x/R)√(x²−b²) for x > b, else 0.

@@ -12,6 +12,8 @@ mod circles;
 mod compare;
 #[cfg(feature = "cli")]
 mod coverage;
+#[cfg(feature = "watch")]
+mod devtools;
 mod elastic_laws;
 #[cfg(feature = "cli")]
 mod fit;

@@ -70,11 +70,11 @@ fn press(to: f64, over: f64) -> Entry {
 }
 
 fn hold(over: f64) -> Entry {
-    Entry::Hold(Hold { over: Duration::new(over).unwrap() })
+    Entry::Hold(Hold { over: Duration::new(over).unwrap(), spacing: None })
 }
 
 fn hold_force(over: f64) -> Entry {
-    Entry::HoldForce(Hold { over: Duration::new(over).unwrap() })
+    Entry::HoldForce(Hold { over: Duration::new(over).unwrap(), spacing: None })
 }
 
 fn retract(speed: f64) -> Entry {

@@ -1,5 +1,6 @@
 //! The page that follows a scene, spoken to over its port and looked at in a browser.
 
+use super::devtools::{Shown, wait_for};
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
@@ -284,4 +285,30 @@ fn a_browser_draws_what_is_saved() {
             "{width} px, {after:?} ms"
         );
     }
+}
+
+/// A number typed into the page and a click write it into the file, comments and units as they were, if one says so.
+#[test]
+fn a_click_in_a_browser_writes_into_the_file() {
+    let Some(browser) = browser() else {
+        println!("skipped: no Chromium is installed");
+        return;
+    };
+    let page = Page::open();
+    let profile = tempfile::tempdir().unwrap();
+    let _browser = chromium(&browser, profile.path(), &page.address);
+    let mut shown = Shown::of(profile.path(), &page.address);
+    let field = r#"document.querySelector('[aria-label^="bodies.0.young"]')"#;
+    wait_for("field on the page", || (shown.value(&format!("{field} !== null")) == json!(true)).then_some(()));
+    let typed = format!("{field}.value = '2,5'; {field}.dispatchEvent(new Event('input')); true");
+    assert_eq!(shown.value(&typed), json!(true));
+    let can_write = "!document.getElementById('write').disabled";
+    wait_for("button to write", || (shown.value(can_write) == json!(true)).then_some(()));
+    // Who says no has the file as it was.
+    let click = "document.getElementById('write').click()";
+    shown.value(&format!("window.confirm = () => false; {click}"));
+    assert_eq!(std::fs::read_to_string(page.scene()).unwrap(), SCENE);
+    shown.value(&format!("window.confirm = () => true; {click}"));
+    let text = SCENE.replace("1 MPa", "2.5 MPa");
+    wait_for("file with the number", || (std::fs::read_to_string(page.scene()).unwrap() == text).then_some(()));
 }

@@ -13,6 +13,7 @@ mod explain;
 mod fit;
 #[cfg(feature = "plot")]
 mod gallery;
+mod help;
 mod overlay;
 mod report;
 mod run;
@@ -28,7 +29,7 @@ use super::picture::{self, Drawing};
 use super::run::{Asked, Format};
 use super::{starters, write};
 use crate::check::study::Thoroughness;
-use clap::{ArgAction, Args, CommandFactory, Parser, Subcommand, ValueEnum};
+use clap::{ArgAction, Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -47,6 +48,7 @@ struct CommandLine {
 
 /// Flags of all commands.
 #[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Files, figures and messages")]
 pub struct Common {
     /// Folder for the files written.
     #[arg(long, global = true, value_name = "DIR", default_value = "plots")]
@@ -207,7 +209,8 @@ pub enum Topic {
 /// Reads the command line, does what it asks for and says how it ended.
 #[must_use]
 pub fn main() -> ExitCode {
-    let CommandLine { command, common } = match CommandLine::try_parse() {
+    let line = command_line().try_get_matches().and_then(|found| CommandLine::from_arg_matches(&found));
+    let CommandLine { command, common } = match line {
         Ok(line) => line,
         Err(error) => {
             // Help and version also come as an error; a closed pipe is not worth a word.
@@ -217,6 +220,11 @@ pub fn main() -> ExitCode {
     };
     let console = Console::new(common.color, Voice::after(common.quiet));
     console.end(prepared(&common).and_then(|()| answer(command, &common, &console)))
+}
+
+/// All commands and flags, with their help.
+fn command_line() -> clap::Command {
+    help::shown(CommandLine::command())
 }
 
 /// What this program can write, threads and the handler of Ctrl-C.
@@ -255,8 +263,8 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
             let effort = if thorough { Thoroughness::Thorough } else { Thoroughness::Brief };
             report::run(topic, scene.as_deref(), effort, common, console)
         }
-        Command::Completions { shell } => shell::completions(shell, CommandLine::command(), console),
+        Command::Completions { shell } => shell::completions(shell, command_line(), console),
         Command::Schema => shell::schema(console),
-        Command::Man { topic } => shell::manual(topic.as_deref(), CommandLine::command(), console),
+        Command::Man { topic } => shell::manual(topic.as_deref(), command_line(), console),
     }
 }

@@ -6,9 +6,8 @@
 use plotters::prelude::{DrawingBackend, IntoFont, RGBColor, SVGBackend, ShapeStyle, TextStyle};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontStyle, FontTransform};
-use std::iter::Peekable;
-use std::str::Lines;
 
+use super::merge::merged;
 use super::text;
 
 /// A place in px, y downwards.
@@ -89,7 +88,7 @@ fn dress(svg: &str, sheet: Extent, title: &str) -> String {
         .replace(" fill=\"none\"", "")
         .replace(" font-family=\"sans-serif\"", "")
         .replace(" \"/>", "\"/>");
-    let body = joined(&body);
+    let body = merged(&lowered(&body));
     let (w, h) = sheet.written();
     let (fine_w, fine_h) = (whole(sheet.size.0 * FINE), whole(sheet.size.1 * FINE));
     format!(
@@ -100,43 +99,35 @@ fn dress(svg: &str, sheet: Extent, title: &str) -> String {
     )
 }
 
-/// Neighbouring lines that are filled rectangles of one colour, as one path.
-fn joined(body: &str) -> String {
-    let mut written = String::with_capacity(body.len());
-    let mut lines = body.lines().peekable();
-    while let Some(line) = lines.next() {
-        let next = |lines: &mut Peekable<Lines<'_>>, colour: &str| {
-            let (way, _) = lines.peek().and_then(|line| filled(line)).filter(|(_, other)| *other == colour)?;
-            lines.next();
-            Some(way)
-        };
-        let Some((first, colour)) = filled(line) else {
-            written.extend([line, "\n"]);
-            continue;
-        };
-        let Some(second) = next(&mut lines, colour) else {
-            written.extend([line, "\n"]);
-            continue;
-        };
-        written.extend(["<path d=\"", &first, &second]);
-        while let Some(way) = next(&mut lines, colour) {
-            written.push_str(&way);
+/// The indices of stresses, `σ_zz`, set lower and smaller.
+fn lowered(body: &str) -> String {
+    let mut parts = body.split('_');
+    let mut out = parts.next().unwrap_or("").to_owned();
+    for part in parts {
+        let length: usize = part.chars().take(2).take_while(|c| INDICES.contains(*c)).map(char::len_utf8).sum();
+        let (index, rest) = part.split_at(length);
+        if out.ends_with(['σ', 'τ']) && !index.is_empty() {
+            out.push_str(&format!("<tspan dy=\"0.25em\" font-size=\"0.75em\">{index}</tspan>"));
+            // What follows is back on the line.
+            let back = if rest.trim_start().starts_with('<') { rest.to_owned() } else { raised(rest) };
+            out.push_str(&back);
+        } else {
+            out.push('_');
+            out.push_str(part);
         }
-        written.extend(["\" fill=\"", colour, "\"/>\n"]);
     }
-    written
+    out
 }
 
-/// The way round a filled rectangle and its colour.
-fn filled(line: &str) -> Option<(String, &str)> {
-    let mut rest = line.strip_prefix("<rect ")?;
-    let mut next = |name: &str| {
-        let (value, after) = rest.trim_start().strip_prefix(name)?.strip_prefix("=\"")?.split_once('"')?;
-        rest = after;
-        Some(value)
-    };
-    let [x, y, w, h, colour] = [next("x")?, next("y")?, next("width")?, next("height")?, next("fill")?];
-    (next("stroke")? == "none" && rest == "/>").then(|| (format!("M{x} {y}h{w}v{h}h-{w}z"), colour))
+/// Names of the axes of stresses.
+const INDICES: &str = "xyzrtθ";
+
+/// The rest of a text behind an index, on the line of what stands before it.
+fn raised(rest: &str) -> String {
+    let end = rest.find('<').unwrap_or(rest.len());
+    // A blank at the beginning of an element is none.
+    let text = rest[..end].trim_end_matches('\n').replacen(' ', "\u{a0}", 1);
+    format!("<tspan dy=\"-0.1875em\">{text}</tspan>{}", &rest[end..])
 }
 
 fn escaped(text: &str) -> String {
@@ -211,5 +202,23 @@ impl Canvas<'_> {
         let style = TextStyle::from(font).color(&kind.colour).pos(Pos::new(kind.anchor, VPos::Center));
         let at = self.fine(at);
         drawn(self.sheet.draw_text(text, &style, at));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn indices_of_stresses_are_set_lower_and_names_of_files_are_not() {
+        assert_eq!(lowered("<text>my_lens_zz.ron</text>"), "<text>my_lens_zz.ron</text>");
+        assert_eq!(
+            lowered("<text>axial σ_zz</text>"),
+            "<text>axial σ<tspan dy=\"0.25em\" font-size=\"0.75em\">zz</tspan></text>"
+        );
+        assert!(
+            lowered("<text>hoop σ_θθ, a = 1</text>")
+                .ends_with("θθ</tspan><tspan dy=\"-0.1875em\">,\u{a0}a = 1</tspan></text>")
+        );
     }
 }

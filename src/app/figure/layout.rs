@@ -32,8 +32,8 @@ pub(super) fn draw(figure: &Figure, medium: Medium) -> String {
     document(extent, &figure.title, |canvas| {
         canvas.rectangle((0.0, 0.0), plan.size, WHITE);
         title(canvas, &plan);
-        for (sheet, at) in sheets.iter().zip(plan.places()) {
-            canvas.origin = at;
+        for (sheet, at) in sheets.iter().zip(&plan.places) {
+            canvas.origin = *at;
             paint::sheet(canvas, sheet);
         }
     })
@@ -48,19 +48,57 @@ struct Arranged {
 fn on_screen(figure: &Figure) -> Arranged {
     let (columns, size) = grid(figure.panels.len());
     let company = if figure.panels.len() == 1 { Company::Alone } else { Company::Together };
-    let sheets: Vec<Sheet> = figure.panels.iter().map(|panel| Sheet::new(panel, size, company)).collect();
-    let plan = PixelPlan::new(&figure.title, &sheets, columns);
+    let mut sheets: Vec<Sheet> = figure.panels.iter().map(|panel| Sheet::new(panel, size, company)).collect();
+    let rows = balanced(sheets.len(), columns);
+    let width = widest(&sheets, &rows).1;
+    let (mut short, mut panels) = (&mut sheets[..], &figure.panels[..]);
+    for row in &rows {
+        let (own, others) = short.split_at_mut(*row);
+        let (drawn, left) = panels.split_at(*row);
+        if *row < columns {
+            widen(own, drawn, width);
+        }
+        (short, panels) = (others, left);
+    }
+    let plan = PixelPlan::new(&figure.title, &sheets, &rows);
     Arranged { sheets, plan }
 }
+
+/// Panels in each row: rows differ by one panel at most, the fuller ones first.
+fn balanced(panels: usize, columns: usize) -> Vec<usize> {
+    let rows = panels.div_ceil(columns);
+    (0..rows).map(|row| panels / rows + usize::from(row < panels % rows)).collect()
+}
+
+/// Widens the frames of a row to `width` px, those that do not have a shape of their own: nothing beside them is left
+/// empty.
+fn widen(sheets: &mut [Sheet], panels: &[Panel], width: f64) {
+    let free = |panel: &Panel| panel.ratio.is_none() && panel.contours.is_none();
+    let count = count(panels.iter().filter(|panel| free(panel)).count());
+    for _ in 0..WIDENED {
+        let lacking = width - stack(&shares(sheets), RIM).1;
+        if count < 1.0 || lacking.abs() < 1.0 {
+            return;
+        }
+        for (sheet, panel) in sheets.iter_mut().zip(panels).filter(|(_, panel)| free(panel)) {
+            let size = (sheet.size.0 + lacking / count, sheet.size.1);
+            *sheet = Sheet::new(panel, size, Company::Together);
+        }
+    }
+}
+
+/// Turns in which frames are widened: labels of a wider one may be wider.
+const WIDENED: usize = 3;
 
 /// Panels over a width given in px; the caption of a figure in print is elsewhere.
 fn on_paper(figure: &Figure, width: f64) -> Arranged {
     let columns = if width > TWO_COLUMNS { figure.panels.len().clamp(1, 2) } else { 1 };
     let panels: Vec<Panel> = lettered(&figure.panels);
     let sheets = fitted(&panels, width, columns);
-    let mut plan = PixelPlan::new("", &sheets, columns);
+    let rows: Vec<usize> = sheets.chunks(columns).map(<[Sheet]>::len).collect();
+    let mut plan = PixelPlan::new("", &sheets, &rows);
     let blank = 0.5 * (width - plan.size.0).max(0.0);
-    plan.columns.iter_mut().for_each(|left| *left += blank);
+    plan.places.iter_mut().for_each(|place| place.0 += blank);
     plan.size.0 = width;
     Arranged { sheets, plan }
 }
@@ -111,7 +149,7 @@ const TURNS: usize = 16;
 /// Narrowest frame on paper in px.
 const NARROWEST: f64 = 60.0;
 
-#[expect(clippy::cast_precision_loss, reason = "one or two")]
+#[expect(clippy::cast_precision_loss, reason = "a few")]
 fn count(columns: usize) -> f64 {
     columns as f64
 }
@@ -128,31 +166,56 @@ fn grid(panels: usize) -> (usize, Dot) {
 /// Px of everything.
 struct PixelPlan {
     title: Vec<String>,
-    /// Left end and frame of every column.
-    columns: Vec<f64>,
-    /// Top of the frames of every row.
-    rows: Vec<f64>,
-    panels: usize,
+    /// Upper left corners of the frames.
+    places: Vec<Dot>,
     size: Dot,
 }
 
 impl PixelPlan {
-    fn new(title: &str, sheets: &[Sheet], columns: usize) -> Self {
-        let (lefts, width) = stack(&column_sizes(sheets, columns), RIM);
+    fn new(title: &str, sheets: &[Sheet], rows: &[usize]) -> Self {
+        let (columns, width) = widest(sheets, rows);
         let width = if sheets.is_empty() { BARE } else { width };
         let title = text::wrap(&text::clean(title), TITLE * text::BOLD, width - 4.0 * RIM);
         let lines = f64::from(u32::try_from(title.len()).unwrap_or(0));
-        let (tops, height) =
-            stack(&row_sizes(sheets, columns), RIM + TITLE_LINE * lines + if lines > 0.0 { 4.0 } else { 0.0 });
-        Self { title, columns: lefts, rows: tops, panels: sheets.len(), size: (width, height) }
+        let split = split(sheets, rows);
+        let (tops, height) = stack(&row_sizes(&split), RIM + TITLE_LINE * lines + if lines > 0.0 { 4.0 } else { 0.0 });
+        let places = split.iter().zip(tops).flat_map(|(row, top)| {
+            let lefts = if row.len() == columns.len() { columns.clone() } else { centred(row, width) };
+            lefts.into_iter().map(move |left| (left, top)).collect::<Vec<Dot>>()
+        });
+        let places = places.take(sheets.len()).collect();
+        Self { title, places, size: (width, height) }
     }
+}
 
-    /// Upper left corners of the frames.
-    fn places(&self) -> impl Iterator<Item = Dot> {
-        let rows = self.rows.iter();
-        let all = rows.flat_map(|y| self.columns.iter().map(move |x| (*x, *y)));
-        all.take(self.panels)
-    }
+/// The sheets of each row.
+fn split<'s>(mut sheets: &'s [Sheet], rows: &[usize]) -> Vec<&'s [Sheet]> {
+    let row = |count: &usize| {
+        let (row, left) = sheets.split_at(*count);
+        sheets = left;
+        row
+    };
+    rows.iter().map(row).collect()
+}
+
+/// Left ends of the frames of the fullest rows, and the right end of the widest row.
+fn widest(sheets: &[Sheet], rows: &[usize]) -> (Vec<f64>, f64) {
+    let split = split(sheets, rows);
+    let most = rows.iter().copied().max().unwrap_or(0);
+    let full: Vec<Sheet> = split.iter().filter(|row| row.len() == most).flat_map(|row| row.iter().cloned()).collect();
+    let (lefts, width) = stack(&column_sizes(&full, most.max(1)), RIM);
+    let others = split.iter().filter(|row| row.len() < most).map(|row| stack(&shares(row), RIM).1);
+    (lefts, others.fold(width, f64::max))
+}
+
+/// Left ends of the frames of a row in the middle of `width` px.
+fn centred(row: &[Sheet], width: f64) -> Vec<f64> {
+    let blank = 0.5 * (width - stack(&shares(row), RIM).1).max(0.0);
+    stack(&shares(row), RIM).0.into_iter().map(|left| (left + blank).round()).collect()
+}
+
+fn shares(row: &[Sheet]) -> Vec<Share> {
+    row.iter().map(|sheet| (sheet.left(), sheet.size.0, sheet.right())).collect()
 }
 
 /// Room before a frame, the frame, room after it.
@@ -167,12 +230,12 @@ fn column_sizes(sheets: &[Sheet], columns: usize) -> Vec<Share> {
     shares.collect()
 }
 
-fn row_sizes(sheets: &[Sheet], columns: usize) -> Vec<Share> {
-    let row = |row: &[Sheet]| {
+fn row_sizes(rows: &[&[Sheet]]) -> Vec<Share> {
+    let row = |row: &&[Sheet]| {
         let heights = row.iter().map(|s| (s.above(), s.size.1, s.below()));
         heights.fold((0.0, 0.0, 0.0), larger)
     };
-    sheets.chunks(columns).map(row).collect()
+    rows.iter().map(row).collect()
 }
 
 fn larger(a: Share, b: Share) -> Share {
@@ -197,5 +260,30 @@ fn title(canvas: &mut Canvas, plan: &PixelPlan) {
     for line in &plan.title {
         canvas.text((0.5 * plan.size.0, y), line, kind);
         y += TITLE_LINE;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Axis, Series};
+    use super::*;
+
+    #[test]
+    fn rows_differ_by_one_panel() {
+        assert_eq!(balanced(7, 3), [3, 2, 2]);
+        assert_eq!(balanced(5, 3), [3, 2]);
+        assert_eq!(balanced(4, 2), [2, 2]);
+        assert!(balanced(0, 1).is_empty());
+    }
+
+    #[test]
+    fn a_short_row_is_as_wide_as_the_others() {
+        let panel =
+            Panel::new(Axis::linear("x", "m"), Axis::linear("y", "N")).with(Series::new("", [(0.0, 0.0), (1.0, 1.0)]));
+        let figure = (0..5).fold(Figure::new("five"), |figure, _| figure.with(panel.clone()));
+        let Arranged { sheets, plan } = on_screen(&figure);
+        let right = |k: usize| plan.places[k].0 + sheets[k].size.0;
+        assert!((right(2) - right(4)).abs() < 4.0 && sheets[4].size.0 > 1.3 * sheets[0].size.0, "{:?}", plan.places);
+        assert!(plan.places[3].1 > plan.places[0].1 && (plan.places[3].0 - plan.places[0].0).abs() < 1.0);
     }
 }

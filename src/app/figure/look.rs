@@ -59,6 +59,8 @@ pub enum Marks {
 /// Shape of a mark.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
+    /// Small filled circle: a knot of the line.
+    Point,
     /// Filled circle.
     Disc,
     /// Open square.

@@ -8,10 +8,14 @@ use super::canvas::{Canvas, Dot, Pen};
 /// Half the size of a mark in px.
 const HALF: f64 = 3.6;
 
+/// Radius of a point in px.
+const POINT: f64 = 2.2;
+
 /// A mark on the canvas; open ones are white inside.
 pub(super) fn mark(canvas: &mut Canvas, at: Dot, shape: Mark, colour: RGBColor) {
     let near = |corners: &[Dot]| -> Vec<Dot> { corners.iter().map(|c| offset(at, *c)).collect() };
     match shape {
+        Mark::Point => canvas.disc(at, POINT, colour),
         Mark::Disc => canvas.disc(at, HALF, colour),
         Mark::Ring => {
             canvas.disc(at, HALF + 0.4, colour);

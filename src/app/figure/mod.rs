@@ -23,6 +23,7 @@ mod layout;
 mod legend;
 mod look;
 mod mark;
+mod merge;
 mod paint;
 mod panel;
 mod range;

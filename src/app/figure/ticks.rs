@@ -43,7 +43,10 @@ fn fits(ticks: &[Tick], along: Along, length: f64) -> bool {
 }
 
 fn linear_choices(range: &AxisRange, most: f64) -> Vec<Vec<Tick>> {
-    [1.0, 0.8, 0.6, 0.45, 0.3, 0.2].iter().map(|share| linear(range, (most * share).max(2.0))).collect()
+    // Two numbers make a scale: denser than usual where there would be one.
+    let denser = [1.0, 1.5, 2.0, 3.0].into_iter().find(|share| linear(range, (most * share).max(2.0)).len() > 1);
+    let shares = [denser.unwrap_or(1.0), 0.8, 0.6, 0.45, 0.3, 0.2];
+    shares.iter().map(|share| linear(range, (most * share).max(2.0))).collect()
 }
 
 fn linear(range: &AxisRange, most: f64) -> Vec<Tick> {

@@ -26,8 +26,13 @@ pub(super) fn exponent(unit: &str, largest: f64) -> i32 {
     }
     let step = 3 * power_of(unit);
     let wanted = step * decade(largest).div_euclid(step);
-    if prefix(unit, wanted).is_some() { wanted } else { 3 * decade(largest).div_euclid(3) }
+    // A volume of 10⁶ µm³ is 10⁻¹² m³, not 10⁻³ mm³.
+    let fits = prefix(unit, wanted).is_some() && decade(largest) - wanted < MOST_DIGITS;
+    if fits { wanted } else { 3 * decade(largest).div_euclid(3) }
 }
+
+/// Digits before the point that are still read at a glance.
+const MOST_DIGITS: i32 = 5;
 
 /// Whether the numbers need no factor: pure numbers near 1, seconds and metres without large prefixes.
 fn plain(unit: &str, largest: f64) -> bool {
@@ -126,6 +131,8 @@ mod tests {
     fn squares_take_the_square_of_the_prefix() {
         assert_eq!(exponent("m^2", 3e-11), -12);
         assert_eq!(label("m^2", 3e-11), "(µm²)");
+        assert_eq!(label("m³", 2e-15), "(µm³)");
+        assert_eq!(label("m³", 1e-12), "(10⁻¹² m³)");
     }
 
     #[test]

@@ -8,10 +8,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// Computations at a time: one that has been overtaken goes on to its end, beside the newest.
+/// Computations at a time: one that has been overtaken ends where it next tells how far it is, beside the newest.
 const MOST_RUNNING: usize = 4;
 /// Work as long as this is told of.
 const LONG: Duration = Duration::from_millis(150);
+
+/// Why a computation has ended without an answer: there is something newer.
+struct Overtaken;
 
 /// Numbers set by sliders, by their paths.
 pub type Set = Vec<(String, f64)>;
@@ -159,10 +162,21 @@ impl Bench {
         let (number, text) = (inner.asked, written::with(&inner.text, &inner.set));
         let unread = inner.unread.clone();
         drop(inner);
-        let work = || drawn(&self.path, &text);
-        let found = if unread.is_empty() { caught(work) } else { Drawn { faults: unread, ..Drawn::default() } };
-        self.show(number, found);
+        let work = || drawn(&self.path, &text, &|_| self.gives_way(number));
+        let found = if unread.is_empty() { caught(work) } else { Some(Drawn { faults: unread, ..Drawn::default() }) };
+        if let Some(found) = found {
+            self.show(number, found);
+        }
         true
+    }
+
+    /// Ends the present computation if its text is not the newest any more.
+    ///
+    /// Unwinds up to [`caught`], through whatever threads it is done on, without a word of a panic.
+    fn gives_way(&self, number: u64) {
+        if self.lock().asked != number {
+            std::panic::resume_unwind(Box::new(Overtaken));
+        }
     }
 
     /// Shows what came out of the text of a number, unless something newer is shown.
@@ -215,13 +229,42 @@ impl Bench {
 }
 
 /// What `work` gives, or a fault where it failed as no work should: the page lives on.
-fn caught(work: impl FnOnce() -> Drawn) -> Drawn {
-    let failed = |_| Drawn {
+fn caught(work: impl FnOnce() -> Drawn) -> Option<Drawn> {
+    let failed = || Drawn {
         faults: told(vec![Fault::whole(
             Path::new(""),
             "springbed has failed where it should not: please report the scene",
         )]),
         ..Drawn::default()
     };
-    std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).unwrap_or_else(failed)
+    match std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)) {
+        Ok(found) => Some(found),
+        Err(why) if why.is::<Overtaken>() => None,
+        Err(_) => Some(failed()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_overtaken_ends_without_a_word() {
+        assert!(caught(|| std::panic::resume_unwind(Box::new(Overtaken))).is_none());
+        assert!(
+            caught(|| std::panic::resume_unwind(Box::new("another"))).is_some_and(|found| !found.faults.is_empty())
+        );
+    }
+
+    #[test]
+    fn only_the_newest_goes_on() {
+        let bench = Bench { path: PathBuf::new(), shared: Arc::default() };
+        bench.lock().asked = 2;
+        bench.gives_way(2);
+        let older = || {
+            bench.gives_way(1);
+            Drawn::default()
+        };
+        assert!(caught(older).is_none());
+    }
 }

@@ -3,7 +3,7 @@
 use crate::app::export;
 use crate::app::fault::Fault;
 use crate::app::medium::Medium;
-use crate::app::run::{Format, compute};
+use crate::app::run::{Format, compute_watched};
 use crate::app::scene_file::SceneFile;
 use crate::run::in_pieces;
 use crate::text::written::{Written, numbers};
@@ -69,12 +69,13 @@ pub fn sliders(text: &str) -> Vec<Slider> {
     numbers(text).into_iter().take(MOST).map(Slider::from).collect()
 }
 
-/// Reads the text of the file at `path`, computes the scene and draws it.
+/// Reads the text of the file at `path`, computes the scene and draws it; `done` is told the share of the work that is
+/// behind, where it is long.
 #[must_use]
-pub fn drawn(path: &Path, text: &str) -> Drawn {
+pub fn drawn(path: &Path, text: &str, done: &(dyn Fn(f64) + Sync)) -> Drawn {
     match SceneFile::of(path, text.to_owned()) {
         Err(faults) => Drawn { faults: told(faults), ..Drawn::default() },
-        Ok(scene) => of_scene(&scene),
+        Ok(scene) => of_scene(&scene, done),
     }
 }
 
@@ -84,10 +85,10 @@ pub fn told(faults: Vec<Fault>) -> Vec<Told> {
     faults.into_iter().map(Told::from).collect()
 }
 
-fn of_scene(scene: &SceneFile) -> Drawn {
+fn of_scene(scene: &SceneFile, done: &(dyn Fn(f64) + Sync)) -> Drawn {
     let base = Drawn { title: scene.plan.scene.title.clone(), tables: scene.tables.clone(), ..Drawn::default() };
     let failed = |why: String| Drawn { faults: told(vec![Fault::whole(&scene.path, why)]), ..base.clone() };
-    let outcome = match compute(&scene.plan, &[Format::Svg]) {
+    let outcome = match compute_watched(&scene.plan, &[Format::Svg], done) {
         Ok(outcome) => outcome,
         Err(error) => return failed(error.to_string()),
     };

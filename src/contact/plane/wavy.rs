@@ -39,6 +39,13 @@ impl WavyContact {
         }
     }
 
+    /// The state under a force [N]; `None` where the contact is not in one piece, or beyond the datum.
+    #[must_use]
+    pub fn state_under(&mut self, force: f64) -> Option<Normal> {
+        self.under(force).ok()?;
+        self.piece.is_some().then(|| self.state())
+    }
+
     /// Height of the section [m].
     fn height(&self, x: f64) -> f64 {
         0.5 * x * x / self.shape.radius.si() + self.shape.ripple(x)

@@ -13,6 +13,8 @@ const SAME: f64 = 1e-12;
 
 /// Places beside an edge, as parts of its radius.
 const BESIDE: [f64; 7] = [-0.06, -0.03, -0.01, 0.0, 0.01, 0.03, 0.06];
+/// Parts of the way to the next place at which a hump about the axis is to fall.
+const AWAY: [f64; 4] = [0.01, 0.1, 0.3, 1.0];
 /// Part of the greatest stress seen from which on a top may hide the hardest place, and how many such tops are climbed.
 const WORTH: f64 = 0.75;
 const TOPS: usize = 4;
@@ -43,11 +45,27 @@ impl StressField {
             down.iter().map(|&z| across.iter().map(|&r| self.von_mises(r, z)).collect()).collect();
         let beside = |list: &[f64], k: usize| (list[k.saturating_sub(1)], list[k], list[(k + 1).min(list.len() - 1)]);
         let refined = tops(&seen).into_iter().map(|(row, column)| {
+            if let Some(place) =
+                self.on_the_axis(beside(&down, row), (across[column], across[(column + 1) % across.len()]))
+            {
+                return place;
+            }
             let along = |r: f64| self.highest(|z| self.von_mises(r, z), beside(&down, row));
             let best = self.highest(|r| along(r).value, beside(&across, column));
             Place { radius: best.place, depth: along(best.place).place, von_mises: best.value }
         });
         refined.filter(|place| place.von_mises.is_finite()).max_by(|x, y| x.von_mises.total_cmp(&y.von_mises))
+    }
+
+    /// The top of a hump about the axis between three depths, if it is there: the stress is even in r, so that what is
+    /// greatest along the axis and falls beside it is a top. `radii` are that of the column and the next one.
+    fn on_the_axis(&self, depths: (f64, f64, f64), radii: (f64, f64)) -> Option<Place> {
+        if self.slides() || radii.0 > 0.0 {
+            return None;
+        }
+        let best = self.highest(|z| self.von_mises(0.0, z), depths);
+        let falls = |part: &f64| self.von_mises(part * radii.1, best.place) <= best.value * (1.0 + SAME);
+        AWAY.iter().all(falls).then_some(Place { radius: 0.0, depth: best.place, von_mises: best.value })
     }
 
     /// Stress of von Mises [Pa] at a place.

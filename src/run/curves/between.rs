@@ -21,9 +21,11 @@
 //! ```
 
 use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::foundation::Foundation;
+use crate::contact::plane::WavyContact;
 use crate::contact::state::Normal;
 use crate::run::record::Record;
-use crate::scene::plan::Plan;
+use crate::scene::plan::{Plan, PlanePlan};
 
 /// Change of the contact radius, over the largest radius, from which a straight line is seen as one.
 const COARSE: f64 = 0.02;
@@ -32,11 +34,18 @@ const MOST: f64 = 50.0;
 
 /// The records of a branch with states of the same branch between those that are far apart.
 ///
-/// Near first touch and near pull-off a contact moves far in a short piece of depth, a ∝ √d. Only for
-/// elastic contacts without range of attraction, where a state follows from its radius in closed form.
+/// Near first touch and near pull-off a contact moves far in a short piece of depth, a ∝ √d. For elastic contacts
+/// without range of attraction, where a state follows from its radius in closed form; of a wavy section in one piece; of bodies that relax for a contact
+/// that has only grown, d = g(a), its force and time along the straight line between two records.
 #[must_use]
 pub fn filled(plan: &Plan, records: &[Record]) -> Vec<Record> {
-    let Some(line) = line(plan) else { return records.to_vec() };
+    let (line, ground) = (line(plan), plan.ground());
+    let between = |pair: &[Record], radius: f64| match (&line, &ground, plan) {
+        (Some(line), _, _) => Some(at(line, radius, &pair[0])),
+        (None, Some(ground), _) => grown(ground, radius, pair),
+        (None, None, Plan::Plane(plane)) => wavy(plane, radius, pair),
+        (None, None, _) => None,
+    };
     let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
     let largest = records.iter().map(radius).fold(0.0, f64::max);
     let mut filled: Vec<Record> = records.iter().take(1).copied().collect();
@@ -44,7 +53,7 @@ pub fn filled(plan: &Plan, records: &[Record]) -> Vec<Record> {
         let (from, to) = (radius(&pair[0]), radius(&pair[1]));
         let count = ((to - from).abs() / (COARSE * largest)).min(MOST).ceil();
         let steps = std::iter::successors(Some(1.0), |k| Some(k + 1.0)).take_while(|k| *k < count);
-        filled.extend(steps.map(|k| at(&line, from + (to - from) * k / count, &pair[0])));
+        filled.extend(steps.map_while(|k| between(pair, from + (to - from) * k / count)));
         filled.push(pair[1]);
     }
     filled
@@ -53,6 +62,39 @@ pub fn filled(plan: &Plan, records: &[Record]) -> Vec<Record> {
 /// The equilibrium curve of the scene, if its states are those of the direct path.
 fn line(plan: &Plan) -> Option<EdgeLine> {
     Some(EdgeLine::new(plan.ground()?, plan.direct()?.work_at_edge()?))
+}
+
+/// The state near `radius` between two records of a wavy section: that of a force between theirs, for F ∝ a².
+fn wavy(plan: &PlanePlan, radius: f64, pair: &[Record]) -> Option<Record> {
+    let [from, to] = [&pair[0], &pair[1]].map(|record| record.normal.contact_radius);
+    let (from, to) = (from?, to?);
+    let share = (radius * radius - from * from) / (to * to - from * from);
+    let along = |of: fn(&Record) -> f64| of(&pair[0]) + share * (of(&pair[1]) - of(&pair[0]));
+    let (force, time) = (along(|record| record.normal.force), along(|record| record.time));
+    let normal = WavyContact::new(plan.section.clone(), plan.pair.normal).state_under(force)?;
+    Some(Record { normal, time, ..pair[0] })
+}
+
+/// Relative difference of depths that are the same.
+const SAME: f64 = 1e-6;
+
+/// The state at `radius` between two records of a contact whose edge is where the undeformed profile meets the surface.
+fn grown(ground: &Foundation, radius: f64, pair: &[Record]) -> Option<Record> {
+    let profile = ground.profile();
+    let touched = |radius: f64| profile.reduced(profile.place(radius));
+    let [from, to] =
+        [&pair[0], &pair[1]].map(|record| Some((record.normal.indentation?, record.normal.contact_radius?)));
+    let (from, to) = (from?, to?);
+    let is_edge = |(depth, radius): (f64, f64)| (touched(radius) - depth).abs() <= SAME * to.0;
+    if !(is_edge(from) && is_edge(to) && to.0 > from.0) {
+        return None;
+    }
+    let depth = touched(radius);
+    let share = (depth - from.0) / (to.0 - from.0);
+    let along = |of: fn(&Record) -> f64| of(&pair[0]) + share * (of(&pair[1]) - of(&pair[0]));
+    let (force, time) = (along(|record| record.normal.force), along(|record| record.time));
+    let normal = Normal { indentation: Some(depth), contact_radius: Some(radius), force, ..pair[0].normal };
+    Some(Record { normal, time, ..pair[0] })
 }
 
 fn at(line: &EdgeLine, radius: f64, like: &Record) -> Record {

@@ -1,6 +1,7 @@
-//! A quantity, or a list of them.
+//! A quantity, a list of them, or a range.
 
 use crate::input::quantity::{Dimension, Domain, Quantity};
+use crate::input::values::{Range, Values};
 use serde::{Deserializer, de};
 use std::fmt;
 use std::marker::PhantomData;
@@ -32,6 +33,11 @@ impl<'de, D: Dimension, R: Domain> de::Visitor<'de> for OneOrMore<D, R> {
     }
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+        if text.contains("..")
+            && let Values::Range(range) = text.parse().map_err(E::custom)?
+        {
+            return ranged(&range);
+        }
         Ok(vec![text.parse().map_err(E::custom)?])
     }
 
@@ -42,6 +48,13 @@ impl<'de, D: Dimension, R: Domain> de::Visitor<'de> for OneOrMore<D, R> {
         }
         Ok(quantities)
     }
+}
+
+/// The values of a range, as a sweep has them: `"1 mm/s..1 m/s:20log"`.
+fn ranged<D: Dimension, R: Domain, E: de::Error>(range: &Range) -> Result<Vec<Quantity<D, R>>, E> {
+    let end = |text: &str| text.parse::<Quantity<D, R>>().map_err(E::custom);
+    let values = range.between(end(&range.from)?.si(), end(&range.to)?.si()).map_err(E::custom)?;
+    values.into_iter().map(|value| Quantity::new(value).map_err(E::custom)).collect()
 }
 
 pub(super) fn one_or_more<'de, D: Dimension, R: Domain, P: Deserializer<'de>>(
@@ -55,4 +68,31 @@ pub(super) fn some_or_more<'de, D: Dimension, R: Domain, P: Deserializer<'de>>(
     deserializer: P,
 ) -> Result<Option<Vec<Quantity<D, R>>>, P::Error> {
     one_or_more(deserializer).map(Some)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::input::quantity::{AboveZero, MetrePerSecond};
+    use serde::de::value::{Error, StrDeserializer};
+
+    fn speeds(text: &str) -> Result<Vec<f64>, String> {
+        let read = one_or_more::<MetrePerSecond, AboveZero, _>(StrDeserializer::<Error>::new(text));
+        read.map(|speeds| speeds.iter().map(|speed| speed.si()).collect()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn a_range_has_its_ends_and_equal_ratios() {
+        let all = speeds("1 mm/s..1 m/s:4log").unwrap();
+        let exact = [1e-3, 1e-2, 0.1, 1.0];
+        assert!(all.len() == 4 && all.iter().zip(exact).all(|(v, e)| (v / e - 1.0).abs() < 1e-15), "{all:?}");
+        assert_eq!(speeds("1 m/s..2 m/s:3").unwrap(), [1.0, 1.5, 2.0]);
+    }
+
+    #[test]
+    fn a_wrong_range_says_what_is_wrong() {
+        assert!(speeds("1 mm/s..1 m/s").unwrap_err().contains("does not say how many values"));
+        assert!(speeds("1 mm/s..1 N:3").unwrap_err().contains("a speed in one of"));
+        assert!(speeds("0 m/s..1 m/s:3log").unwrap_err().contains("above zero"));
+    }
 }

@@ -23,7 +23,8 @@ pub use glide::{Glide, Motion};
 pub use impact::Impact;
 pub use machine::{Drive, Fall, MachineEntry, MachineMotion, Ring};
 pub use motion::{Driven, MotionTable};
-pub use ramp::{Hold, Indent, Press, Retract, Slide};
+pub(in crate::scene) use ramp::space;
+pub use ramp::{Hold, Indent, Press, Retract, Slide, Spacing};
 pub use wave::Oscillate;
 
 use crate::contact::adhesion::equilibrium::Control;

@@ -64,6 +64,7 @@ impl MotionTable {
             tangential: self.slide.as_ref().map_or(stage::Path::Stay, |slide| stage::Path::To(slide[row])),
             over: if row == 0 { self.time[0].max(0.0) } else { self.time[row] - self.time[row - 1] },
             records: 1,
+            spacing: stage::Spaced::Evenly,
             extent: Extent::Row,
         };
         (0..values.len()).map(stage).collect()

@@ -1,8 +1,10 @@
 //! Ramps and rests: a value is reached at a constant rate, or kept.
 
+use super::{Entry, EntryTraits};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::input::quantity::{Displacement, Duration, Force, Speed};
-use crate::scene::stage::{Path, Stage};
+use crate::scene::Scene;
+use crate::scene::stage::{Path, Spaced, Stage};
 use serde::{Deserialize, Serialize};
 
 /// Ramp of the indentation.
@@ -44,11 +46,54 @@ impl Press {
 pub struct Hold {
     /// Duration [s].
     pub over: Duration,
+    /// Where its records stand; by decades where a body relaxes over more than two of them, evenly otherwise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spacing: Option<Spacing>,
 }
+
+/// Where the records of a rest stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+pub enum Spacing {
+    /// At equal times.
+    Even,
+    /// At equal steps of ln(1 + t/t₀), with t₀ the duration of the motion before it.
+    Log,
+}
+
+/// Durations of the motion before it over which a body that relaxes is not seen by equal times.
+const DECADES: f64 = 100.0;
+/// The same beyond which nothing is seen by any times.
+const MOST_DECADES: f64 = 1e100;
+/// Part of a rest from which on its decades count where nothing moved before it.
+const AT_ONCE: f64 = 1e-6;
 
 impl Hold {
     pub(super) fn stage(&self, control: Control, rest: Stage) -> Stage {
         Stage { control: Some(control), over: self.over.si(), ..rest }
+    }
+
+    /// Where its records stand behind a motion that took `before` [s], 0 if there was none.
+    fn spaced(&self, before: f64, relaxes: bool) -> Spaced {
+        let over = self.over.si();
+        let decades =
+            Spaced::ByDecades { from: if before > 0.0 { before.max(over / MOST_DECADES) } else { AT_ONCE * over } };
+        match self.spacing {
+            Some(Spacing::Log) => decades,
+            None if relaxes && before > 0.0 && over > DECADES * before && over / before < MOST_DECADES => decades,
+            Some(Spacing::Even) | None => Spaced::Evenly,
+        }
+    }
+}
+
+/// Lays the records of all rests of a history: each one knows how long the motion before it took.
+pub(in crate::scene) fn space(scene: &Scene, entries: &mut [EntryTraits<'_>]) {
+    let relaxes = scene.bodies.0.relaxes() || scene.bodies.1.relaxes();
+    let mut before = 0.0;
+    for (entry, traits) in scene.history.iter().zip(entries) {
+        if let Entry::Hold(hold) | Entry::HoldForce(hold) = entry {
+            traits.stages.iter_mut().for_each(|stage| stage.spacing = hold.spaced(before, relaxes));
+        }
+        before = traits.stages.last().map_or(before, |stage| stage.over);
     }
 }
 

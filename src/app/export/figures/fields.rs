@@ -1,6 +1,6 @@
 //! Pressure over the radius.
 
-use crate::app::export::with_prefix;
+use super::curve::short;
 use crate::app::figure::{Axis, Guide, Panel, Series};
 use crate::run::record::{Field, FieldRow, Outcome};
 use crate::scene::plan::Plan;
@@ -16,9 +16,10 @@ pub fn pressure(plan: &Plan, outcome: &Outcome) -> Panel {
     let pressures = Pressures::of(&shown);
     let panel = Panel::new(across(plan), pressures.axis());
     let panel = shown.iter().fold(panel, |panel, field| panel.with(curve(field)));
-    let edge = shown.first().map(|field| field.contact_radius).filter(|&a| a > 0.0);
+    let edge = largest(&shown).map(|field| field.contact_radius).filter(|&a| a > 0.0);
     let panel = edge.into_iter().fold(panel, |panel, a| panel.guide(Guide::vertical(a, "a")));
-    pressures.notes().into_iter().fold(panel, Panel::note)
+    let across = if plan.scene.shape.is_plane() { 'x' } else { 'r' };
+    pressures.notes(across).into_iter().fold(panel, Panel::note)
 }
 
 /// What the pressures shown reach, and where they have no bound.
@@ -62,29 +63,38 @@ impl Pressures {
         if self.pulls { axis.from(self.least.max(-depth)) } else { axis }
     }
 
-    fn notes(&self) -> Vec<&'static str> {
+    fn notes(&self, across: char) -> Vec<String> {
         let edge = match (self.pulls, self.presses) {
-            (true, true) => Some("The edge is singular: p → ±∞ as r → a; the curves are cut off there."),
-            (true, false) => Some("The edge is singular: p → −∞ as r → a; the curve is cut off there."),
-            (false, true) => Some("The edge is singular: p → ∞ as r → a; the curve is cut off there."),
+            (true, true) => Some("±∞"),
+            (true, false) => Some("−∞"),
+            (false, true) => Some("∞"),
             (false, false) => None,
         };
-        let tip = self.pointed.then_some("The tip is a point: p → ∞ as r → 0; the curve is cut off there.");
-        edge.into_iter().chain(tip).collect()
+        let edge = edge.map(|bound| {
+            format!("The edge is singular: p → {bound} as {across} → a; what goes beyond is cut off there.")
+        });
+        let tip = "The tip is a point: p → ∞ as r → 0; the curve is cut off there.".to_owned();
+        edge.into_iter().chain(self.pointed.then_some(tip)).collect()
     }
 }
 
-/// At most four: the largest contact and the last ones.
+/// At most four, in the order of time: the largest contact and the last ones.
 pub fn shown(fields: &[Field]) -> Vec<&Field> {
-    let largest = fields.iter().max_by(|x, y| x.contact_radius.total_cmp(&y.contact_radius));
-    let mut shown: Vec<&Field> = largest.into_iter().collect();
+    let all: Vec<&Field> = fields.iter().collect();
+    let mut shown: Vec<&Field> = largest(&all).into_iter().collect();
     for field in fields.iter().rev() {
         let same = shown.iter().any(|other| (other.contact_radius - field.contact_radius).abs() <= 0.0);
         if shown.len() < 4 && !same {
             shown.push(field);
         }
     }
+    shown.sort_by(|one, other| one.time.total_cmp(&other.time));
     shown
+}
+
+/// The field of the largest contact.
+pub fn largest<'f>(fields: &[&'f Field]) -> Option<&'f Field> {
+    fields.iter().copied().max_by(|x, y| x.contact_radius.total_cmp(&y.contact_radius))
 }
 
 fn mean_pressure(field: &Field) -> f64 {
@@ -98,6 +108,6 @@ fn curve(field: &Field) -> Series {
     let acts = |row: &&FieldRow| row.pressure.is_some_and(|p| p.abs() > 0.0);
     let reach = field.rows.iter().filter(acts).map(|row| row.radius).fold(field.contact_radius, f64::max);
     let rows = field.rows.iter().filter(|row| row.radius <= 1.4 * reach);
-    let label = format!("{}, a = {}", field.label, with_prefix(field.contact_radius, "m"));
+    let label = format!("{}, a = {}", field.label, short(field.contact_radius, "m"));
     Series::new(label, rows.map(point))
 }

@@ -1,7 +1,7 @@
 //! Tangential loops, stick and slip, shear stress, fretting, sliding friction against load.
 
-use super::curve::{axis_of, marked, of_records, panel};
-use super::fields::{across, shown};
+use super::curve::{axis_of, marked, of_records, panel, time_axis};
+use super::fields::{across, largest, shown};
 use crate::app::figure::{Axis, Guide, Hue, Line, Mark, Marks, Panel, Points, Series};
 use crate::contact::state::Tangential;
 use crate::friction::sliding::SlidingPoint;
@@ -47,7 +47,7 @@ pub fn loops(plan: &Plan, records: &[Record]) -> Panel {
 pub fn stick(plan: &Plan, records: &[Record]) -> Panel {
     let width = if plan.scene.shape.is_plane() { "half width" } else { "radius" };
     let of = |column| of_records(from_first_slide(records), &TIME, column);
-    Panel::new(axis_of(&TIME), Axis::linear(width, "m").from(0.0))
+    Panel::new(time_axis(records), Axis::linear(width, "m").from(0.0))
         .with(Series::new("contact a", of(&CONTACT_RADIUS)))
         .with(Series::new("stick c", of(&STICK_RADIUS)))
 }
@@ -62,7 +62,8 @@ pub fn from_first_slide(records: &[Record]) -> &[Record] {
 pub fn stress(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     let rubs = |field: &&&Field| field.rows.iter().any(|row| row.shear.is_some_and(|tau| tau.abs() > 0.0));
     let all = shown(&outcome.fields);
-    let fields: Vec<&&Field> = all.iter().filter(rubs).take(3).collect();
+    let fields: Vec<&Field> = all.iter().filter(rubs).copied().collect();
+    let fields = &fields[fields.len().saturating_sub(3)..];
     let panel = Panel::new(across(plan), Axis::linear("shear stress τ", "Pa"));
     let curve = |field: &Field, reach: f64, of: &dyn Fn(&FieldRow) -> Option<f64>| -> Points {
         let inside = field.rows.iter().filter(|row| row.radius <= reach * field.contact_radius);
@@ -70,7 +71,7 @@ pub fn stress(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     };
     let series = fields.iter().map(|field| Series::new(field.label.clone(), curve(field, 1.2, &|row| row.shear)));
     let panel = series.fold(panel, Panel::with);
-    let field = fields.first()?;
+    let field = largest(fields)?;
     let coefficient = plan.round().and_then(|round| round.friction.as_ref()?.coulomb());
     let Some(coefficient) = coefficient else { return Some(panel) };
     let largest = field.rows.iter().filter_map(|row| row.shear).max_by(|x, y| x.abs().total_cmp(&y.abs()))?;

@@ -20,6 +20,7 @@ mod sweep;
 mod wear;
 
 use crate::app::figure::{Axis, Figure, Panel, Series};
+use crate::run::curves::between::filled;
 use crate::run::record::{CONTACT_RADIUS, FORCE, INDENTATION, JOINED_SHARE, Outcome, Record};
 use crate::run::table::Column;
 use crate::run::unit::Unit;
@@ -129,7 +130,9 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             | Plan::RoughImpact(_)
             | Plan::Pad(_) => friction::area(plan, outcome).into_iter().collect(),
         },
-        Plot::Moduli => plan.relaxation().map(shape::moduli).into_iter().collect(),
+        Plot::Moduli => {
+            plan.relaxation().map(|relaxation| shape::moduli(relaxation, plan, outcome)).into_iter().collect()
+        }
         Plot::Resistance => plan.travel().map_or_else(Vec::new, |travel| gliding::resistance(travel, outcome)),
         Plot::Traction => rolling::traction(outcome),
         Plot::Machine => plan
@@ -189,7 +192,11 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plan::Round(RoundPlan { wear: Some(_), .. }) => {
             [FORCE, INDENTATION].map(|column| against_time(records, &column)).into()
         }
-        Plan::Round(round) if round.contact.bodies().relaxation().is_none() => vec![against_depth(force_of(plan))],
+        Plan::Round(round) if round.contact.bodies().relaxation().is_none() => {
+            let panel = against_depth(force_of(plan));
+            let pull_off = curve::pull_off(records, &panel);
+            std::iter::once(panel).chain(pull_off).collect()
+        }
         Plan::Round(_) => {
             let over_time = [force_of(plan), &INDENTATION].map(|column| against_time(records, column));
             [against_depth(force_of(plan))].into_iter().chain(over_time).chain(last_loop(plan, records)).collect()
@@ -204,7 +211,7 @@ fn radius(plan: &Plan, records: &[Record]) -> Vec<Panel> {
         return vec![against_time(records, column)];
     }
     let by_depth = against_depth(plan, records, column, axis_of(column).from(0.0));
-    let over_time = plan.relaxation().map(|_| against_time(records, column));
+    let over_time = plan.relaxation().map(|_| against_time(&filled(plan, records), column));
     std::iter::once(by_depth).chain(over_time).collect()
 }
 

@@ -1,11 +1,10 @@
 //! A contact on pixels: its area over the force, the map of its pressure, how often pressures and gaps occur.
 
-use super::curve::{axis_of, of_records};
+use super::curve::{axis_of, few, of_records, short};
 use super::friction::from_first_slide;
 use super::gliding;
 use super::slides;
-use crate::app::export::with_prefix;
-use crate::app::figure::{Axis, Cells, Hue, Line, Panel, Points, Series};
+use crate::app::figure::{Axis, Cells, Hue, Line, Mark, Marks, Panel, Points, Series};
 use crate::check::theory::NominallyFlat;
 use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, STICK_AREA, TIME};
 use crate::run::table::Table;
@@ -53,7 +52,7 @@ pub fn leak(outcome: &Outcome) -> Option<Panel> {
     let points = outcome.records.iter().map(|record| Some((record.normal.force, through(record)?)));
     let closed = outcome.records.iter().find(|record| record.pixels.is_some_and(|pixels| pixels.leak == Some(0.0)));
     let panel = Panel::new(axis_of(&FORCE).from(0.0), up).with(Series::new("", points));
-    let note = closed.map(|record| format!("No way leads through from {} on.", with_prefix(record.normal.force, "N")));
+    let note = closed.map(|record| format!("No way leads through from {} on.", short(record.normal.force, "N")));
     (open.1 > 0.0).then(|| note.into_iter().fold(panel, Panel::note))
 }
 
@@ -68,11 +67,13 @@ pub fn area(scene: &Plan, plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
     };
     let points = of_records(&outcome.records, &across, &AREA);
     let panel = Panel::new(axis, axis_of(&AREA).from(0.0));
+    let computed = |label: &str| {
+        let series = Series::new(label, points);
+        if few(scene, &outcome.records) { series.marks(Marks::As(Mark::Point)) } else { series }
+    };
     match NominallyFlat::of(scene) {
-        Some(flat) => {
-            theories(flat, outcome).into_iter().fold(panel.with(Series::new("computed", points)), Panel::with)
-        }
-        None => panel.with(Series::new("", points)),
+        Some(flat) => theories(flat, outcome).into_iter().fold(panel.with(computed("computed")), Panel::with),
+        None => panel.with(computed("")),
     }
 }
 
@@ -105,8 +106,8 @@ pub fn contact(outcome: &Outcome) -> Option<Panel> {
     let pulls = map.pressure.iter().any(|&pressure| pressure < 0.0);
     let axis = if pulls { pressure } else { pressure.from(0.0) };
     let speed = outcome.table("glides").and_then(|glides| glides.column("speed")?.numbers().last().copied().flatten());
-    let at = speed.map_or_else(String::new, |speed| format!(" at {}", with_prefix(speed, "m/s")));
-    let title = format!("contact under {}{at}", with_prefix(map.force, "N"));
+    let at = speed.map_or_else(String::new, |speed| format!(" at {}", short(speed, "m/s")));
+    let title = format!("contact under {}{at}", short(map.force, "N"));
     Some(drawn(&Shown::of(map, &map.pressure), axis, title))
 }
 
@@ -115,7 +116,7 @@ pub fn shear(outcome: &Outcome) -> Option<Panel> {
     let map = outcome.map.as_ref()?;
     let shear = map.shear.as_ref()?;
     let shown = Shown::of(map, shear);
-    let title = format!("shear of {}", with_prefix(shear.sum() * map.pixel[0] * map.pixel[1], "N"));
+    let title = format!("shear of {}", short(shear.sum() * map.pixel[0] * map.pixel[1], "N"));
     let stress =
         Array2::from_shape_fn(shown.stress.dim(), |at| if shown.touching[at] { shown.stress[at] } else { 0.0 });
     Some(drawn(&Shown { stress, ..shown }, Axis::linear("shear stress τ", "Pa"), title))
@@ -264,7 +265,7 @@ fn densities(table: &Table, of: &str, density: &str) -> Option<Panel> {
     let rows: Vec<usize> = (0..table.rows()).collect();
     for rows in rows.chunk_by(|&one, &next| forces[one] == forces[next]) {
         let points = rows.iter().map(|&row| x.numbers()[row].zip(y.numbers()[row]));
-        let label = rows.first().and_then(|&row| forces[row]).map_or_else(String::new, |force| with_prefix(force, "N"));
+        let label = rows.first().and_then(|&row| forces[row]).map_or_else(String::new, |force| short(force, "N"));
         panel = panel.with(Series::new(label, points));
     }
     Some(panel)

@@ -32,7 +32,7 @@ fn over_creepage(table: &Table, outcome: &Outcome) -> Option<Panel> {
     let series = if table.rows() <= MARKED { series.marks(Marks::Numbered) } else { series };
     let panel = Panel::new(axis(creepage), axis(force)).with(series);
     let panel = match exact {
-        Some(exact) => panel.with(Series::new("cube with Kalker's C11", points(creepage, exact)).line(Line::Dashed)),
+        Some(exact) => panel.with(Series::new("cube with Kalker's C₁₁", points(creepage, exact)).line(Line::Dashed)),
         None => panel,
     };
     Some(match outcome.number("largest_traction_n") {

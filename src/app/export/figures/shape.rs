@@ -1,9 +1,12 @@
 //! The indenter and its one-dimensional equivalent; the moduli of a viscoelastic body.
 
-use crate::app::figure::{Axis, Panel, Series};
+use super::curve::marked;
+use crate::app::figure::{Axis, Hue, Mark, Marks, Panel, Series};
 use crate::contact::viscoelastic::Spectrum;
 use crate::material::Relaxation;
 use crate::run::record::Outcome;
+use crate::scene::plan::Plan;
+use crate::scene::stage::Path;
 use crate::shape::{Profile, Rim};
 use std::f64::consts::TAU;
 
@@ -28,8 +31,25 @@ pub fn profile(profile: &dyn Profile, outcome: &Outcome, across: Axis) -> Panel 
     }
 }
 
+/// Relaxation and storage and loss moduli over the decades of the spectrum, with those that the last loop was found to
+/// have.
+pub fn moduli(relaxation: &Relaxation, plan: &Plan, outcome: &Outcome) -> Panel {
+    let wave = plan.stages.iter().rev().find_map(|stage| match stage.normal {
+        Path::Wave(wave) => Some(wave),
+        _ => None,
+    });
+    let found = |name| Some((TAU * wave?.frequency, outcome.number(name)?));
+    let mark = |label, name, shape| {
+        let series = marked(label, [found(name)?], Marks::As(shape));
+        Some(series.colour(Hue::Vermillion))
+    };
+    let storage = mark("E′ of the last loop", "storage_modulus_pa", Mark::Ring);
+    let loss = mark("E″ of the last loop", "loss_modulus_pa", Mark::Square);
+    storage.into_iter().chain(loss).fold(spectrum(relaxation), Panel::with)
+}
+
 /// Relaxation and storage and loss moduli over the decades of the spectrum.
-pub fn moduli(relaxation: &Relaxation) -> Panel {
+fn spectrum(relaxation: &Relaxation) -> Panel {
     let lag = relaxation.viscosity / relaxation.equilibrium.max(f64::MIN_POSITIVE);
     let times = relaxation.terms.iter().map(|term| term.1).chain([lag]);
     let times = times.filter(|time| *time > 0.0 && time.is_finite());

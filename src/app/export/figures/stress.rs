@@ -1,6 +1,6 @@
 //! Stresses below the surface: the map of von Mises, the maps of single stresses, and the axis.
 
-use crate::app::export::with_prefix;
+use super::curve::short;
 use crate::app::figure::{Axis, Colours, Contours, Hue, Line, Mark, Marks, Panel, Series};
 use crate::run::record::Outcome;
 use crate::run::table::{Filled, Table};
@@ -46,7 +46,7 @@ fn field(table: &Table, stress: &Filled, (a, bounded): (f64, bool)) -> Option<Pa
     let across = if place.quantity == "place" { "place x/a along the sliding" } else { "radius r/a" };
     let axes = [between(Axis::linear(across, "1"), &x), between(Axis::linear("depth z/a", "1"), &y).falling()];
     let [across, down] = axes;
-    let panel = Panel::new(across, down).titled(format!("{}, a = {}", stress.label, with_prefix(a, "m")));
+    let panel = Panel::new(across, down).titled(format!("{}, a = {}", stress.label, short(a, "m")));
     Some(panel.over(Contours { x, y, values, axis: bar, colours: Colours::AboutZero }))
 }
 
@@ -79,7 +79,7 @@ fn map(table: &Table, a: f64, outcome: &Outcome) -> Option<Panel> {
     let panel =
         Panel::new(between(Axis::linear(across, "1"), &x), between(Axis::linear("depth z/a", "1"), &y).falling());
     let contours = Contours { x, y, values, axis: bar, colours: Colours::Rising };
-    let panel = panel.titled(format!("a = {}", with_prefix(a, "m"))).over(contours);
+    let panel = panel.titled(format!("a = {}", short(a, "m"))).over(contours);
     Some(match hardest {
         Some(hardest) => panel.with(hardest.mark()),
         None => panel.note("The stress has no bound under a sharp edge or tip: the darkest colour is cut off there."),
@@ -100,7 +100,7 @@ impl Hardest {
     }
 
     fn mark(&self) -> Series {
-        let label = format!("hardest: {} at z = {:.2} a", with_prefix(self.von_mises, "Pa"), self.place.1);
+        let label = format!("hardest: {} at z = {:.2} a", short(self.von_mises, "Pa"), self.place.1);
         let dot = Series::new(label, [self.place]).line(Line::Absent).colour(Hue::Vermillion);
         dot.marks(Marks::As(Mark::Diamond))
     }

@@ -1,7 +1,6 @@
 //! Worn profiles in time, their pressures, and what has been worn off.
 
-use super::curve::{against_time, axis};
-use crate::app::export::with_prefix;
+use super::curve::{against_time, axis, short};
 use crate::app::figure::{Panel, Series};
 use crate::run::record::{Outcome, WEAR_DEPTH, WORN_VOLUME};
 use crate::run::table::Table;
@@ -39,7 +38,7 @@ fn over_radius(table: &Table, quantity: &str) -> Option<Panel> {
     let skipped = blocks.len().saturating_sub(MOST - 1);
     let shown = blocks.into_iter().enumerate().filter(|(at, _)| *at == 0 || *at >= skipped).map(|(_, block)| block);
     let series = shown.map(|(path, points)| {
-        let label = if path > 0.0 { format!("after {}", with_prefix(path, "m")) } else { "unworn".to_owned() };
+        let label = if path > 0.0 { format!("after {}", short(path, "m")) } else { "unworn".to_owned() };
         Series::new(label, points)
     });
     Some(series.fold(Panel::new(axis(radius).from(0.0), axis(column).from(0.0)), Panel::with))
