@@ -50,7 +50,7 @@ pub enum BedError {
     },
     /// The contact is wider than layers are known.
     #[error(
-        "the contact radius of {radius:e} m is beyond {known:e} m, up to which such layers are computed (64 thicknesses of the topmost one; a million under a Paraboloid on a rigid base, bonded with a Poisson's ratio up to 0.45 or sliding): expected a smaller load, or Winkler(modulus: …, thickness: …) for so thin a layer"
+        "the contact radius of {radius:e} m is beyond {known:e} m, up to which such layers are computed (64 thicknesses of the topmost one; a million under a Paraboloid on a rigid base, not with a Poisson's ratio between some 0.45 and 0.5): expected a smaller load, or Winkler(modulus: …, thickness: …) for so thin a layer"
     )]
     Wide {
         /// Contact radius [m].

@@ -4,8 +4,8 @@ use super::Ground;
 use super::kernel::Kernel;
 use super::line_load::LineLoad;
 use super::octave::Octave;
-use super::wide::{self, Wide};
-use crate::material::Stack;
+use super::wide::{self, Thin, Wide};
+use crate::material::{Joint, Stack};
 use crate::numerics::{legendre, quadrature};
 use crate::shape::Profile;
 use std::collections::VecDeque;
@@ -45,11 +45,27 @@ pub struct Layers {
     first: f64,
     /// Octaves by the integral equation, and those beyond.
     octaves: Vec<OnceLock<Octave>>,
-    /// Thickness of all layers, in thicknesses of the top one, if nothing gives below them.
-    rigid: Option<f64>,
+    /// The layers, if nothing gives below them.
+    thin: Option<Thin>,
     wide: OnceLock<Option<Wide>>,
     /// Displacements of springs and the line load that goes with them, the last that were asked for.
     last: Mutex<VecDeque<(LineLoad, Arc<LineLoad>)>>,
+}
+
+/// What lies on a rigid base, if all of it does: under p = cos kx a bonded layer that cannot be compressed gives
+/// by k²h³/3G.
+fn thin(parts: &[(f64, Stack)], unit: f64) -> Option<Thin> {
+    if parts.iter().any(|(_, stack)| stack.base.is_some()) {
+        return None;
+    }
+    let squeezed = |(share, stack): &(f64, Stack)| match stack.sheets.as_slice() {
+        [one] if one.poisson >= 0.5 && one.joint == Joint::Bonded => Some(share * (one.thickness / unit).powi(3)),
+        _ => None,
+    };
+    let softness = parts.iter().map(squeezed).sum::<Option<f64>>();
+    let thickness = |stack: &Stack| stack.sheets.iter().map(|sheet| sheet.thickness / unit).sum::<f64>();
+    let thickest = parts.iter().map(|(_, stack)| thickness(stack)).fold(0.0, f64::max);
+    Some(softness.map_or(Thin::Pressed(thickest), |softness| Thin::Squeezed(2.0 / 3.0 * softness)))
 }
 
 impl Layers {
@@ -63,9 +79,7 @@ impl Layers {
         let compression = parts.iter().map(|(share, stack)| share * stack.compression()).sum::<f64>();
         // What a body without layers gives has no end.
         let whole = parts.iter().map(|(share, _)| share).sum::<f64>() > 1.0 - WHOLE;
-        let given = parts.iter().any(|(_, stack)| stack.base.is_some() || stack.sheets.is_empty());
-        let thickness = |stack: &Stack| stack.sheets.iter().map(|sheet| sheet.thickness / unit).sum::<f64>();
-        let thickest = parts.iter().map(|(_, stack)| thickness(stack)).fold(0.0, f64::max);
+        let thin = thin(&parts, unit);
         let lacking = move |t: f64| parts.iter().map(|(share, stack)| share * stack.lacking(t / unit)).sum();
         let kernel = Kernel::new(lacking, least * unit);
         // Small punches have s = a/(1 − K(0, 0)a): a stiff layer on a soft base bends below far smaller ones.
@@ -77,7 +91,7 @@ impl Layers {
             compression: if whole { compression } else { f64::INFINITY },
             first: FIRST / f64::from(finer).exp2(),
             octaves: vec![OnceLock::new(); (OCTAVES + finer) as usize + WIDER],
-            rigid: (whole && !given).then_some(thickest),
+            thin: thin.filter(|_| whole),
             wide: OnceLock::new(),
             last: Mutex::default(),
         }
@@ -101,7 +115,7 @@ impl Layers {
 
     /// Punches beyond them, if they are known.
     fn wide(&self) -> Option<&Wide> {
-        self.wide.get_or_init(|| Wide::of(&self.kernel, self.rigid?)).as_ref()
+        self.wide.get_or_init(|| Wide::of(&self.kernel, self.thin?)).as_ref()
     }
 
     fn kept(&self, octave: usize) -> Option<&Octave> {

@@ -61,11 +61,11 @@ impl Octave {
         self.edge.at(a).powi(2) / self.measure.at(a)
     }
 
-    /// The radius at which s(a) = `s`: one step of Newton doubles the digits of the table, whose function is a root where
+    /// The radius at which s(a) = `s`: two steps of Newton make good what the table lacks, whose function is a root where
     /// the layer is thin.
     pub(super) fn radius(&self, s: f64) -> f64 {
-        let a = s * self.radius.at(s);
-        a - (a * self.measure.at(a) - s) / self.edge.at(a).powi(2)
+        let nearer = |a: f64| a - (a * self.measure.at(a) - s) / self.edge.at(a).powi(2);
+        nearer(nearer(s * self.radius.at(s)))
     }
 
     /// Coefficients of P₂ₘ(x/a) in q₁(x; a).

@@ -7,8 +7,7 @@
 //! e^(−2βa), is nothing from 10 thicknesses on.
 //!
 //! A layer that can hardly be compressed (ν a little below 1/2), or a stack much thicker than its topmost layer, turns from
-//! one power to the other on its way; of one that cannot be compressed M falls below the rounding of its matrices. Then a
-//! wider punch is not met, and nothing is told.
+//! one power to the other on its way: then a wider punch is not met, and nothing is told.
 
 use super::kernel::Kernel;
 use super::punch::{self, Punch};
@@ -20,13 +19,21 @@ pub(super) const ERROR: f64 = 1e-8;
 const MET: usize = 9;
 const LEAST: f64 = 10.0;
 const MOST: f64 = 64.0;
-/// Radii that must be met as well.
-const TRIED: [f64; 2] = [35.0, 90.0];
+/// Radii that must be met as well; further out a layer that cannot be compressed leaves no digits to the equation.
+const TRIED: [f64; 2] = [35.0, 72.0];
 /// Wave numbers squared, times the thickness of the stack squared, from which the longest waves are led to the limit.
 const LONG: (f64, f64) = (0.005, 0.05);
-/// Parts of M/t that are nothing, and that are enough for a layer that can be compressed.
-const NOTHING: f64 = 1e-9;
+/// Part of M/t that is enough for a layer that can be compressed.
 const ENOUGH: f64 = 1e-3;
+
+/// What lies on a rigid base, lengths in thicknesses of the topmost layer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Thin {
+    /// Single bonded layers that cannot be compressed, M → mt³; m = 2/3 of one that is one thick.
+    Squeezed(f64),
+    /// Other layers, of that thickness together.
+    Pressed(f64),
+}
 
 /// q₁² of wide punches.
 #[derive(Debug, Clone)]
@@ -37,10 +44,12 @@ pub(super) struct Wide {
 }
 
 impl Wide {
-    /// Of layers on a rigid base, `thickness` together, lengths in thicknesses of the topmost one; `None` if they are not
-    /// known beyond their punches.
-    pub(super) fn of(kernel: &Kernel, thickness: f64) -> Option<Self> {
-        let (power, softness) = longest(kernel, thickness)?;
+    /// Of layers on a rigid base; `None` if they are not known beyond their punches.
+    pub(super) fn of(kernel: &Kernel, thin: Thin) -> Option<Self> {
+        let (power, softness) = match thin {
+            Thin::Squeezed(softness) => (3, softness),
+            Thin::Pressed(thickness) => (1, longest(kernel, thickness)?),
+        };
         // Γ(1) = Γ(2) = 1.
         let leading = PI / (f64::from(power).exp2() * softness);
         let density = |a: f64| Punch::new(kernel, a, &punch::rule(punch::count(a))).edge.powi(2);
@@ -58,25 +67,15 @@ impl Wide {
     }
 }
 
-/// n and m of M → mtⁿ, from waves longer than the layers are thick: M/t is even.
-fn longest(kernel: &Kernel, thickness: f64) -> Option<(i32, f64)> {
-    let limit = |power: i32| {
-        let at = |square: f64| {
-            let t = square.sqrt() / thickness;
-            (square, (1.0 - kernel.lacking(t)) / t.powi(power))
-        };
-        let points: Vec<(f64, f64)> = nodes(LONG).map(at).collect();
-        let most = points.iter().fold(0.0f64, |most, point| most.max(point.1.abs()));
-        (Newton::through(points).at(0.0), most)
+/// m of M → mt, from waves longer than the layers are thick: M/t is even.
+fn longest(kernel: &Kernel, thickness: f64) -> Option<f64> {
+    let at = |square: f64| {
+        let t = square.sqrt() / thickness;
+        (square, (1.0 - kernel.lacking(t)) / t)
     };
-    let (softness, most) = limit(1);
-    if softness > ENOUGH * most {
-        Some((1, softness))
-    } else if softness.abs() < NOTHING * most {
-        Some((3, limit(3).0))
-    } else {
-        None
-    }
+    let points: Vec<(f64, f64)> = nodes(LONG).map(at).collect();
+    let most = points.iter().fold(0.0f64, |most, point| most.max(point.1.abs()));
+    Some(Newton::through(points).at(0.0)).filter(|softness| *softness > ENOUGH * most)
 }
 
 /// Chebyshev's nodes of an interval, those first that lie far apart, by which Newton's differences keep their digits.

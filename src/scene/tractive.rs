@@ -76,6 +76,7 @@ impl RollingBody {
             | Shape::WavyParaboloid(_)
             | Shape::Ellipsoid(_)
             | Shape::Table(_)
+            | Shape::SmoothTable(_)
             | Shape::RoughLine(_)
             | Shape::HeightMap(..)
             | Shape::Topography(_)

@@ -203,6 +203,7 @@ impl Shape {
             | Self::TruncatedParaboloid(_)
             | Self::RoundedPunch(_)
             | Self::Table(_)
+            | Self::SmoothTable(_)
             | Self::RoughLine(_)
             | Self::HeightMap(..)
             | Self::Topography(_)

@@ -107,6 +107,7 @@ fn axisymmetric(shape: &Shape, d: f64) -> Attempt<Option<ClosedForm>> {
         | Shape::WavyParaboloid(_)
         | Shape::Ellipsoid(_)
         | Shape::Table(_)
+        | Shape::SmoothTable(_)
         | Shape::RoughLine(_)
         | Shape::HeightMap(..)
         | Shape::Topography(_)
