@@ -69,10 +69,12 @@ fn unloading(plan: &RoundPlan, records: &[Record]) -> Option<Unloading> {
 }
 
 fn epsilon(shape: &Shape) -> f64 {
-    match shape {
-        Shape::Cone(_) => SHARP,
-        Shape::FlatPunch(_) => FLAT,
-        _ => ROUND,
+    if matches!(shape, Shape::Cone(_)) {
+        SHARP
+    } else if matches!(shape, Shape::FlatPunch(_)) {
+        FLAT
+    } else {
+        ROUND
     }
 }
 

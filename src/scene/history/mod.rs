@@ -170,7 +170,20 @@ impl Entry {
             Self::Table(path) => Some((path.as_path(), None)),
             Self::DepthTable(path) => Some((path.as_path(), Some(Control::Indentation))),
             Self::ForceTable(path) => Some((path.as_path(), Some(Control::Force))),
-            _ => None,
+            Self::Indent(_)
+            | Self::Press(_)
+            | Self::Hold(_)
+            | Self::HoldForce(_)
+            | Self::Slide(_)
+            | Self::Oscillate(_)
+            | Self::Shake(_)
+            | Self::Retract(_)
+            | Self::Glide(_)
+            | Self::Roll(_)
+            | Self::Drive(_)
+            | Self::Ring(_)
+            | Self::Fall(_)
+            | Self::Impact(_) => None,
         }
     }
 }
