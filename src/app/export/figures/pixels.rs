@@ -20,6 +20,9 @@ const DECADE: f64 = 10.0;
 /// Pieces of the curve of a theory.
 const THEORY: u32 = 64;
 
+/// Corners of a piece of an outline; longer curves are thinned column by column, which a way round does not bear.
+const PIECE: usize = 128;
+
 /// Most cells along a side of the map.
 const SHOWN: usize = 128;
 
@@ -199,8 +202,12 @@ impl Shown {
                 at = next;
                 way.push(at);
             }
-            points.extend(corners(&way).into_iter().map(|[row, column]| Some((x(column), y(row)))));
-            points.push(None);
+            let corners = corners(&way);
+            for first in (0..corners.len() - 1).step_by(PIECE) {
+                let piece = &corners[first..corners.len().min(first + PIECE + 1)];
+                points.extend(piece.iter().map(|&[row, column]| Some((x(column), y(row)))));
+                points.push(None);
+            }
         }
         points
     }
