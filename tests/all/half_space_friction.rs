@@ -106,7 +106,9 @@ proptest! {
             work += 0.5 * (before.normal.force + after.normal.force) * depth + 0.5 * (tangential(before) + tangential(after)) * slide;
             let kept = after.normal.stored.stored() + after.tangential.unwrap().stored.unwrap() + dissipated(after);
             (open, most) = (open.max((work - kept).abs()), most.max(kept));
-            prop_assert!(dissipated(after) >= dissipated(before) * (1.0 - 1e-7), "{before:?} {after:?}");
+            // What is lost is a difference of energies, each known to the residual of its contact.
+            let known = 1e-7 * dissipated(before) + 1e-9 * most;
+            prop_assert!(dissipated(after) >= dissipated(before) - known, "{before:?} {after:?}");
             prop_assert!(after.tangential.unwrap().stored.unwrap() >= -1e-7 * most);
         }
         // Trapezoids in 24 steps of a force that grows as d², and pixels that join in steps.

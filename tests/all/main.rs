@@ -67,6 +67,8 @@ mod text;
 mod told;
 #[cfg(feature = "text")]
 mod traction;
+#[cfg(feature = "text")]
+mod unloading;
 mod viscoelastic_scenes;
 #[cfg(feature = "watch")]
 mod watch;
