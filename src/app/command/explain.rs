@@ -27,17 +27,30 @@ pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failur
     console.result(&text)
 }
 
+/// What the matrix says of the errors that its scenes reach.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Errors {
+    /// Nothing: no scene is computed.
+    LeftOut,
+    /// How far each is off: every scene is computed.
+    Measured,
+}
+
 /// Shows the matrix of all combinations.
 ///
 /// # Errors
 /// It cannot be written.
-pub fn matrix(common: &Common, console: &Console) -> Result<(), Failure> {
+pub fn matrix(errors: Errors, common: &Common, console: &Console) -> Result<(), Failure> {
     let cells = matrix::cells();
-    let text = if common.json { cells_as_json(&cells)? } else { matrix::in_words(&cells) };
+    let text = match errors {
+        _ if common.json => cells_as_json(&cells, errors)?,
+        Errors::LeftOut => matrix::in_words(&cells),
+        Errors::Measured => matrix::measured(&cells),
+    };
     console.result(&text)
 }
 
-fn cells_as_json(cells: &[Cell]) -> Result<String, Failure> {
+fn cells_as_json(cells: &[Cell], errors: Errors) -> Result<String, Failure> {
     let object = |cell: &Cell| {
         let [shape, bodies, adhesion, friction, drive] = cell.names();
         let (solver, why) = match &cell.verdict {
@@ -45,7 +58,10 @@ fn cells_as_json(cells: &[Cell]) -> Result<String, Failure> {
             Verdict::Refused { why } => (None, Some(why)),
         };
         let is_computed = solver.is_some();
-        let reached = cell.reached().and_then(Result::ok);
+        let reached = match errors {
+            Errors::LeftOut => None,
+            Errors::Measured => cell.reached().and_then(Result::ok),
+        };
         serde_json::json!({
             "shape": shape, "bodies": bodies, "adhesion": adhesion, "friction": friction, "drive": drive,
             "solver": solver, "refused": why,

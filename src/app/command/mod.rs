@@ -120,6 +120,9 @@ enum Command {
         /// Which shapes, bodies, adhesion, friction and drives are computed together, and why the others are not.
         #[arg(long)]
         matrix: bool,
+        /// Compute the scene of every combination as well, some minutes, and say how far each is off.
+        #[arg(long, requires = "matrix")]
+        measure: bool,
     },
     /// Print a commented scene to start from.
     New {
@@ -243,9 +246,13 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
         Command::Run { scenes, sweep } => run::run(&scenes, &sweep, common, console),
         Command::Gather { folder } => gather(&folder, common, console),
         Command::Check { scenes } => check::run(&scenes, common, console),
-        Command::Explain { scene, .. } => match scene {
+        Command::Explain { scene, measure, .. } => match scene {
             Some(scene) => explain::run(&scene, common, console),
-            None => explain::matrix(common, console),
+            None => explain::matrix(
+                if measure { explain::Errors::Measured } else { explain::Errors::LeftOut },
+                common,
+                console,
+            ),
         },
         Command::New { kind } => starters::run(kind.as_deref(), console),
         Command::Verify { filter, markdown } => {

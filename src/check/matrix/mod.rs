@@ -24,7 +24,7 @@ mod written;
 
 pub use laws::{Kept, Law};
 pub use proved::{Against, Reached};
-pub use table::in_words;
+pub use table::{in_words, measured};
 pub use variation::{Turn, Units, Variation};
 
 use crate::run::record::Outcome;

@@ -8,13 +8,22 @@ use rayon::prelude::*;
 const STRENGTHS: [Proof; 5] = [Proof::Rounding, Proof::Bound, Proof::Order, Proof::Other, Proof::Own];
 
 /// The matrix as text: a row for each shape, bodies, adhesion and friction, a column for each drive. What is computed has a
-/// letter for the solver, one for the strength of the proof and the decade of the error that its own scene reaches, such
-/// as `Ar-15`; a number stands for the reason of a refusal. Rows of the same shape and bodies in which nothing is
-/// computed stand in one line, with all their reasons. Every scene is computed.
+/// letter for the solver and one for the strength of the proof, such as `Ar`; a number stands for the reason of a refusal.
+/// Rows of the same shape and bodies in which nothing is computed stand in one line, with all their reasons.
 #[must_use]
 pub fn in_words(cells: &[Cell]) -> String {
+    with_errors(cells, &vec![String::new(); cells.len()])
+}
+
+/// The same with the decade of the error that the scene of each combination reaches, such as `Ar-15`. Every scene is
+/// computed, most of them twice.
+#[must_use]
+pub fn measured(cells: &[Cell]) -> String {
+    with_errors(cells, &cells.par_iter().map(decade).collect::<Vec<String>>())
+}
+
+fn with_errors(cells: &[Cell], errors: &[String]) -> String {
     let (mut solvers, mut reasons) = (Vec::new(), Vec::new());
-    let errors: Vec<String> = cells.par_iter().map(decade).collect();
     let told: Vec<(&Cell, &str)> = cells.iter().zip(errors.iter().map(String::as_str)).collect();
     let mut lines = vec![format!("{:<69}{}", "", drives().map(|drive| format!("{drive:<11}")).concat())];
     let rows: Vec<&[(&Cell, &str)]> = told.chunk_by(|(one, _), (next, _)| one.at[..4] == next.at[..4]).collect();
