@@ -179,10 +179,12 @@ pub const LEADING_EDGE: Column<Record> =
 /// Where it ends.
 pub const TRAILING_EDGE: Column<Record> =
     Column::new("trailing_edge", Unit::METRE, "trailing edge", |record| record.gliding?.trailing_edge);
-/// Area of contact on pixels.
-pub const AREA: Column<Record> = Column::new("area", Unit::SQUARE_METRE, "area of contact A", |record| {
-    record.pixels.map_or(record.joined?.area, |pixels| Some(pixels.area))
-});
+/// Area of contact on pixels, and of the summits of a pad.
+pub const AREA: Column<Record> =
+    Column::new("area", Unit::SQUARE_METRE, "area of contact A", |record| match record.pixels {
+        Some(pixels) => Some(pixels.area),
+        None => record.joined?.area,
+    });
 
 /// Columns every scene has.
 const NORMAL: &[Column<Record>] = &[
