@@ -4,8 +4,8 @@ use super::{Common, report};
 use crate::app::console::{Console, Failure};
 use crate::app::export::{self, reports};
 use crate::app::progress::Progress;
+use crate::check::cases;
 use crate::check::row::Row;
-use crate::check::{cases, matrix};
 use crate::text::nearest;
 use std::collections::BTreeSet;
 
@@ -42,7 +42,7 @@ pub fn run(filter: &str, form: Form, console: &Console) -> Result<(), Failure> {
     drop(progress);
     match form {
         Form::Table => console.say(&reports::verdict_table(&rows))?,
-        Form::Markdown => console.result(&export::validation(&cases, &rows, &matrix::measured(&matrix::cells())))?,
+        Form::Markdown => console.result(&export::validation(&cases, &rows))?,
         Form::Json => console.result(&json(&rows)?)?,
     }
     outcome(&rows)

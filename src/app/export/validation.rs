@@ -1,6 +1,7 @@
 //! The cases as VALIDATION.md.
 
 use crate::check::case::{Case, Question};
+use crate::check::matrix;
 use crate::check::row::Row;
 use std::fmt::Write;
 
@@ -21,20 +22,20 @@ const COMBINATIONS: &str = "\
 ## Combinations
 
 Which shape, bodies, adhesion, friction and drive are computed together (`springbed explain
---matrix`). What is computed has a letter for the solver, one for the strength of the proof and the
-decade of the error reached: `Ar-13` is solver A, proved to rounding, off by 1e-13 to 1e-12. The
-strength is that of the part which is proved least: by a case above, or by the laws that random
-scenes of all combinations are held against (*other method*). The error is that of the scene of the
-combination itself, written for an error of 1e-3: beside the closed form of a ball, else beside the
-same scene at 1e-6, and what it says of itself where that makes no difference and on pixels. A number
-is the reason of a refusal; `-` is no combination of its own. Rows in which nothing is computed stand
-in one line with all their reasons; `--json` has each by itself, with the cases that prove it and
-what its scene is held against. A test runs one scene of every combination that is computed; random
+--matrix`). What is computed has a letter for the solver and one for the strength of the proof: `Ar`
+is solver A, proved to rounding. The strength is that of the part which is proved least: by a case
+above, or by the laws that random scenes of all combinations are held against (*other method*). A
+number is the reason of a refusal; `-` is no combination of its own. Rows in which nothing is computed
+stand in one line with all their reasons; `--json` has each by itself, with the cases that prove it.
+With `--measure` the scene of each combination, written for an error of 1e-3, is computed and the
+decade of its error told, `Ar-13` for 1e-13 to 1e-12: beside the closed form of a ball, else beside
+the same scene at 1e-6, and what it says of itself where that makes no difference and on pixels. A
+test runs one scene of every combination that is computed; random
 ones are held against laws by `cargo run --release -p benches --example random_scenes`.";
 
-/// The text of VALIDATION.md, with the matrix of combinations as text.
+/// The text of VALIDATION.md.
 #[must_use]
-pub fn validation(cases: &[Case], rows: &[Row], combinations: &str) -> String {
+pub fn validation(cases: &[Case], rows: &[Row]) -> String {
     let mut text = HEAD.to_owned();
     let mut group = "";
     for (case, row) in cases.iter().zip(rows) {
@@ -56,6 +57,6 @@ pub fn validation(cases: &[Case], rows: &[Row], combinations: &str) -> String {
         let [because, weak] = [because, weak].map(|text| text.replace('|', "\\|"));
         let _ = writeln!(text, "| {name} | {proof} | {bound:e} | {reached} | {because} | {weak} |");
     }
-    let _ = writeln!(text, "\n{COMBINATIONS}\n\n```text\n{combinations}\n```");
+    let _ = writeln!(text, "\n{COMBINATIONS}\n\n```text\n{}\n```", matrix::in_words(&matrix::cells()));
     text
 }
