@@ -78,7 +78,7 @@ fn the_window_is_three_times_the_contact() {
             assert!((0.29..0.33).contains(&window), "{scale:e}, {history}: {window}");
             assert!((state.normal.force / (4e-3 / 3.0 * scale * scale) - 1.0).abs() < 3e-4, "{scale:e}, {history}");
             assert!((state.normal.indentation.unwrap() / (0.01 * scale) - 1.0).abs() < 3e-4, "{scale:e}, {history}");
-            let area = (AREA.of)(state).unwrap() / (0.01 * PI * scale * scale);
+            let area = (AREA.of)(&state).unwrap() / (0.01 * PI * scale * scale);
             assert!((area - 1.0).abs() < 0.05, "{scale:e}, {history}: {area}");
             // What is said is of the ball, which is steep for a compressible body, not of the window.
             assert!(outcome.warnings.iter().all(|warning| warning.contains("slope")), "{:?}", outcome.warnings);

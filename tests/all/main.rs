@@ -26,6 +26,7 @@ mod gliding;
 mod ground;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space;
+#[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_coupled;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_friction;
