@@ -248,7 +248,7 @@ impl Ground for Layers {
     }
 
     /// d_e = g(a) − ∫Γ(g(a) − g(ξ))dξ/q₁(a): what an edge without a load needs of the other places; of g = x²/R by
-    /// [`Octave::square`].
+    /// `Octave::square`.
     fn depth_share(&self, profile: &dyn Profile, a: f64) -> f64 {
         if profile.is_square() {
             return self.square(self.known(a).0);
