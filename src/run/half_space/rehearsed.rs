@@ -5,10 +5,13 @@ use super::series::{Depth, Series};
 use super::state::{Pressing, response};
 use crate::run::SimulationError;
 use crate::run::record::{ErrorEstimate, Record};
+use crate::scene::law::PixelFriction;
 use crate::scene::plan::HalfSpacePlan;
 
 /// Error of the time steps, relative, that is aimed at where less is asked for: pixels have more.
 const OF_TIME: f64 = 1e-4;
+/// The same of steps in which pressures and shear are found together, which are of the first order only.
+const OF_SLIP: f64 = 2e-3;
 /// Most doublings of the steps between two records.
 const DOUBLINGS: u32 = 5;
 
@@ -17,13 +20,21 @@ pub(super) struct Rehearsed {
     records: Result<Vec<Record>, SimulationError>,
     /// Steps from record to record.
     pub(super) steps: u32,
-    /// Error that they leave, relative, of bodies that remember.
+    /// Error that they leave, relative, of bodies that remember and of pressures and shear that are found together.
     of_time: Option<f64>,
 }
 
+/// What twice as many steps are worth.
+struct Order {
+    /// Error that is aimed at where less is asked for.
+    aimed: f64,
+    /// Part of what two histories are apart by which the finer one is wrong, its inverse: 2ⁿ − 1 of the order n.
+    parts: f64,
+}
+
 impl Rehearsed {
-    /// Of bodies with a past, or friction; that of bodies which remember with twice as many steps again and again, until force and
-    /// depth no longer change.
+    /// Of bodies with a past, or friction; that of bodies which remember, or of pressures and shear together, with twice as many
+    /// steps again and again, until force and depth no longer change.
     pub(super) fn of(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> Option<Self> {
         let thinned = pressing.heights.thinned();
         let response = response(plan, &thinned);
@@ -33,20 +44,27 @@ impl Rehearsed {
             series.has_past().then(|| series.follow(&|_| ()))
         };
         let first = Self { records: follow(1)?, steps: 1, of_time: None };
-        Some(if plan.relaxation.is_some() { first.refined(plan, follow) } else { first })
+        let order = if let Some(PixelFriction::Coupled { .. }) = plan.friction {
+            Order { aimed: OF_SLIP, parts: 1.0 }
+        } else if plan.relaxation.is_some() {
+            Order { aimed: OF_TIME, parts: 3.0 }
+        } else {
+            return Some(first);
+        };
+        Some(first.refined(plan.accuracy().max(order.aimed), order, follow))
     }
 
     fn refined(
         mut self,
-        plan: &HalfSpacePlan,
+        aimed: f64,
+        order: Order,
         follow: impl Fn(u32) -> Option<Result<Vec<Record>, SimulationError>>,
     ) -> Self {
         for doubling in 1..=DOUBLINGS {
             let (Ok(coarse), Some(Ok(finer))) = (&self.records, follow(1 << doubling)) else { break };
-            // Of the second order: the finer one is wrong by a third of what they are apart.
-            let of_time = apart(coarse, &finer) / 3.0;
+            let of_time = apart(coarse, &finer) / order.parts;
             self = Self { records: Ok(finer), steps: 1 << doubling, of_time: Some(of_time) };
-            if of_time <= plan.accuracy().max(OF_TIME) {
+            if of_time <= aimed {
                 break;
             }
         }
@@ -62,8 +80,7 @@ impl Rehearsed {
             Ok(coarse) => {
                 let of_pixels = apart(coarse, records);
                 let of_time = self.of_time.unwrap_or(0.0);
-                let in_words =
-                    self.of_time.map_or_else(String::new, |of| format!("; the steps of the time leave {of:.0e}"));
+                let in_words = self.of_time.map_or_else(String::new, |of| format!("; the steps leave {of:.0e}"));
                 let of_edge = if hertzian { 0.0 } else { of_edge(records, heights.pixel) };
                 let edge = if of_edge > 0.0 {
                     format!("; the edge lies within half a pixel, {of_edge:.1e} of the radius")

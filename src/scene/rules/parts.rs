@@ -111,7 +111,8 @@ pub(super) fn fading(draft: &Draft<'_>) -> Option<Problem> {
     let AdhesionTraits { name, range: Range::Fading(_), .. } = draft.adhesion(Look::Kind)?.traits() else {
         return None;
     };
-    (!draft.chooses_solver()?).then_some(())?;
+    // A pad is no bed, and is told its own reason.
+    (!draft.chooses_solver()? && !matches!(draft.shape()?.family(), Family::Pad(_))).then_some(())?;
     refused(
         "adhesion",
         format!(
@@ -277,7 +278,8 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (of, why) = match (shape.family(), &adhesion.range) {
         (Family::Pad(_), Range::Vanishing(_)) => return None,
         (Family::Pad(_), Range::Finite(_) | Range::Fading(_)) => {
-            ("", "its springs and summits hold what they touch: expected Jkr(work: …)")
+            let why = "for its springs and summits hold what they touch: expected Jkr(work: …)";
+            return refused("adhesion", format!("{} cannot be computed on a Pad, {why}", adhesion.name));
         }
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
         (Family::Line(_) | Family::Map(..), Range::Vanishing(_)) => (
