@@ -75,3 +75,25 @@ fn what_fades_attracts_as_bradley_and_jkr_have_it() {
     let pulled = least(&soft) / (0.75 * bradley);
     assert!(pulled > 0.97 && pulled < 1.1, "{pulled} {:?}", soft.warnings);
 }
+
+/// A history cut in two takes other steps, and is the same within what is stated.
+#[test]
+fn a_cut_changes_less_than_is_stated() {
+    let led = |history: &str| {
+        let text = format!(
+            "(shape: Paraboloid(radius: 1), bodies: (Elastic(young: 1, poisson: 0), Rigid), friction: Coulomb(coefficient: 0.3),
+            steps: 4, solver: HalfSpace(grid: 32, window: 0.3, tractions: Coupled), history: [{history}])"
+        );
+        let plan =
+            Notation::Ron.plan(&text, &InMemory::default()).unwrap_or_else(|errors| panic!("{text}: {}", errors[0]));
+        run(&plan, Wanted::NOTHING).unwrap_or_else(|error| panic!("{text}: {error}"))
+    };
+    let whole = led("Indent(to: 0.01, over: 1), Slide(to: 0.0015, over: 1)");
+    let cut = led(
+        "Indent(to: 0.005, over: 0.5), Indent(to: 0.01, over: 0.5), Slide(to: 0.00075, over: 0.5), Slide(to: 0.0015, over: 0.5)",
+    );
+    let shear = |outcome: &Outcome| outcome.records.last().unwrap().tangential.unwrap().force;
+    let apart = (shear(&whole) / shear(&cut) - 1.0).abs();
+    assert!(apart < whole.error_estimate.relative, "{apart:e} {:?}", whole.error_estimate);
+    assert!(whole.error_estimate.relative < 1e-2, "{:?}", whole.error_estimate);
+}
