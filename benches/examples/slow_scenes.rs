@@ -26,7 +26,7 @@ const SCENES: [[&str; 4]; 9] = [
     ["Maugis impact", BALL, "MAUGIS", "Impact(mass: 1e-3, speed: 0.05)"],
     ["pull-off by rate, slow", BALL, "RATE", "Press(to: 1e-3, over: 1), Retract(speed: 1e-7)"],
     ["pull-off by rate, fast", BALL, "RATE", "Press(to: 1e-3, over: 1), Retract(speed: 1e-4)"],
-    ["liquid torn off", BALL, LIQUID, "Indent(to: 1e-5, over: 1), Retract(speed: 1e-5)"],
+    ["liquid torn off", BALL, LIQUID, "Indent(to: 1e-5, over: 1), Retract(speed: 1e-3)"],
 ];
 
 /// What a run asks for, as the program does.

@@ -393,6 +393,13 @@ impl Equilibrium for ElasticAttraction {
         }
     }
 
+    fn known(&self, control: Control, target: f64) -> Option<f64> {
+        match self {
+            Self::Line(line) => line.known(control, target),
+            Self::Range(disc) => disc.known(control, target),
+        }
+    }
+
     fn start(&self) -> f64 {
         match self {
             Self::Line(line) => line.start(),

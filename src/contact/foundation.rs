@@ -94,7 +94,7 @@ impl Foundation {
     /// Δl releases E*Δl²/A′ of energy per area, A′ = 2πa under a round contact.
     #[must_use]
     pub fn elongation(&self, a: f64, work: f64) -> f64 {
-        (self.profile.contact_area_slope(a) * (work / self.modulus)).sqrt()
+        if work > 0.0 { (self.profile.contact_area_slope(a) * (work / self.modulus)).sqrt() } else { 0.0 }
     }
 
     /// d ln Δl/d ln a [1].

@@ -3,7 +3,7 @@
 use super::Ground;
 use crate::numerics::chebyshev::Chebyshev;
 use crate::numerics::quadrature;
-use crate::shape::{Moved, Profile, Rim};
+use crate::shape::{Moved, Profile, Rim, edge_by_search};
 use std::f64::consts::{PI, TAU};
 use std::sync::{Arc, OnceLock};
 
@@ -21,6 +21,10 @@ const HALVINGS: usize = 24;
 const NO_BETTER: f64 = 0.25;
 /// Part of the length over which a shape rises and falls within which it is even.
 const EVEN: f64 = 0.125;
+/// Most steps to a depth.
+const STEPS: usize = 12;
+/// A step that changes a radius by less than this part is followed by one below rounding.
+const MET: f64 = 1e-9;
 /// Octaves of the radius.
 const OCTAVES: usize = 200;
 
@@ -47,6 +51,8 @@ struct Panel {
     energy: Chebyshev,
     /// N [m²] and M [m³] at its upper border.
     ends: [f64; 2],
+    /// d_e [m] at its borders.
+    depths: (f64, f64),
 }
 
 /// Panels from the axis on, and N [m²] and M [m³] at their end.
@@ -67,6 +73,12 @@ impl Grounded {
     /// The radius [m] at which it ends: of the shape, or of what is known of the ground.
     fn reach(&self) -> f64 {
         self.shape.rim().radius().min(self.ground.end(self.shape.as_ref(), 0.0))
+    }
+
+    /// Whether the ground is known where an octave begins.
+    fn is_known(&self, octave: usize) -> bool {
+        let low = if octave == 0 { 0.0 } else { self.borders[octave - 1] };
+        low < self.ground.end(self.shape.as_ref(), low)
     }
 
     fn octave_of(&self, a: f64) -> usize {
@@ -137,13 +149,46 @@ impl Grounded {
         let energy = Chebyshev::of(|a| energy_at(a) / (measure(a) * depth(a).powi(2)), NODES, span);
         let ends = [load_at(high), energy_at(high)];
         drop((load_at, energy_at));
-        Panel { high, ends, load, energy, share }
+        let depths = (depth(low), depth(high));
+        Panel { high, ends, depths, load, energy, share }
     }
 
     /// d_e′(a), of the panel with the share `share`.
     fn slope_with(&self, share: &Chebyshev, a: f64) -> f64 {
         let (share, slope) = share.with_slope(a);
         slope * self.shape.reduced(a) + share * self.shape.reduced_slope(a)
+    }
+
+    /// The place at which d_e, of a shape that only rises, is `d`, if that is within the panels; `None` on the flat and where
+    /// the steps to it do not end.
+    pub(super) fn met(&self, d: f64) -> Option<f64> {
+        if d <= 0.0 || self.shape.first_fall().is_some() || self.shape.rim() != Rim::None {
+            return None;
+        }
+        let known = (0..OCTAVES).take_while(|&octave| self.is_known(octave)).flat_map(|octave| self.panels(octave));
+        let panel = known.into_iter().find(|panel| d <= panel.depths.1)?;
+        let radius = if d > panel.depths.0 { self.radius_at(panel, d)? } else { panel.share.low() };
+        Some(self.ground.measure(radius))
+    }
+
+    /// The radius at which d_e of a panel is `d`, between those at its borders: by Newton's steps in logarithms, for d_e is
+    /// nearly a power. `None` where they do not end.
+    fn radius_at(&self, panel: &Panel, d: f64) -> Option<f64> {
+        let (low, high) = (panel.share.low().max(0.0), panel.high);
+        let rise = (d / panel.depths.1).ln() / (panel.depths.0 / panel.depths.1).ln();
+        let start = if panel.depths.0 > 0.0 { rise * (low / high).ln() } else { 0.5 * (d / panel.depths.1).ln() };
+        let mut a = high * start.exp();
+        for _ in 0..STEPS {
+            let (share, slope) = panel.share.with_slope(a);
+            let (depth, bare) = (share * self.shape.reduced(a), self.shape.reduced_slope(a) / self.shape.reduced(a));
+            let growth = a * (slope / share + bare);
+            let next = (a * ((d / depth).ln() / growth).exp()).clamp(low, high);
+            if (next - a).abs() <= MET * a {
+                return Some(next);
+            }
+            a = next;
+        }
+        None
     }
 
     /// The panel about the place `s` with its radius; `None` on the flat of the shape.
@@ -217,6 +262,10 @@ impl Profile for Grounded {
         let mut ends = self.radii(&self.breaks(a));
         ends.push(self.ground.radius(a));
         self.ground.surface(&springs, &ends, self.ground.radius(r))
+    }
+
+    fn edge(&self, d: f64) -> Option<f64> {
+        self.met(d).or_else(|| edge_by_search(self, d))
     }
 
     fn flat_radius(&self) -> f64 {

@@ -10,6 +10,8 @@ use crate::numerics::{legendre, quadrature};
 use crate::shape::Profile;
 use std::collections::VecDeque;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2};
+use std::sync::atomic::AtomicU64;
+use std::sync::atomic::Ordering::Relaxed;
 use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError};
 
 /// Upper border of the first octave, in thicknesses, where what lies below is not much softer.
@@ -50,6 +52,27 @@ pub struct Layers {
     wide: OnceLock<Option<Wide>>,
     /// Displacements of springs and the line load that goes with them, the last that were asked for.
     last: Mutex<VecDeque<(LineLoad, Arc<LineLoad>)>>,
+    /// The last measure asked for and its radius.
+    found: LastFound,
+}
+
+/// An argument and its value, the last that were found, for each is asked for several times in turn.
+///
+/// What one thread writes while another reads is told by the first word, the exclusive or of both.
+#[derive(Debug, Default)]
+struct LastFound([AtomicU64; 2]);
+
+impl LastFound {
+    fn get_or(&self, argument: f64, find: impl FnOnce() -> f64) -> f64 {
+        let [both, value] = self.0.each_ref().map(|word| word.load(Relaxed));
+        if both ^ value == argument.to_bits() {
+            return f64::from_bits(value);
+        }
+        let found = find();
+        self.0[0].store(argument.to_bits() ^ found.to_bits(), Relaxed);
+        self.0[1].store(found.to_bits(), Relaxed);
+        found
+    }
 }
 
 /// What lies on a rigid base, if all of it does: under p = cos kx a bonded layer that cannot be compressed gives
@@ -94,6 +117,7 @@ impl Layers {
             thin: thin.filter(|_| whole),
             wide: OnceLock::new(),
             last: Mutex::default(),
+            found: LastFound::default(),
         }
     }
 
@@ -214,17 +238,7 @@ impl Ground for Layers {
     }
 
     fn radius(&self, s: f64) -> f64 {
-        if s.is_infinite() {
-            return s;
-        }
-        let thin = s / self.unit;
-        match (0..self.octaves.len()).map_while(|octave| self.kept(octave)).find(|kept| thin <= kept.end) {
-            Some(octave) => self.unit * octave.radius(thin),
-            None => {
-                let end = self.unit * self.interval(self.count(f64::INFINITY) - 1).1;
-                end * (s / self.measure(end)).powf(self.growth(end).recip())
-            }
-        }
+        if s.is_infinite() { s } else { self.found.get_or(s, || self.radius_at(s)) }
     }
 
     fn density(&self, a: f64) -> f64 {
@@ -325,6 +339,18 @@ const KEPT: usize = 4;
 const MOST_BREAKS: usize = 40;
 
 impl Layers {
+    /// The radius [m] at which the measure is `s` [m].
+    fn radius_at(&self, s: f64) -> f64 {
+        let thin = s / self.unit;
+        match (0..self.octaves.len()).map_while(|octave| self.kept(octave)).find(|kept| thin <= kept.end) {
+            Some(octave) => self.unit * octave.radius(thin),
+            None => {
+                let end = self.unit * self.interval(self.count(f64::INFINITY) - 1).1;
+                end * (s / self.measure(end)).powf(self.growth(end).recip())
+            }
+        }
+    }
+
     /// The line load of springs displaced by `springs`: v(x)q₁(x; x) + ∫_x^a v(b)q₁(b; b)Γ(x; b) db. The last ones are
     /// kept, for they are asked for at many radii.
     fn line_load(&self, springs: &dyn Fn(f64) -> f64, ends: &[f64]) -> Arc<LineLoad> {

@@ -3,10 +3,10 @@
 use super::kernel::Kernel;
 use super::punch::{self, Punch};
 use super::*;
-use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson};
+use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson, Positive};
 use crate::material::{Graded, Joint, Sheet, Stack};
 use crate::numerics::quadrature;
-use crate::shape::{Paraboloid, Sphere};
+use crate::shape::{Cone, Paraboloid, Sphere, TruncatedCone, edge_by_search};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -515,7 +515,7 @@ fn the_end_of_the_integral_equation() {
     assert!(on_a_rigid_base(0.499, Joint::Bonded).0.known_to(1e3) <= 64.0);
     let given = Grounded::new(paraboloid(), Arc::new(Layers::new(vec![(1.0, on_base(0.1, 0.3, 0.3))])));
     assert!(given.known_to(1e3) <= 64.0);
-    let cone = Arc::new(crate::shape::Cone { slope: crate::input::quantity::Positive::new(0.1).unwrap() });
+    let cone = Arc::new(Cone { slope: Positive::new(0.1).unwrap() });
     let layers = Layers::new(vec![(1.0, on_rigid(0.3, Joint::Bonded))]);
     assert!(Grounded::new(cone, Arc::new(layers)).known_to(1e3) <= 64.0);
 }
@@ -532,5 +532,25 @@ fn a_ball_up_to_its_equator() {
         let right = layers.depth_share(ball.as_ref(), a) * ball.reduced(a);
         let off = (grounded.reduced(layers.measure(a)) / right - 1.0).abs();
         assert!(off < layers::TABLES + 4.0 * f64::EPSILON / rest, "{rest}: {off:e}");
+    }
+}
+
+proptest! {
+    /// The edge at a depth is that which a search over all places finds, of shapes with a flat and without.
+    #[test]
+    fn the_edge_at_a_depth_needs_no_search(shape in 0usize..3, decade in -40i32..12, poisson in 0i32..=50) {
+        let one = Length::new(1.0).unwrap();
+        let shapes: [Arc<dyn Profile>; 3] = [
+            Arc::new(Paraboloid { radius: one }),
+            Arc::new(Cone { slope: Positive::new(0.3).unwrap() }),
+            Arc::new(TruncatedCone { slope: Positive::new(0.3).unwrap(), flat_radius: one }),
+        ];
+        let bed = Grounded::new(shapes[shape].clone(), on_a_rigid_base(0.01 * f64::from(poisson), Joint::Bonded).1);
+        let d = 10f64.powf(0.1 * f64::from(decade));
+        let (edge, searched) = (bed.edge(d).unwrap(), edge_by_search(&bed, d).unwrap());
+        prop_assert!((edge / searched - 1.0).abs() < 1e-9, "{edge} {searched}");
+        // At a flat the depth hangs on the difference of two radii.
+        prop_assert!(shape == 2 || (bed.reduced(edge) / d - 1.0).abs() < 1e-12);
+        prop_assert!(bed.met(d).is_some());
     }
 }

@@ -18,12 +18,13 @@ pub fn moved_edge(plan: &RoundPlan, work: f64, records: &[Record]) -> f64 {
     let first = |entry: usize| plan.stages.partition_point(|stage| stage.entry < entry);
     let control = |entry: usize| plan.stages.get(first(entry))?.control;
     let largest = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let largest = plan.profile.place(largest);
     let jumps = |at: usize| records.get(at + 1).is_some_and(|next| (next.time - records[at].time).abs() <= 0.0);
     let states = records.iter().enumerate().filter(|(at, _)| !jumps(*at)).map(|(_, record)| record);
     let error = |record: &Record| {
         let control = control(record.entry)?;
         let place = plan.profile.place(record.normal.contact_radius?);
-        Some((moved(&line, control, place, plan.pair.normal)? / plan.profile.place(largest)).min(TURNING))
+        Some((moved(&line, control, place, plan.pair.normal)? / largest).min(TURNING))
     };
     states.filter_map(error).fold(0.0, f64::max)
 }

@@ -45,7 +45,7 @@ pub use pad::{Pad, Summits};
 pub use paraboloid::Paraboloid;
 pub use plane::{Cylinder, PlaneRipple, PlaneWave, PlaneWavy};
 pub use power::{Cone, Power};
-pub use profile::{Moved, Profile, Rim, height_by_integral, reduced_by_integral};
+pub use profile::{Moved, Profile, Rim, edge_by_search, height_by_integral, reduced_by_integral};
 pub use punch::FlatPunch;
 pub use rough_line::{RoughShape, Seeds};
 pub use rounded::{RoundedCone, RoundedPunch};

@@ -88,24 +88,7 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
     /// The contact radius a [m] at the indentation `d` ≥ 0 [m] without adhesion: the largest a with
     /// g(a) = d; the flat radius at d = 0. `None` beyond the end of the profile.
     fn edge(&self, d: f64) -> Option<f64> {
-        let limit = match self.rim() {
-            Rim::None => f64::MAX,
-            Rim::Wall(b) => {
-                if self.reduced(b) <= d {
-                    return Some(b);
-                }
-                b
-            }
-            Rim::End(end) => end,
-        };
-        let residual = |x: f64| self.reduced(x) - d;
-        let flat = self.flat_radius();
-        if d <= 0.0 {
-            return Some(flat);
-        }
-        let start = self.scale().min(limit);
-        let (low, high) = root::bracket_upwards(residual, flat, start.max(2.0 * flat), limit)?;
-        root::brent(residual, low, high).ok()
+        edge_by_search(self, d)
     }
 
     /// Radius [m] up to which g = 0 (the flat of a truncated cone), else 0.
@@ -264,6 +247,29 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         let breaks: Vec<f64> = ends.iter().map(|&x| angle(x)).collect();
         FRAC_2_PI * quadrature::panels(|theta| displacement(r * theta.sin()), (0.0, angle(last)), &breaks)
     }
+}
+
+/// The largest a [m] with g(a) = `d` [m] of any profile, searched from its scale upwards; see [`Profile::edge`].
+#[must_use]
+pub fn edge_by_search(profile: &(impl Profile + ?Sized), d: f64) -> Option<f64> {
+    let limit = match profile.rim() {
+        Rim::None => f64::MAX,
+        Rim::Wall(b) => {
+            if profile.reduced(b) <= d {
+                return Some(b);
+            }
+            b
+        }
+        Rim::End(end) => end,
+    };
+    let residual = |x: f64| profile.reduced(x) - d;
+    let flat = profile.flat_radius();
+    if d <= 0.0 {
+        return Some(flat);
+    }
+    let start = profile.scale().min(limit);
+    let (low, high) = root::bracket_upwards(residual, flat, start.max(2.0 * flat), limit)?;
+    root::brent(residual, low, high).ok()
 }
 
 /// g(x) from f′(r) by the integral over θ, which has no singularity.

@@ -56,6 +56,9 @@ pub trait Equilibrium {
     /// Its derivative dQ/ds.
     fn slope(&self, control: Control, s: f64) -> f64;
 
+    /// The parameter at which Q has the value `target`, where it is known without a search.
+    fn known(&self, control: Control, target: f64) -> Option<f64>;
+
     /// The smallest parameter: where the bodies part or first act on each other.
     fn start(&self) -> f64;
 
@@ -317,6 +320,9 @@ impl Branches {
     /// What has been searched is known to rise from its last turning point on; beyond it a step could
     /// pass over the waves to come.
     fn root_above(&self, curve: &impl Equilibrium, s: f64, target: f64) -> Result<f64, BranchError> {
+        if let Some(known) = curve.known(self.control, target) {
+            return Ok(known);
+        }
         let (end, searched) = (curve.end(), self.scanned);
         let residual = |s: f64| curve.value(self.control, s) - target;
         let from = self.turning.last().map_or(s, |turning| turning.s.max(s));

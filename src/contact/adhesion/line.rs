@@ -121,6 +121,12 @@ impl Equilibrium for EdgeLine {
         }
     }
 
+    fn known(&self, control: Control, target: f64) -> Option<f64> {
+        let profile = self.ground.profile();
+        let rises = self.work <= 0.0 && profile.is_mapped() && profile.first_fall().is_none();
+        if rises && control == Control::Indentation { profile.edge(target) } else { None }
+    }
+
     fn start(&self) -> f64 {
         if self.work > 0.0 { 0.0 } else { self.ground.profile().flat_radius() }
     }

@@ -281,6 +281,10 @@ impl Equilibrium for RangeDisc {
         }
     }
 
+    fn known(&self, _control: Control, _target: f64) -> Option<f64> {
+        None
+    }
+
     fn start(&self) -> f64 {
         0.0
     }

@@ -13,6 +13,9 @@ const PANEL: f64 = 1.2;
 /// For points farther than so many half-lengths: the degree in x that the punch then has to rounding, (D + √(D²−1))⁻ᵐ.
 const FAR: [(f64, usize); 3] = [(100.0, 6), (12.0, 10), (3.0, 19)];
 
+/// Part of a weight that is only rounding.
+const ROUNDED: f64 = 1e-14;
+
 static RULE: LazyLock<[(f64, f64); NODES]> = LazyLock::new(|| std::array::from_fn(|k| node_and_weight(NODES, k)));
 
 /// The punches of the radii x = √(b² + s²) between two places s, with the weight −dq/ds [Pa]; b is zero where there is no
@@ -38,6 +41,15 @@ impl Piece {
             (0..count).map(node).collect()
         });
         Self { weight, kink, far }
+    }
+
+    /// Its weight over x [Pa], if that grows in proportion to x from the axis on.
+    pub(super) fn proportional(&self) -> Option<f64> {
+        let (low, high) = (self.weight.low(), self.weight.high());
+        let [start, end] = [low, high].map(|x| self.weight.at(x).abs());
+        let straight = self.weight.clone().trimmed(ROUNDED * end).degree() == 1;
+        let is_so = straight && self.kink <= 0.0 && low.abs() <= 0.0 && start <= ROUNDED * end;
+        is_so.then(|| self.weight.at(high) / high)
     }
 
     /// The pole of the punches, x = r + iz, in the place of the piece.
