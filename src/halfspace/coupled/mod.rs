@@ -26,6 +26,9 @@ use stuck::{Found, Stuck, both};
 
 /// Rounds in which contact and shear may find each other.
 const ROUNDS: usize = 100;
+/// Tolerance of the first round, and part of what a round has changed to which the next is found.
+const COARSE: f64 = 1e-3;
+const CLOSER: f64 = 0.03;
 /// Least slip that counts, as part of the largest displacement.
 const LEAST: f64 = 1e-3;
 /// How far from its bound a shear is that sticks.
@@ -111,24 +114,29 @@ impl<'h> RubbingMap<'h> {
     pub fn advance(&mut self, control: Prescribed, slide: [f64; 2]) -> Result<RubbedState, HalfSpaceError> {
         let mut shear = self.shear.clone();
         let mut lift = self.response.lift_of(&shear, &mut self.work);
+        let asked = self.settings.tolerance;
+        // Neither is found more closely than the other yet allows.
+        let mut settings = Settings { tolerance: asked.max(COARSE), ..self.settings };
         for _ in 0..ROUNDS {
-            let mut contact = self.press(control, &lift)?;
+            let mut contact = self.press(control, &lift, &settings)?;
             let pressure: Vec<f64> = contact.pressure.iter().copied().collect();
             let bounds: Vec<f64> = pressure.iter().map(|&pressure| self.bound(pressure)).collect();
             let drawn = self.response.by_pressure(&pressure, &mut self.work);
-            let found = self.rub((&drawn, &bounds), &shear, slide, &contact)?;
+            let found = self.rub((&drawn, &bounds), (&shear, slide), &contact, &settings)?;
             let next = self.response.lift_of(&found.shear, &mut self.work);
             let change = lift.iter().zip(&next).fold(0.0, |most: f64, (one, other)| most.max((one - other).abs()));
             let scale = contact.displacement.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             self.pressure = Some(contact.pressure.clone());
             shear.clone_from(&found.shear);
-            if change <= self.settings.tolerance * scale {
+            if change <= asked * scale && settings.tolerance <= asked {
                 contact.displacement += &self.response.on_pixels(&lift);
                 return self.taken(contact, (found, bounds), slide);
             }
             lift = next;
+            let changed = if scale > 0.0 { change / scale } else { 0.0 };
+            settings.tolerance = (CLOSER * changed).clamp(asked, settings.tolerance);
         }
-        Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: f64::NAN, tolerance: self.settings.tolerance })
+        Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: f64::NAN, tolerance: asked })
     }
 
     fn bound(&self, pressure: f64) -> f64 {
@@ -136,22 +144,22 @@ impl<'h> RubbingMap<'h> {
     }
 
     /// The contact over a surface that shear has lifted.
-    fn press(&self, control: Prescribed, lift: &[f64]) -> Result<Solution, HalfSpaceError> {
+    fn press(&self, control: Prescribed, lift: &[f64], settings: &Settings) -> Result<Solution, HalfSpaceError> {
         let heights = &self.heights + &self.response.on_pixels(lift);
         let (pixel, boundary) = self.response.pixels();
         let modulus = self.response.pair().normal;
         let map = PressedMap { heights: heights.view(), pixel, modulus, boundary, control };
         let start = self.pressure.as_ref().map_or(Start::Coarser, |pressure| Start::Pressure(pressure.view()));
-        solve_on(&self.pressed, &map, start, &self.settings)
+        solve_on(&self.pressed, &map, start, settings)
     }
 
     /// The shear on pressures that draw the surface along.
     fn rub(
         &mut self,
         (drawn, bounds): (&Along, &[f64]),
-        start: &Along,
-        slide: [f64; 2],
+        (start, slide): (&Along, [f64; 2]),
         contact: &Solution,
+        settings: &Settings,
     ) -> Result<Found, HalfSpaceError> {
         let mut free = drawn.clone();
         for (axis, free) in free.iter_mut().enumerate() {
@@ -161,8 +169,8 @@ impl<'h> RubbingMap<'h> {
         let pixels = bounds.iter().enumerate().filter(|(_, bound)| **bound > 0.0);
         let most = pixels.fold(0.0, |most: f64, (index, _)| most.max(free[0][index].hypot(free[1][index])));
         let deepest = contact.displacement.iter().copied().fold(0.0, f64::max);
-        let tolerance = self.settings.tolerance * most.max(LEAST * deepest);
-        let most = self.settings.max_iterations;
+        let tolerance = settings.tolerance * most.max(LEAST * deepest);
+        let most = settings.max_iterations;
         let stuck = Stuck { response: &self.response, bounds, free: &free, tolerance, most };
         stuck.solve(start, &mut self.work)
     }
