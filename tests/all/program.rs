@@ -36,6 +36,27 @@ fn the_first_command_of_the_readme_gives_table_summary_and_figure() {
     assert_eq!(cfg!(feature = "plot"), names.contains(&"hertz.svg"));
 }
 
+/// A flag is not swallowed by a command it says nothing to.
+#[test]
+fn a_flag_that_means_nothing_is_refused() {
+    let said = |arguments: &[&str]| {
+        let output = springbed().args(arguments).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    for [flag, value] in [["--format", "png"], ["--out", "x"], ["--style", "paper"], ["--dpi", "300"]] {
+        for at in [["check", flag, value, "configs/hertz.ron"], [flag, value, "check", "configs/hertz.ron"]] {
+            let (code, said) = said(&at);
+            assert_eq!(code, Some(2), "{said}");
+            assert!(
+                said.contains(&format!("{flag} means nothing to `springbed check`")) && said.contains("run"),
+                "{said}"
+            );
+        }
+    }
+    assert_eq!(said(&["check", "--json", "configs/hertz.ron"]).0, Some(0));
+    assert_eq!(said(&["new", "-q", "--color", "never"]).0, Some(0));
+}
+
 #[test]
 fn the_same_scene_gives_the_same_bytes_on_any_number_of_threads() {
     let (first, _) = hertz_with(&["--threads", "1"]);

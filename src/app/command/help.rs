@@ -1,6 +1,7 @@
 //! What `--help` shows: first steps, examples, and of the flags of all commands those that mean something to one.
 
-use clap::{Arg, Command};
+use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, Command};
 
 /// The first steps.
 const FIRST: &str = "First steps:
@@ -26,6 +27,17 @@ pub fn shown(command: Command) -> Command {
     command.mut_subcommands(own).after_help(FIRST)
 }
 
+/// What is wrong with a command line that gives a command a flag which means nothing to it; `None` if nothing is.
+#[must_use]
+pub fn misplaced(line: &ArgMatches, command: &Command) -> Option<String> {
+    let (name, given) = line.subcommand()?;
+    let is_given = |flag: &&str| given.value_source(flag) == Some(ValueSource::CommandLine);
+    let flag = ALL.into_iter().filter(|flag| !of_command(name).0.contains(flag)).find(|flag| is_given(&flag))?;
+    let names = command.get_subcommands().map(Command::get_name);
+    let others: Vec<&str> = names.filter(|name| of_command(name).0.contains(&flag)).collect();
+    Some(format!("--{flag} means nothing to `springbed {name}`: it goes with {}", others.join(", ")))
+}
+
 /// Flags that go with every command.
 const SAID: [&str; 2] = ["quiet", "color"];
 /// Flags of what computes and writes figures.
@@ -44,7 +56,7 @@ fn of_command(name: &str) -> (&'static [&'static str], &'static str) {
         ),
         "gather" => (&ALL, "  springbed gather plots   # behind all jobs of `run --part`"),
         "check" => (&["json"], ""),
-        "explain" => (&["json"], "  springbed explain lens.ron\n  springbed explain --matrix"),
+        "explain" => (&["threads", "json"], "  springbed explain lens.ron\n  springbed explain --matrix"),
         "new" => (&[], "  springbed new\n  springbed new jkr > lens.ron"),
         "verify" => (&["threads", "json"], "  springbed verify jkr"),
         "overlay" => (&ALL, "  springbed overlay soft.ron hard.ron measured.csv"),

@@ -212,8 +212,11 @@ pub enum Topic {
 /// Reads the command line, does what it asks for and says how it ended.
 #[must_use]
 pub fn main() -> ExitCode {
-    let line = command_line().try_get_matches().and_then(|found| CommandLine::from_arg_matches(&found));
-    let CommandLine { command, common } = match line {
+    let line = command_line().try_get_matches().and_then(|found| {
+        let misplaced = help::misplaced(&found, &command_line());
+        Ok((CommandLine::from_arg_matches(&found)?, misplaced))
+    });
+    let (CommandLine { command, common }, misplaced) = match line {
         Ok(line) => line,
         Err(error) => {
             // Help and version also come as an error; a closed pipe is not worth a word.
@@ -222,7 +225,8 @@ pub fn main() -> ExitCode {
         }
     };
     let console = Console::new(common.color, Voice::after(common.quiet));
-    console.end(prepared(&common).and_then(|()| answer(command, &common, &console)))
+    let read = misplaced.map_or(Ok(()), |said| Err(Failure::Usage(said)));
+    console.end(read.and_then(|()| prepared(&common)).and_then(|()| answer(command, &common, &console)))
 }
 
 /// All commands and flags, with their help.
