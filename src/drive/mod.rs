@@ -297,10 +297,21 @@ impl Driver {
             self.step(contact, part, &mut occurrences)?;
         } else {
             self.walk(contact, until, &mut occurrences)?;
+            self.meet(contact, until)?;
         }
         self.stage.now = until;
         contact.settle()?;
         Ok(occurrences)
+    }
+
+    /// At the time `until` [s], to the speed at which a damped contact carries what is prescribed.
+    fn meet(&self, contact: &mut dyn ContactModel, until: f64) -> Result<(), ContactError> {
+        let Remainder::Force(force) = &self.stage.remainder else { return Ok(()) };
+        if let Some(instant) = force.met(contact, until)? {
+            let slide = self.stage.slide_at(until);
+            contact.follow(&Straight { slide, ..instant })?;
+        }
+        Ok(())
     }
 
     /// One straight piece to the next record.
