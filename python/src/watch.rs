@@ -2,6 +2,7 @@
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
@@ -21,7 +22,7 @@ impl Wanted {
     }
 }
 
-/// What `work` gives. It is done on a thread of its own, so that signals of the interpreter are seen meanwhile; on
+/// What `work` gives. It is done on another thread, so that signals of the interpreter are seen meanwhile; on
 /// Ctrl-C the wait ends at once, and the work where it next asks whether it is still wanted.
 ///
 /// # Errors
@@ -30,8 +31,12 @@ pub fn watched<T: Send + 'static>(py: Python<'_>, work: impl FnOnce(&Wanted) -> 
     let (sender, mut receiver) = sync_channel(1);
     let wanted = Wanted::default();
     let given = wanted.clone();
-    // A receiver that has gone waits for nothing.
-    std::thread::spawn(move || sender.send(work(&given)).ok());
+    // On a thread that is there: to start one takes as long as a short scene. A receiver that has gone waits for nothing.
+    rayon::spawn(move || {
+        if let Ok(value) = catch_unwind(AssertUnwindSafe(|| work(&given))) {
+            sender.send(value).ok();
+        }
+    });
     loop {
         let waiting = &mut receiver;
         match py.detach(move || waiting.recv_timeout(LOOK)) {

@@ -18,6 +18,7 @@
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use crate::contact::foundation::Foundation;
+use crate::shape::Rim;
 
 /// Equilibrium of a contact whose edge carries the work of adhesion w, w = 0 included.
 ///
@@ -123,7 +124,7 @@ impl Equilibrium for EdgeLine {
 
     fn known(&self, control: Control, target: f64) -> Option<f64> {
         let profile = self.ground.profile();
-        let rises = self.work <= 0.0 && profile.is_mapped() && profile.first_fall().is_none();
+        let rises = self.work <= 0.0 && profile.rim() == Rim::None && profile.first_fall().is_none();
         if rises && control == Control::Indentation { profile.edge(target) } else { None }
     }
 

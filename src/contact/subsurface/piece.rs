@@ -4,7 +4,7 @@ use crate::contact::punch::{Point, Stresses};
 use crate::numerics::chebyshev::Chebyshev;
 use crate::numerics::complex::Complex;
 use crate::numerics::quadrature::node_and_weight;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 /// Nodes of a panel in t. Its half-length is at most [`PANEL`], the poles stand π/2 aside: the error falls as 3.0⁻²ⁿ.
 const NODES: usize = 16;
@@ -24,13 +24,18 @@ static RULE: LazyLock<[(f64, f64); NODES]> = LazyLock::new(|| std::array::from_f
 pub(super) struct Piece {
     weight: Chebyshev,
     kink: f64,
-    /// Radii and weights of the sums that stand for the piece from afar.
-    far: [Vec<(f64, f64)>; FAR.len()],
+    /// Radii and weights of the sums that stand for the piece from afar, once they are asked for.
+    far: OnceLock<[Vec<(f64, f64)>; FAR.len()]>,
 }
 
 impl Piece {
     pub(super) fn new(weight: Chebyshev, kink: f64) -> Self {
-        let far = FAR.map(|(_, degree)| {
+        Self { weight, kink, far: OnceLock::new() }
+    }
+
+    fn far(&self) -> [Vec<(f64, f64)>; FAR.len()] {
+        let (weight, kink) = (&self.weight, self.kink);
+        FAR.map(|(_, degree)| {
             let count = (weight.degree() + degree) / 2 + 1;
             let (middle, half) = (0.5 * (weight.low() + weight.high()), 0.5 * (weight.high() - weight.low()));
             let node = |k| {
@@ -39,8 +44,7 @@ impl Piece {
                 (kink.hypot(s), half * part * weight.at(s))
             };
             (0..count).map(node).collect()
-        });
-        Self { weight, kink, far }
+        })
     }
 
     /// Its weight over x [Pa], if that grows in proportion to x from the axis on.
@@ -68,7 +72,7 @@ impl Piece {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
         let pole = self.pole(point);
         let distance = (pole.re - middle).hypot(pole.im);
-        let far = FAR.iter().zip(&self.far).find(|((away, _), _)| distance > away * half);
+        let far = FAR.iter().zip(self.far.get_or_init(|| self.far())).find(|((away, _), _)| distance > away * half);
         match far {
             Some((_, nodes)) => nodes.iter().fold(Stresses::default(), |sum, &(x, weight)| sum + weight * punch(x)),
             None => self.near(pole, punch),
