@@ -135,6 +135,9 @@ pub enum BranchError {
     Root(#[from] root::RootError),
 }
 
+/// Most of Newton's steps to a root nearby, and the part of the parameter below which one is followed by less than rounding.
+const STEPS_NEARBY: usize = 8;
+const MET: f64 = 1e-10;
 /// Points at which the slope is looked at per wave.
 const POINTS_PER_WAVE: f64 = 24.0;
 /// The most waves that are followed.
@@ -323,6 +326,9 @@ impl Branches {
         if let Some(known) = curve.known(self.control, target) {
             return Ok(known);
         }
+        if let Some(found) = self.nearby(curve, s, target) {
+            return Ok(found);
+        }
         let (end, searched) = (curve.end(), self.scanned);
         let residual = |s: f64| curve.value(self.control, s) - target;
         let from = self.turning.last().map_or(s, |turning| turning.s.max(s));
@@ -334,6 +340,27 @@ impl Branches {
             Some(bracket) => self.root_between(curve, bracket, target),
             None => Ok(end),
         }
+    }
+
+    /// The root near `s` on a branch that rises without an end, by Newton's steps; `None` where they leave it or do not end.
+    fn nearby(&self, curve: &impl Equilibrium, s: f64, target: f64) -> Option<f64> {
+        let low = self.turning.last().map_or(curve.start(), |turning| turning.s);
+        if !matches!(curve.search(), Search::Nowhere | Search::Once) || s <= low {
+            return None;
+        }
+        let mut at = s;
+        for _ in 0..STEPS_NEARBY {
+            let step = (curve.value(self.control, at) - target) / curve.slope(self.control, at);
+            let next = at - step;
+            if !(next > low && next < curve.end()) {
+                return None;
+            }
+            if step.abs() <= MET * at {
+                return Some(next);
+            }
+            at = next;
+        }
+        None
     }
 
     fn bracket_above(
