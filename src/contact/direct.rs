@@ -22,6 +22,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use crate::contact::adhesion::dmt::DmtBall;
 use crate::contact::adhesion::equilibrium::{Balance, BranchError, Branches, Control, Equilibrium, Leap, Search};
 use crate::contact::adhesion::line::{EdgeLine, Energy};
 use crate::contact::adhesion::range::RangeDisc;
@@ -34,6 +35,8 @@ use crate::shape::{Profile, Rim};
 pub enum ElasticAttraction {
     /// Nothing, or an attraction of vanishing range.
     Line(EdgeLine),
+    /// An attraction outside the contact that bends nothing.
+    Outside(DmtBall),
     /// An attraction of finite range.
     Range(RangeDisc),
 }
@@ -41,6 +44,12 @@ pub enum ElasticAttraction {
 impl From<EdgeLine> for ElasticAttraction {
     fn from(line: EdgeLine) -> Self {
         Self::Line(line)
+    }
+}
+
+impl From<DmtBall> for ElasticAttraction {
+    fn from(ball: DmtBall) -> Self {
+        Self::Outside(ball)
     }
 }
 
@@ -144,6 +153,10 @@ impl QuasiStatic {
     }
 
     fn follow(&mut self, control: Control, to: f64) -> Result<Vec<Jump>, BranchError> {
+        if let ElasticAttraction::Outside(ball) = &self.attraction {
+            let ball = ball.clone();
+            return Ok(self.follow_hertz(&ball, control, to));
+        }
         let attraction = &self.attraction;
         let slot = if control == Control::Indentation { &mut self.by_depth } else { &mut self.by_force };
         let mut branches = match slot.take() {
@@ -159,6 +172,29 @@ impl QuasiStatic {
             self.dissipated += jump.dissipated;
         }
         Ok(jumps)
+    }
+
+    /// Moves a contact that is Hertz's under its load and an attraction; it joins and parts at d = 0.
+    fn follow_hertz(&mut self, ball: &DmtBall, control: Control, to: f64) -> Vec<Jump> {
+        let before = self.present.joined;
+        let state = ball.brought(before, control, to);
+        let indentation = if control == Control::Indentation { to } else { f64::NAN };
+        let apart = Balance { contact_radius: 0.0, reach: 0.0, indentation, force: 0.0 };
+        self.s = state.map_or(0.0, |state| state.contact_radius);
+        self.present = Present { joined: state.is_some(), balance: state.unwrap_or(apart) };
+        // At d = 0 no energy is stored, and bodies at no force do no work as they come together.
+        let (from, landed) = match (before, state.is_some(), control) {
+            (true, true, _) | (false, false, _) => return Vec::new(),
+            (true, false, _) => (ball.at(0.0), None),
+            (false, true, Control::Indentation) => (Balance { indentation: 0.0, ..apart }, Some(ball.at(0.0))),
+            (false, true, Control::Force) => {
+                (Balance { indentation: 0.0, ..apart }, Some(ball.at(ball.radius_under(0.0))))
+            }
+        };
+        let stored = (Energy::default(), landed.map_or_else(Energy::default, |landed| ball.energy(&landed)));
+        let dissipated = 0.0 - stored.1.stored();
+        self.dissipated += dissipated;
+        vec![Jump { control, before: from, after: landed, dissipated, stored }]
     }
 
     /// States on the stable path from the reach `from` to the reach `to` [m] at which the force turns,
@@ -295,6 +331,7 @@ impl QuasiStatic {
         let Some(balance) = balance else { return Energy::default() };
         match &self.attraction {
             ElasticAttraction::Line(line) => line.energy(balance.contact_radius, balance.indentation),
+            ElasticAttraction::Outside(ball) => ball.energy(balance),
             ElasticAttraction::Range(disc) => disc.energy(balance),
         }
     }
@@ -309,10 +346,7 @@ impl QuasiStatic {
     /// The same of a contact of radius `a` [m].
     #[must_use]
     pub fn stiffness_at(&self, a: f64) -> f64 {
-        match &self.attraction {
-            ElasticAttraction::Line(line) => line.ground().stiffness(a),
-            ElasticAttraction::Range(disc) => disc.ground().stiffness(a),
-        }
+        self.ground().stiffness(a)
     }
 
     /// Whether the edge carries no load: no adhesion and no wall.
@@ -323,10 +357,7 @@ impl QuasiStatic {
     /// The profile.
     #[must_use]
     pub fn profile(&self) -> &dyn Profile {
-        match &self.attraction {
-            ElasticAttraction::Line(line) => line.ground().profile(),
-            ElasticAttraction::Range(disc) => disc.ground().profile(),
-        }
+        self.ground().profile()
     }
 }
 
@@ -336,6 +367,7 @@ impl QuasiStatic {
     pub fn ground(&self) -> &Foundation {
         match &self.attraction {
             ElasticAttraction::Line(line) => line.ground(),
+            ElasticAttraction::Outside(ball) => ball.ground(),
             ElasticAttraction::Range(disc) => disc.ground(),
         }
     }
@@ -346,7 +378,7 @@ impl QuasiStatic {
         let balance = self.present.balance;
         match &self.attraction {
             ElasticAttraction::Range(disc) if self.present.joined => Loaded::attracted(disc.clone(), balance),
-            ElasticAttraction::Range(_) | ElasticAttraction::Line(_) => {
+            ElasticAttraction::Range(_) | ElasticAttraction::Outside(_) | ElasticAttraction::Line(_) => {
                 Loaded::elastic(self.ground().clone(), balance.contact_radius, self.edge_load())
                     .at_depth(balance.indentation)
             }
@@ -364,7 +396,7 @@ impl QuasiStatic {
             ElasticAttraction::Line(line) if self.present.joined && !self.is_smooth() => {
                 line.ground().modulus() * (indentation - line.ground().depth(contact_radius))
             }
-            ElasticAttraction::Line(_) | ElasticAttraction::Range(_) => 0.0,
+            ElasticAttraction::Line(_) | ElasticAttraction::Outside(_) | ElasticAttraction::Range(_) => 0.0,
         }
     }
 }
@@ -373,6 +405,7 @@ impl ElasticAttraction {
     fn at(&self, s: f64) -> Balance {
         match self {
             Self::Line(line) => line.at(s),
+            Self::Outside(ball) => ball.at(s),
             Self::Range(disc) => disc.at(s),
         }
     }
@@ -382,6 +415,7 @@ impl Equilibrium for ElasticAttraction {
     fn value(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.value(control, s),
+            Self::Outside(ball) => ball.value(control, s),
             Self::Range(disc) => disc.value(control, s),
         }
     }
@@ -389,6 +423,7 @@ impl Equilibrium for ElasticAttraction {
     fn slope(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.slope(control, s),
+            Self::Outside(ball) => ball.slope(control, s),
             Self::Range(disc) => disc.slope(control, s),
         }
     }
@@ -396,6 +431,7 @@ impl Equilibrium for ElasticAttraction {
     fn start(&self) -> f64 {
         match self {
             Self::Line(line) => line.start(),
+            Self::Outside(ball) => ball.start(),
             Self::Range(disc) => disc.start(),
         }
     }
@@ -403,6 +439,7 @@ impl Equilibrium for ElasticAttraction {
     fn end(&self) -> f64 {
         match self {
             Self::Line(line) => line.end(),
+            Self::Outside(ball) => ball.end(),
             Self::Range(disc) => disc.end(),
         }
     }
@@ -410,6 +447,7 @@ impl Equilibrium for ElasticAttraction {
     fn scale(&self) -> f64 {
         match self {
             Self::Line(line) => line.scale(),
+            Self::Outside(ball) => ball.scale(),
             Self::Range(disc) => disc.scale(),
         }
     }
@@ -417,6 +455,7 @@ impl Equilibrium for ElasticAttraction {
     fn search(&self) -> Search {
         match self {
             Self::Line(line) => line.search(),
+            Self::Outside(ball) => ball.search(),
             Self::Range(disc) => disc.search(),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::follow::follow;
 use super::{SimulationError, Wanted, fretting, viscoelastic};
+use crate::contact::adhesion::dmt::DmtBall;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
@@ -150,17 +151,21 @@ pub fn direct(ground: Foundation, adhesion: ElasticAdhesion) -> Result<QuasiStat
     match adhesion {
         ElasticAdhesion::None => Ok(QuasiStatic::new(EdgeLine::new(ground, 0.0))),
         ElasticAdhesion::Vanishing { work } => Ok(QuasiStatic::new(EdgeLine::new(ground, work))),
+        ElasticAdhesion::Outside { work } => come_from_afar(QuasiStatic::new(DmtBall::new(ground, work))),
         ElasticAdhesion::Finite { work, stress } => {
             let disc = RangeDisc::new(ground, work, stress);
-            let mut contact = QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?);
-            // The bodies have come from far away: at d = 0 they attract each other already.
-            contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
-            Ok(contact.without_losses())
+            come_from_afar(QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?))
         }
         ElasticAdhesion::Fading { .. } => {
             Err(SimulationError::Refused("adhesion: what fades with the gap is followed on pixels only".to_owned()))
         }
     }
+}
+
+/// Bodies that have come from far away: at d = 0 they attract each other already.
+fn come_from_afar(mut contact: QuasiStatic) -> Result<QuasiStatic, SimulationError> {
+    contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
+    Ok(contact.without_losses())
 }
 
 /// Half width [m] of a bed of springs that is just wide enough for the history, as the direct path finds it.

@@ -43,6 +43,11 @@ pub enum ElasticAdhesion {
         /// Work of adhesion w [J/m²].
         work: f64,
     },
+    /// Outside the contact, bending nothing.
+    Outside {
+        /// Work of adhesion w [J/m²].
+        work: f64,
+    },
     /// Of finite range.
     Finite {
         /// Work of adhesion w [J/m²].
@@ -67,14 +72,14 @@ impl ElasticAdhesion {
         match self {
             Self::None => Some(0.0),
             Self::Vanishing { work } => Some(work),
-            Self::Finite { .. } | Self::Fading { .. } => None,
+            Self::Outside { .. } | Self::Finite { .. } | Self::Fading { .. } => None,
         }
     }
 
     /// Work of adhesion [J/m²] of an attraction of vanishing range.
     fn edge_work(self) -> Option<f64> {
         match self {
-            Self::None | Self::Finite { .. } | Self::Fading { .. } => None,
+            Self::None | Self::Outside { .. } | Self::Finite { .. } | Self::Fading { .. } => None,
             Self::Vanishing { work } => Some(work),
         }
     }
@@ -83,6 +88,7 @@ impl ElasticAdhesion {
         match self {
             Self::None => Vec::new(),
             Self::Vanishing { .. } => vec![Component::VanishingRange],
+            Self::Outside { .. } => vec![Component::Outside],
             Self::Finite { .. } | Self::Fading { .. } => vec![Component::FiniteRange],
         }
     }

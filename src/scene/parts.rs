@@ -40,6 +40,7 @@ pub struct Parts {
 pub(super) enum Component {
     Profile,
     VanishingRange,
+    Outside,
     FiniteRange,
     Prony,
     TurningPoints,
@@ -56,9 +57,10 @@ pub(super) enum Component {
 }
 
 impl Component {
-    const ALL: [Self; 15] = [
+    const ALL: [Self; 16] = [
         Self::Profile,
         Self::VanishingRange,
+        Self::Outside,
         Self::FiniteRange,
         Self::Prony,
         Self::TurningPoints,
@@ -78,6 +80,7 @@ impl Component {
         match self {
             Self::Profile => "one-dimensional profile g(x)",
             Self::VanishingRange => "adhesion of vanishing range (JKR)",
+            Self::Outside => "attraction outside the contact (DMT)",
             Self::FiniteRange => "adhesion of finite range (Maugis–Dugdale)",
             Self::Prony => "Prony elements",
             Self::TurningPoints => "stick and slip by turning points",

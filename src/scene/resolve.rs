@@ -315,6 +315,7 @@ fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
     let Some(AdhesionTraits { work, range, .. }) = adhesion.map(Adhesion::traits) else { return ElasticAdhesion::None };
     match range {
         Range::Vanishing(_) => ElasticAdhesion::Vanishing { work },
+        Range::Outside => ElasticAdhesion::Outside { work },
         Range::Finite(stress) => ElasticAdhesion::Finite { work, stress },
         Range::Fading(range) => ElasticAdhesion::Fading { work, range },
     }
@@ -337,7 +338,7 @@ fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
         Range::Vanishing(edge) => {
             edge.map(|edge| HeldEdge { work, closing: closing.unwrap_or(work), edge: edge.clone() })
         }
-        Range::Finite(_) | Range::Fading(_) => None,
+        Range::Outside | Range::Finite(_) | Range::Fading(_) => None,
     }
 }
 
@@ -380,9 +381,9 @@ fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
 
 fn gross(shared: &Shared, friction: &Friction) -> FrictionLaw {
     let interface = interface(shared, friction);
-    match &shared.scene.adhesion {
+    match elastic(shared.scene.adhesion.as_ref()).work_at_edge().filter(|_| shared.scene.adhesion.is_some()) {
+        Some(work) => FrictionLaw::Peeling { interface, work },
         None => FrictionLaw::Sliding(interface),
-        Some(adhesion) => FrictionLaw::Peeling { interface, work: adhesion.traits().work },
     }
 }
 

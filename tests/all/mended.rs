@@ -48,6 +48,7 @@ const ADHESIONS: &[&str] = &[
     "adhesion: Jkr(work: 0.05, closing: 0.01),",
     "adhesion: Jkr(work: 0.05, closing: 0.08, edge: Instantaneous),",
     "adhesion: Jkr(work: 0.05, edge: Rate(speed: 1e-6, exponent: 0.5)),",
+    "adhesion: Dmt(work: 0.05),",
     "adhesion: Maugis(work: 0, stress: 1e5),",
     "adhesion: Capillary(tension: \"72 mN/m\", angle: \"60 deg\", kelvin_radius: \"1 nm\"),",
 ];

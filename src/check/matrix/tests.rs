@@ -152,3 +152,23 @@ fn springs_under_a_lying_body_state_the_error_of_its_half_width() {
     // More than what is missed of the place itself, 1e-3, and less than is said.
     assert!(coarse.len() == fine.len() && off > 1.1e-3 && off < said && said < 0.05, "{off:e} {said:e}");
 }
+
+/// What is computed of a ball attracted outside its contact keeps every law, and is Hertz's ball without work.
+#[test]
+fn attraction_outside_a_contact_keeps_the_laws() {
+    let cells = cells();
+    let outside: Vec<_> = cells
+        .iter()
+        .filter(|cell| cell.names()[2] == "DMT" && matches!(cell.verdict, Verdict::Computed { .. }))
+        .collect();
+    // Ball and ellipsoid, two pairs of bodies, three frictions and none, and the drives of each.
+    assert!(outside.len() > 40, "{}", outside.len());
+    for (variation, part) in
+        [(1.0, 0.3), (0.01, 0.77), (30.0, 0.5)].map(|(work, part)| (Variation { work, ..Variation::default() }, part))
+    {
+        for cell in &outside {
+            let kept = cell.laws(&variation, part);
+            assert!(kept.iter().all(|kept| kept.failure.is_none()), "{:?}: {kept:?}", cell.names());
+        }
+    }
+}

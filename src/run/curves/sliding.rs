@@ -104,6 +104,8 @@ pub fn slid(record: &Record) -> Option<(f64, f64)> {
 pub fn coefficient(plan: &Plan, records: &[Record]) -> Result<Vec<SlidingPoint>, FrictionError> {
     let load = records.iter().filter_map(slid).map(|point| point.0).fold(0.0, f64::max);
     let interface = plan.round().and_then(|round| round.friction.as_ref()?.interface()).filter(|_| load > 0.0);
+    // An attraction presses too, and F_x/F is no number of the interface.
+    let interface = interface.filter(|_| !plan.adheres());
     let (Some(ground), Some(interface)) = (plan.ground(), interface) else { return Ok(Vec::new()) };
     let speed = speeds(plan).rev().map(|(_, speed)| speed).find(|speed| *speed > 0.0).unwrap_or(0.0);
     let law = interface.law(speed)?;
@@ -154,7 +156,7 @@ pub fn short_slides(plan: &RoundPlan, records: &[Record]) -> Vec<String> {
 fn loaded(plan: &RoundPlan, record: &Record) -> Option<Loaded> {
     let ground = plan.ground();
     let radius = ground.profile().place(record.normal.contact_radius.filter(|&a| a > 0.0)?);
-    let edge_load = match (ground.profile().rim(), plan.contact.bodies().adheres()) {
+    let edge_load = match (ground.profile().rim(), plan.contact.bodies().edge_work().is_some()) {
         (Rim::Wall(_), _) | (_, true) => {
             ground.modulus() * (record.normal.indentation? - ground.profile().reduced(radius))
         }

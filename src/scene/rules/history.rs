@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::parts::{cannot_be_on, is_without_bed};
+use crate::contact::adhesion::Range;
 use crate::friction::Slip;
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Impact};
@@ -115,10 +116,18 @@ pub(super) fn pull_without_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) 
 pub(super) fn oblique_under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     oblique(entry)?;
     let adhesion = draft.adhesion(Look::Kind)?.traits();
+    let why = match adhesion.range {
+        Range::Outside => {
+            "its course along the surface is told of a ball that takes Hertz's time and no attraction draws"
+        }
+        Range::Vanishing(_) | Range::Finite(_) | Range::Fading(_) => {
+            "the springs of an adhesive edge are pulled and have no limit μq at which the ball would slip"
+        }
+    };
     refused(
         entry,
         format!(
-            "an oblique Impact with {} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq at which the ball would slip: expected no adhesion, or no angle and spin",
+            "an oblique Impact with {} adhesion cannot be computed, for {why}: expected no adhesion, or no angle and spin",
             adhesion.name
         ),
     )

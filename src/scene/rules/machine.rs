@@ -96,9 +96,14 @@ pub(super) fn under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opti
     let adhesion = draft.adhesion(Look::Kind)?.traits();
     let pinned = draft.adhesion(Look::Whole).is_some_and(|adhesion| adhesion.traits().closing.is_some());
     let why = match motion {
+        MachineMotion::Drive { .. } | MachineMotion::Ring { .. } | MachineMotion::Fall { .. }
+            if adhesion.range == Range::Outside =>
+        {
+            "its force sets in at once where the bodies touch, within a step of the mass"
+        }
         MachineMotion::Drive { .. } => "the springs of an adhesive edge are pulled and have no limit μq",
         MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => match adhesion.range {
-            Range::Finite(_) | Range::Fading(_) => {
+            Range::Outside | Range::Finite(_) | Range::Fading(_) => {
                 "an attraction across the gap acts on the mass before the bodies touch"
             }
             Range::Vanishing(_) if draft.pair_relaxes()? => {

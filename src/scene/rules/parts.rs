@@ -36,7 +36,21 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
             ),
         ),
         (Range::Finite(_) | Range::Fading(_), true) if on_pixels && adhesion.work > 0.0 => None,
-        (Range::Vanishing(None), false) => None,
+        (Range::Outside, _) if on_pixels => refused(
+            "adhesion",
+            format!(
+                "{} with the solver HalfSpace cannot be computed, for its pixels pull across the gap, by a stress: expected Maugis(work: …, stress: …), or no solver",
+                adhesion.name
+            ),
+        ),
+        (Range::Outside, true) => refused(
+            "adhesion",
+            format!(
+                "{} with a Viscoelastic body cannot be computed, for 2πwR is the attraction of a ball on a flat, and a body that relaxes is left with a dent that is not known to be flat: expected Jkr(work: …, edge: …), or Elastic bodies",
+                adhesion.name
+            ),
+        ),
+        (Range::Vanishing(None) | Range::Outside, false) => None,
         (Range::Vanishing(Some(_)), false) => {
             refused("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
         }
@@ -123,9 +137,23 @@ pub(super) fn fading(draft: &Draft<'_>) -> Option<Problem> {
 
 pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (adhesion, profile) = (draft.adhesion(Look::Kind)?.traits(), draft.profile()?);
-    let Range::Finite(_) = adhesion.range else { return None };
     if draft.chooses_solver()? {
         return None;
+    }
+    let of_paraboloid = profile.is_square() && !profile.is_plane();
+    match adhesion.range {
+        Range::Outside if !of_paraboloid => {
+            return refused(
+                "adhesion",
+                format!(
+                    "{} on a {} cannot be computed, for outside its contact a paraboloid alone is attracted by a force, 2πwR, that depends on the work and not on the range: expected Paraboloid(radius: …) or Spheres(…), or Maugis(work: …, stress: …)",
+                    adhesion.name,
+                    draft.shape()?.name()
+                ),
+            );
+        }
+        Range::Finite(_) => {}
+        Range::Outside | Range::Vanishing(_) | Range::Fading(_) => return None,
     }
     let why = if profile.is_plane() {
         "an attraction of finite range is known around a round contact, not beside a strip"
@@ -196,6 +224,8 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
             ),
         ),
         (Range::Vanishing(_), Friction::Pressure(_)) => None,
+        // The pressure inside the contact is Hertz's, and the attraction outside adds to what presses.
+        (Range::Outside, _) => None,
         (
             Range::Finite(_) | Range::Fading(_),
             Friction::Coulomb(_)
@@ -234,7 +264,7 @@ pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let adhesion = draft.adhesion(Look::Whole)?.traits();
     let name = adhesion.name;
     match adhesion.range {
-        Range::Finite(_) | Range::Fading(_) => {
+        Range::Outside | Range::Finite(_) | Range::Fading(_) => {
             refused("springs", format!("with {name} adhesion cannot be computed: expected Jkr(…), or no springs"))
         }
         Range::Vanishing(Some(_)) => refused(
@@ -277,7 +307,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     }
     let (of, why) = match (shape.family(), &adhesion.range) {
         (Family::Pad(_), Range::Vanishing(_)) => return None,
-        (Family::Pad(_), Range::Finite(_) | Range::Fading(_)) => {
+        (Family::Pad(_), Range::Outside | Range::Finite(_) | Range::Fading(_)) => {
             let why = "for its springs and summits hold what they touch: expected Jkr(work: …)";
             return refused("adhesion", format!("{} cannot be computed on a Pad, {why}", adhesion.name));
         }
@@ -286,7 +316,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
             " of Viscoelastic bodies",
             "each of its patches would have edges with a past of their own, which join and part",
         ),
-        (Family::Line(_) | Family::Map(..), Range::Finite(_) | Range::Fading(_)) => {
+        (Family::Line(_) | Family::Map(..), Range::Outside | Range::Finite(_) | Range::Fading(_)) => {
             return refused(
                 "adhesion",
                 format!(

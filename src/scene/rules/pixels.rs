@@ -40,7 +40,7 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let why = match (closing, range) {
         (Some(_), _) => "closing: … of an edge",
         (None, Range::Vanishing(Some(_))) => "edge: … of a body that relaxes",
-        (None, Range::Vanishing(None) | Range::Finite(_) | Range::Fading(_)) => return None,
+        (None, Range::Vanishing(None) | Range::Outside | Range::Finite(_) | Range::Fading(_)) => return None,
     };
     let what = format!(
         "{name} with {why} and the solver HalfSpace cannot be computed, for its pixels pull across the gap and have no edge of their own: expected Maugis(work, stress), or no solver"
