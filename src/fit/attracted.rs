@@ -32,7 +32,7 @@ impl Attracted {
 
     /// Force [N] at the depth `d` [m], and its slopes in E*, in the work and in first touch.
     fn state(&self, d: f64) -> [f64; 4] {
-        let Some(state) = self.0.brought(false, Control::Indentation, d) else { return [0.0; 4] };
+        let Some(state) = self.0.brought(false, (Control::Indentation, d), 0.0) else { return [0.0; 4] };
         let ground = self.0.ground();
         let (hertz, pull) = (state.force + self.0.attraction(), self.0.attraction());
         [state.force, hertz / ground.modulus(), -pull / self.0.work(), -ground.stiffness(state.contact_radius)]

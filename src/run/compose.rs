@@ -37,7 +37,13 @@ use std::sync::Arc;
 pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>, SimulationError> {
     let mut bed_radius = 0.0;
     let normal: Box<dyn ContactModel> = match &plan.contact {
-        ContactLaw::Direct(adhesion) => Box::new(direct(plan.ground(), *adhesion)?),
+        ContactLaw::Direct(adhesion) => {
+            let contact = direct(plan.ground(), *adhesion)?;
+            match plan.spring {
+                Some(stiffness) => Box::new(arrived(contact.on_a_spring(stiffness), *adhesion)?),
+                None => Box::new(contact),
+            }
+        }
         ContactLaw::Springs { count, work } => {
             bed_radius = radius_of_bed(plan, *work)?;
             Box::new(SpringBed::new(plan.ground(), count.get(), bed_radius, work.unwrap_or(0.0)))
@@ -148,22 +154,28 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
 /// # Errors
 /// The attraction has no contact.
 pub fn direct(ground: Foundation, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
-    match adhesion {
-        ElasticAdhesion::None => Ok(QuasiStatic::new(EdgeLine::new(ground, 0.0))),
-        ElasticAdhesion::Vanishing { work } => Ok(QuasiStatic::new(EdgeLine::new(ground, work))),
-        ElasticAdhesion::Outside { work } => come_from_afar(QuasiStatic::new(DmtBall::new(ground, work))),
+    let contact = match adhesion {
+        ElasticAdhesion::None => QuasiStatic::new(EdgeLine::new(ground, 0.0)),
+        ElasticAdhesion::Vanishing { work } => QuasiStatic::new(EdgeLine::new(ground, work)),
+        ElasticAdhesion::Outside { work } => QuasiStatic::new(DmtBall::new(ground, work)),
         ElasticAdhesion::Finite { work, stress } => {
             let disc = RangeDisc::new(ground, work, stress);
-            come_from_afar(QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?))
+            QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?)
         }
         ElasticAdhesion::Fading { .. } => {
-            Err(SimulationError::Refused("adhesion: what fades with the gap is followed on pixels only".to_owned()))
+            let what = "adhesion: what fades with the gap is followed on pixels only".to_owned();
+            return Err(SimulationError::Refused(what));
         }
-    }
+    };
+    arrived(contact, adhesion)
 }
 
-/// Bodies that have come from far away: at d = 0 they attract each other already.
-fn come_from_afar(mut contact: QuasiStatic) -> Result<QuasiStatic, SimulationError> {
+/// Bodies that have come from far away: at d = 0 they attract each other already, unless the attraction has no range.
+fn arrived(mut contact: QuasiStatic, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
+    match adhesion {
+        ElasticAdhesion::None | ElasticAdhesion::Vanishing { .. } => return Ok(contact),
+        ElasticAdhesion::Outside { .. } | ElasticAdhesion::Finite { .. } | ElasticAdhesion::Fading { .. } => {}
+    }
     contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
     Ok(contact.without_losses())
 }

@@ -54,10 +54,11 @@ pub(super) enum Component {
     Gliding,
     Rolling,
     Machine,
+    LedBySpring,
 }
 
 impl Component {
-    const ALL: [Self; 16] = [
+    const ALL: [Self; 17] = [
         Self::Profile,
         Self::VanishingRange,
         Self::Outside,
@@ -74,6 +75,7 @@ impl Component {
         Self::Gliding,
         Self::Rolling,
         Self::Machine,
+        Self::LedBySpring,
     ];
 
     pub(super) fn name(self) -> &'static str {
@@ -94,6 +96,7 @@ impl Component {
             Self::Gliding => "springs under a body that moves along",
             Self::Rolling => "rolling with traction",
             Self::Machine => "mass of a machine",
+            Self::LedBySpring => "spring of a machine in series",
         }
     }
 }

@@ -19,6 +19,7 @@ use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::contact::pad::{Bed, Element, Spring, Summit};
 use crate::contact::plastic::YieldingBall;
 use crate::contact::rough::EdgeWorks;
+use crate::drive::machine::Machine;
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
@@ -223,13 +224,14 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
         if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
     let wear = scene.wear.as_ref().map(|Wear::Archard(law)| WearLaw::new(law.coefficient.si(), shared.accuracy()));
     let machine = machine(&shared);
-    RoundPlan { profile, contact, friction, travel, rolling, wear, machine, shared }
+    let spring = scene.machine.as_ref().filter(|machine| machine.mass.is_none()).map(Machine::stiffness);
+    RoundPlan { profile, contact, friction, travel, rolling, wear, machine, spring, shared }
 }
 
 /// The machine and its motions.
 fn machine(shared: &Shared) -> Option<MachineLaw> {
     let scene = &shared.scene;
-    let suspension = scene.machine.as_ref()?.suspension();
+    let suspension = scene.machine.as_ref()?.suspension()?;
     let steps = scene.steps.map(NonZeroUsize::get);
     let entries = scene.history.iter().enumerate();
     let motions = entries.filter_map(|(number, entry)| entry.traits(number, None, steps).machine).collect();

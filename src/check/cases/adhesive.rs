@@ -37,6 +37,14 @@ pub(super) const CASES: &[Case] = &[
         .weak("the paraboloid only")
         .by(edge_stress),
     Case::new(
+        "jkr/pull-off behind a spring",
+        Proof::Rounding,
+        2e-7,
+        "lost where dF/dd = −k, with F and d of JKR's closed form at the radius of the jump",
+    )
+    .weak("the radius at a turning point is known to the square root of rounding")
+    .by(behind_a_spring),
+    Case::new(
         "dmt/ball",
         Proof::Rounding,
         1e-13,
@@ -173,6 +181,18 @@ fn edge_stress() -> Attempt<Pairs> {
         Ok((contact.loaded().stress_intensity(), 2f64.sqrt()))
     };
     [0.0, 1.0, -1.0].into_iter().map(&mut at).collect()
+}
+
+/// R = E* = w = 1: −(dF/da)/(dd/da) where the contact jumps off, and k.
+fn behind_a_spring() -> Attempt<Pairs> {
+    let one = |stiffness: f64| {
+        let mut contact = jkr(paraboloid(1.0)?, 1.0, 1.0).on_a_spring(stiffness);
+        contact.press(1.0)?;
+        let a = first(&contact.indent(-1e6)?)?.before.contact_radius;
+        let stretch = (2.0 * PI * a).sqrt();
+        Ok(((3.0 * stretch - 4.0 * a * a) / (2.0 * a - 0.5 * stretch / a), stiffness))
+    };
+    [0.01, 0.3, 1.0, 10.0, 100.0].into_iter().map(one).collect()
 }
 
 /// E* = 3, R = 2, w = 0.5: 2πwR = 2π, and at F = 0 Hertz's radius under it.

@@ -19,7 +19,9 @@
 
 use super::equilibrium::{Balance, Control, Equilibrium, Search};
 use super::line::{EdgeLine, Energy};
+use super::sprung::Sprung;
 use crate::contact::foundation::Foundation;
+use crate::numerics::root;
 use std::f64::consts::PI;
 
 /// Contact of a paraboloid that is pressed by its own attraction beside the load.
@@ -83,17 +85,30 @@ impl DmtBall {
     }
 
     /// The state that bodies, `joined` or not, come to at the indentation [m] or under the force [N] `to`; `None` where
-    /// they are apart.
+    /// they are apart. On a spring of the compliance `compliance` [m/N] the indentation is that of its far end, d + F/k.
     #[must_use]
-    pub fn brought(&self, joined: bool, control: Control, to: f64) -> Option<Balance> {
-        match control {
-            Control::Indentation => (to >= 0.0).then(|| Balance { indentation: to, ..self.at(self.radius_at(to)) }),
-            // Bodies apart are brought together by what presses them.
-            Control::Force => {
-                let least = if joined { -self.attraction() } else { 0.0 };
-                (to >= least).then(|| Balance { force: to, ..self.at(self.radius_under(to)) })
-            }
-        }
+    pub fn brought(&self, joined: bool, (control, to): (Control, f64), compliance: f64) -> Option<Balance> {
+        // Bodies apart are brought together by what presses them.
+        let least = match control {
+            Control::Indentation if joined => -compliance * self.attraction(),
+            Control::Force if joined => -self.attraction(),
+            Control::Indentation | Control::Force => 0.0,
+        };
+        (to >= least).then(|| match control {
+            Control::Indentation if compliance > 0.0 => self.at(self.radius_behind(to, compliance)),
+            Control::Indentation => Balance { indentation: to, ..self.at(self.radius_at(to)) },
+            Control::Force => Balance { force: to, ..self.at(self.radius_under(to)) },
+        })
+    }
+
+    /// Contact radius [m] with the far end of a spring of the compliance `compliance` [m/N] at `to` [m].
+    fn radius_behind(&self, to: f64, compliance: f64) -> f64 {
+        let sprung = Sprung { curve: self, compliance };
+        let residual = |a: f64| sprung.value(Control::Indentation, a) - to;
+        // Where the spring alone, or the contact alone, would give way by all of it.
+        let all = (to + compliance * self.attraction()).max(0.0);
+        let high = self.radius_at(all).min(self.radius_under(to / compliance));
+        root::within(residual, 0.0, high)
     }
 
     /// Energy of a state: of Hertz's contact, and −2πwRd of the attraction.

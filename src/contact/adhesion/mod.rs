@@ -16,6 +16,7 @@ pub mod equilibrium;
 pub mod line;
 pub mod neck;
 pub mod range;
+pub mod sprung;
 
 use crate::input::quantity::{ContactAngle, Length, Modulus, Positive, Speed, SurfaceTension, WorkOfAdhesion};
 use serde::{Deserialize, Serialize};
