@@ -16,7 +16,8 @@ use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
 use crate::friction::contact::{
-    CoulombMemory, CoulombSprings, FrictionalContact, Peeling, SlidingContact, TangentialContact, ViscoelasticFriction,
+    CoulombMemory, CoulombSprings, FrictionalContact, Peeling, SlidingContact, StuckEdge, TangentialContact,
+    ViscoelasticFriction,
 };
 use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
 use crate::friction::{FrictionError, ViscoelasticBed};
@@ -217,7 +218,10 @@ fn friction(
             Box::new(ViscoelasticFriction::new(bed, grip.tangential_modulus))
         }
         FrictionLaw::Sliding(interface) => Box::new(SlidingContact::new(plan.ground(), interface.clone())),
-        FrictionLaw::Peeling { interface, work } => Box::new(Peeling::new(peeled(plan, *work), interface.clone())),
+        FrictionLaw::Stuck { work } => Box::new(StuckEdge::new(peeled(plan, *work, 1.0))),
+        FrictionLaw::Peeling { interface, work } => {
+            Box::new(Peeling::new(peeled(plan, *work, UNIFORM), interface.clone()))
+        }
     })
 }
 
@@ -234,9 +238,10 @@ fn friction_radius(plan: &RoundPlan) -> f64 {
     }
 }
 
-/// The adhesive contact of a plan under a uniform shear stress, for the work of adhesion `work` [J/m²].
-fn peeled(plan: &RoundPlan, work: f64) -> ShearedAdhesion {
-    let ratio = UNIFORM * plan.pair.tangential / plan.pair.normal;
+/// The adhesive contact of a plan under shear, for the work of adhesion `work` [J/m²]; its tangential stiffness is `share` of
+/// that of a contact which sticks.
+fn peeled(plan: &RoundPlan, work: f64, share: f64) -> ShearedAdhesion {
+    let ratio = share * plan.pair.tangential / plan.pair.normal;
     ShearedAdhesion { line: EdgeLine::new(plan.ground(), work), ratio }
 }
 
@@ -244,7 +249,8 @@ fn peeled(plan: &RoundPlan, work: f64) -> ShearedAdhesion {
 #[must_use]
 pub fn sheared(plan: &RoundPlan) -> Option<ShearedAdhesion> {
     match &plan.friction {
-        Some(FrictionLaw::Peeling { work, .. }) => Some(peeled(plan, *work)),
+        Some(FrictionLaw::Stuck { work }) => Some(peeled(plan, *work, 1.0)),
+        Some(FrictionLaw::Peeling { work, .. }) => Some(peeled(plan, *work, UNIFORM)),
         Some(
             FrictionLaw::Memory { .. }
             | FrictionLaw::Springs { .. }
@@ -278,6 +284,9 @@ pub fn friction_error(plan: &RoundPlan, law: &FrictionLaw) -> Option<ErrorEstima
                     .to_owned(),
             })
         }
-        FrictionLaw::RateState(_) | FrictionLaw::Sliding(_) | FrictionLaw::Peeling { .. } => None,
+        FrictionLaw::RateState(_)
+        | FrictionLaw::Sliding(_)
+        | FrictionLaw::Stuck { .. }
+        | FrictionLaw::Peeling { .. } => None,
     }
 }

@@ -145,6 +145,7 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Option<P
                 Some(
                     Friction::StaticKinetic(_)
                     | Friction::RateState(_)
+                    | Friction::Stuck
                     | Friction::CoulombOrowan(_)
                     | Friction::Pressure(_),
                 )
@@ -195,7 +196,8 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
             PixelFriction::Coupled { coefficient }
         }
         Slip::Local(coefficient) => PixelFriction::Partial { coefficient },
-        Slip::Gross => PixelFriction::Gross(interface(&shared, friction)),
+        // What sticks everywhere is refused on pixels.
+        Slip::Gross | Slip::Nowhere => PixelFriction::Gross(interface(&shared, friction)),
     });
     HalfSpacePlan {
         travel,
@@ -246,6 +248,7 @@ fn left(friction: Option<&Friction>) -> f64 {
             Friction::StaticKinetic(_)
             | Friction::Coulomb(_)
             | Friction::RateState(_)
+            | Friction::Stuck
             | Friction::CoulombOrowan(_)
             | Friction::Pressure(_),
         )
@@ -366,6 +369,10 @@ fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
     let coefficient = match friction.slip() {
         Slip::Local(coefficient) => coefficient,
         Slip::Gross => return gross(shared, friction),
+        Slip::Nowhere => {
+            let work = elastic(shared.scene.adhesion.as_ref()).work_at_edge().unwrap_or(0.0);
+            return FrictionLaw::Stuck { work };
+        }
     };
     if let Friction::RateState(law) = friction
         && !law.is_coulomb()

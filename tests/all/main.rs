@@ -60,6 +60,8 @@ mod rough;
 mod scenes;
 #[cfg(feature = "text")]
 mod stresses;
+#[cfg(feature = "text")]
+mod stuck;
 #[cfg(feature = "cli")]
 mod sweep;
 #[cfg(all(feature = "cli", feature = "half-space"))]

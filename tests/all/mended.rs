@@ -57,6 +57,7 @@ const FRICTIONS: &[&str] = &[
     "",
     "",
     "friction: Coulomb(coefficient: 0.3),",
+    "friction: Stuck,",
     "friction: CoulombOrowan(coefficient: 0.3, shear_limit: 1e6),",
     "friction: StaticKinetic(static: 0.3, kinetic: 0.4), machine: (mass: 1, stiffness: 10),",
     "friction: Coulomb(coefficient: 0.3), machine: (mass: 1),",

@@ -285,14 +285,16 @@ const CAPPED: ByKind = [
     Laws(Other),
 ];
 const PRESSED: ByKind = [Case("friction/peeling force of a lens"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const STUCK: ByKind = [Case("friction/lens that sticks"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 const DROPS: ByKind = [Case("machine/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 
-pub(super) const FRICTIONS: [Choice; 6] = [
+pub(super) const FRICTIONS: [Choice; 7] = [
     choice("none", "", all(Whole)),
     choice("Coulomb", "friction: Coulomb(coefficient: 0.3),", PARTIAL_SLIP),
     choice("Coulomb, wear", "friction: Coulomb(coefficient: 0.3), wear: Archard(coefficient: <1e-8 m2/N>),", WEAR),
     choice("capped", "friction: CoulombOrowan(coefficient: 0.3, shear_limit: <1e4 Pa>),", CAPPED),
     choice("pressure law", "friction: Pressure(shear: <1e4 Pa>, slope: 0.1),", PRESSED),
+    choice("stuck", "friction: Stuck,", STUCK),
     choice("static, kinetic", "friction: StaticKinetic(static: 0.3, kinetic: 0.2),", DROPS),
 ];
 

@@ -29,12 +29,14 @@ mod memory;
 mod peeling;
 mod sliding;
 mod springs;
+mod stuck;
 mod viscoelastic;
 
 pub use memory::CoulombMemory;
 pub use peeling::Peeling;
 pub use sliding::{GrossSlip, Interface, SlidingContact};
 pub use springs::CoulombSprings;
+pub use stuck::StuckEdge;
 pub use viscoelastic::ViscoelasticFriction;
 
 use super::FrictionError;

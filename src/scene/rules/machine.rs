@@ -204,6 +204,13 @@ pub(super) fn friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
     let friction = draft.friction(Look::Kind)?;
     match friction {
         Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::RateState(_) => None,
+        Friction::Stuck => refused_entry(
+            entry,
+            format!(
+                "{} with Stuck cannot be computed, for it tells of no friction once the edge has given way: expected Coulomb(…) or StaticKinetic(…), or Slide(…)",
+                entry.name
+            ),
+        ),
         Friction::CoulombOrowan(_) | Friction::Pressure(_) => refused_entry(
             entry,
             format!(
@@ -222,7 +229,7 @@ pub(super) fn falling_friction(draft: &Draft<'_>) -> Option<Problem> {
             "StaticKinetic falls as the contact begins to slide, and how fast it then slips only a mass knows"
         }
         Friction::RateState(_) => "RateState depends on the speed of slip, which only a mass and a spring decide",
-        Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
+        Friction::Coulomb(_) | Friction::Stuck | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
     };
     if draft.drives()? {
         return None;
@@ -277,7 +284,7 @@ pub(super) fn slide_before(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option
     let why = match friction {
         Friction::StaticKinetic(_) => "how fast it slips once it has given way only a mass knows",
         Friction::RateState(_) => "it has a contact slip at any load, at a speed that its machine decides",
-        Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
+        Friction::Coulomb(_) | Friction::Stuck | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
     };
     entry.slides().then_some(())?;
     refused_entry(

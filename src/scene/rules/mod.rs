@@ -140,6 +140,8 @@ pub const RULES: &[Rule] = &[
     Rule::once(Friction, Shape, parts::peeling_on_section),
     Rule::once(Friction, Adhesion, parts::friction_under_adhesion),
     Rule::once(Friction, Adhesion, parts::friction_with_closing),
+    Rule::once(Friction, Adhesion, parts::stuck_without_edge),
+    Rule::entry(Friction, history::moved_while_stuck),
     Rule::once(Springs, Adhesion, parts::springs_under_adhesion),
     Rule::once(Springs, Adhesion, parts::springs_with_closing),
     Rule::once(Wear, Friction, wear::without_friction),

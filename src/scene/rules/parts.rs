@@ -186,7 +186,8 @@ pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem
     draft.pair_relaxes()?.then_some(())?;
     let friction = draft.friction_of_history()?;
     match friction.slip() {
-        Slip::Local(_) => None,
+        // Of what sticks everywhere its edge is told its own reason.
+        Slip::Local(_) | Slip::Nowhere => None,
         Slip::Gross => refused(
             "friction",
             format!(
@@ -223,7 +224,9 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
                 law.slope.si()
             ),
         ),
-        (Range::Vanishing(_), Friction::Pressure(_)) => None,
+        (Range::Vanishing(_), Friction::Pressure(_) | Friction::Stuck) => None,
+        // What adheres at no edge is told by another rule.
+        (_, Friction::Stuck) => None,
         // The pressure inside the contact is Hertz's, and the attraction outside adds to what presses.
         (Range::Outside, _) => None,
         (
@@ -242,12 +245,32 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     }
 }
 
+/// What sticks everywhere gives way at an edge that adheres.
+pub(super) fn stuck_without_edge(draft: &Draft<'_>) -> Option<Problem> {
+    let Friction::Stuck = draft.friction(Look::Kind)? else { return None };
+    let adheres = draft.adheres()?;
+    let range = adheres.then(|| draft.adhesion(Look::Kind).map(|adhesion| adhesion.traits().range)).flatten();
+    let why = match range {
+        Some(Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
+        Some(Range::Vanishing(_)) => {
+            "how the edge of a body that relaxes peels under shear has no closed answer: expected Elastic bodies"
+        }
+        None if !adheres => {
+            "nothing says where a contact slips that no edge holds: expected adhesion: Jkr(work: …), or Coulomb(coefficient: …)"
+        }
+        Some(_) | None => {
+            "how shear weakens what pulls outside the contact is not known: expected adhesion: Jkr(work: …)"
+        }
+    };
+    refused("friction", format!("Stuck cannot be computed here, for {why}"))
+}
+
 /// How shear peels an edge is known of round contacts.
 pub(super) fn peeling_on_section(draft: &Draft<'_>) -> Option<Problem> {
     let (friction, profile) = (draft.friction_of_history()?, draft.profile()?);
     draft.adhesion(Look::Kind)?;
     match friction.slip() {
-        Slip::Gross if profile.is_plane() => refused(
+        Slip::Gross | Slip::Nowhere if profile.is_plane() => refused(
             "friction",
             format!(
                 "{} with adhesion cannot be computed on a {}, for how shear peels is known of round contacts: expected no adhesion, or no friction",
@@ -255,7 +278,7 @@ pub(super) fn peeling_on_section(draft: &Draft<'_>) -> Option<Problem> {
                 draft.shape()?.name()
             ),
         ),
-        Slip::Gross | Slip::Local(_) => None,
+        Slip::Gross | Slip::Nowhere | Slip::Local(_) => None,
     }
 }
 
@@ -345,7 +368,11 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
         }
         (
             Family::Line(_) | Family::Map(..),
-            Friction::StaticKinetic(_) | Friction::RateState(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
+            Friction::StaticKinetic(_)
+            | Friction::RateState(_)
+            | Friction::Stuck
+            | Friction::CoulombOrowan(_)
+            | Friction::Pressure(_),
         ) => refused(
             "friction",
             format!(

@@ -58,6 +58,9 @@ pub(super) fn friction(draft: &Draft<'_>) -> Option<Problem> {
             "",
             "it is followed in a machine, which pixels have none of: expected Coulomb(coefficient: …), or no solver",
         ),
+        Friction::Stuck => {
+            ("", "it is known of the edge of a round contact: expected Coulomb(coefficient: …), or no solver")
+        }
         Friction::Coulomb(_) if draft.pair_relaxes()? => (
             " of a Viscoelastic body",
             "what stuck at one time has crept at another, so that differences of pressures no longer tell its shear: expected Elastic or Rigid bodies, or no solver",
