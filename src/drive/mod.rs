@@ -326,7 +326,12 @@ impl Driver {
                 contact.follow(&piece)?
             }
             // Without a push they stay apart.
-            Control::Force if pulled && to <= 0.0 => Vec::new(),
+            Control::Force if pulled && to <= 0.0 => {
+                // What rubs is told where it goes all the same.
+                let force = to.min(-f64::MIN_POSITIVE);
+                let past = before.and_then(|_| contact.press(&Pull { force, slide, sliding_speed, duration }));
+                past.unwrap_or_else(|| Ok(Vec::new()))?
+            }
             Control::Force => {
                 let pull = Pull { force: to, slide, sliding_speed, duration };
                 contact.press(&pull).unwrap_or_else(|| Ok(Vec::new()))?

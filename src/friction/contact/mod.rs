@@ -128,6 +128,10 @@ impl Step<'_> {
             return vec![Pose { indentation: end, slide: self.slide[1] }];
         }
         let from = Pose { indentation: from.indentation.max(0.0), ..from };
+        if from.indentation <= 0.0 && !self.contact.joined() {
+            // Bodies apart slide past each other.
+            return vec![Pose { indentation: 0.0, slide: self.slide[1] }];
+        }
         let depth = |t: f64| match t {
             t if t <= 0.0 => from.indentation,
             t if t >= 1.0 => end,

@@ -14,10 +14,12 @@ fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
 
 pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
     let (Body::Rigid, Body::Rigid) = draft.bodies(Look::Kind)? else { return None };
-    refused(
-        "bodies",
-        "two rigid bodies cannot be pressed together: expected at least one Elastic(…), Viscoelastic(…) or Plastic(…)",
-    )
+    let what = if draft.adheres()? {
+        "two rigid bodies that attract each other have no contact to be computed: balls that touch are torn off by 2πwR (Bradley 1932), and a gap z weakens that to 2πR(w − σ₀z) under a constant stress σ₀; expected at least one Elastic(…), however stiff, with Dmt(work: …) or Maugis(work: …, stress: …)"
+    } else {
+        "two rigid bodies cannot be pressed together: expected at least one Elastic(…), Viscoelastic(…) or Plastic(…)"
+    };
+    refused("bodies", what)
 }
 
 /// An attraction, and what holds its edge, between elastic or viscoelastic bodies.
@@ -208,7 +210,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         (Range::Vanishing(_), Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::RateState(_)) => refused(
             "friction",
             format!(
-                "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Pressure(shear: …, slope: 0), or no adhesion"
+                "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Stuck, Pressure(shear: …, slope: 0), Dmt(work: …) of hard bodies, or no adhesion"
             ),
         ),
         (Range::Vanishing(_), Friction::CoulombOrowan(_)) => refused(
@@ -220,7 +222,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         (Range::Vanishing(_), Friction::Pressure(law)) if known && law.slope.si() > 0.0 => refused(
             "friction.slope",
             format!(
-                "{one} with a slope of {} and {other} adhesion cannot be computed, for peeling is known under a uniform stress only: expected slope: 0",
+                "{one} with a slope of {} and {other} adhesion cannot be computed, for at an adhesive edge the pressure falls without bound, and τ_c + βp with it would drive the slide there: expected slope: 0, or Dmt(work: …) of hard bodies",
                 law.slope.si()
             ),
         ),
