@@ -201,7 +201,7 @@ impl Contact {
         match &self.material {
             Material::Elastic(contact) => match contact.attraction() {
                 ElasticAttraction::Line(line) => line.work() > 0.0,
-                ElasticAttraction::Range(_) => true,
+                ElasticAttraction::Outside(_) | ElasticAttraction::Range(_) => true,
             },
             Material::Viscoelastic(_) => false,
         }

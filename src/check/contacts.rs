@@ -2,6 +2,7 @@
 
 use super::case::Attempt;
 use super::sketch::si;
+use crate::contact::adhesion::dmt::DmtBall;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::direct::QuasiStatic;
@@ -27,6 +28,12 @@ pub fn plain(profile: Arc<dyn Profile>, modulus: f64) -> QuasiStatic {
 #[must_use]
 pub fn jkr(profile: Arc<dyn Profile>, modulus: f64, work: f64) -> QuasiStatic {
     QuasiStatic::new(EdgeLine::new(Foundation::new(profile, modulus), work))
+}
+
+/// A ball attracted outside its contact.
+#[must_use]
+pub fn dmt(profile: Arc<dyn Profile>, modulus: f64, work: f64) -> QuasiStatic {
+    QuasiStatic::new(DmtBall::new(Foundation::new(profile, modulus), work))
 }
 
 /// A contact whose attraction is constant up to the range work/stress.

@@ -275,7 +275,7 @@ impl Sketch {
     pub fn machine(self, mass: f64, stiffness: f64, damping: f64) -> Self {
         self.with(|scene| {
             let (stiffness, damping) = (Some(si(stiffness)?), Some(si(damping)?));
-            scene.machine = Some(Machine { mass: si(mass)?, stiffness, damping });
+            scene.machine = Some(Machine { mass: Some(si(mass)?), stiffness, damping });
             Ok(())
         })
     }

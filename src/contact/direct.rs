@@ -22,9 +22,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use crate::contact::adhesion::dmt::DmtBall;
 use crate::contact::adhesion::equilibrium::{Balance, BranchError, Branches, Control, Equilibrium, Leap, Search};
 use crate::contact::adhesion::line::{EdgeLine, Energy};
 use crate::contact::adhesion::range::RangeDisc;
+use crate::contact::adhesion::sprung::Sprung;
 use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
 use crate::shape::{Profile, Rim};
@@ -34,6 +36,8 @@ use crate::shape::{Profile, Rim};
 pub enum ElasticAttraction {
     /// Nothing, or an attraction of vanishing range.
     Line(EdgeLine),
+    /// An attraction outside the contact that bends nothing.
+    Outside(DmtBall),
     /// An attraction of finite range.
     Range(RangeDisc),
 }
@@ -41,6 +45,12 @@ pub enum ElasticAttraction {
 impl From<EdgeLine> for ElasticAttraction {
     fn from(line: EdgeLine) -> Self {
         Self::Line(line)
+    }
+}
+
+impl From<DmtBall> for ElasticAttraction {
+    fn from(ball: DmtBall) -> Self {
+        Self::Outside(ball)
     }
 }
 
@@ -55,6 +65,8 @@ impl From<RangeDisc> for ElasticAttraction {
 pub struct Jump {
     /// What was prescribed.
     pub control: Control,
+    /// Its value: a depth, or where the far end of a spring is [m], or a force [N].
+    pub at: f64,
     /// State just before; the contact radius is zero where the bodies were apart.
     pub before: Balance,
     /// State just after; `None` where the bodies have parted.
@@ -84,6 +96,10 @@ pub struct QuasiStatic {
     s: f64,
     present: Present,
     dissipated: f64,
+    /// Compliance [m/N] of a spring by whose far end the contact is led; zero without one.
+    compliance: f64,
+    /// What has been prescribed as a depth [m], to the last digit; `None` under a force.
+    led: Option<f64>,
 }
 
 impl QuasiStatic {
@@ -94,13 +110,36 @@ impl QuasiStatic {
         let s = attraction.start();
         let balance = Balance { contact_radius: 0.0, reach: 0.0, indentation: 0.0, force: 0.0 };
         let present = Present { joined: false, balance };
-        Self { attraction, by_depth: None, by_force: None, s, present, dissipated: 0.0 }
+        Self { attraction, by_depth: None, by_force: None, s, present, dissipated: 0.0, compliance: 0.0, led: None }
     }
 
     /// The same bodies before any attraction has acted.
     #[must_use]
     pub fn apart(&self) -> Self {
-        Self::new(self.attraction.clone())
+        Self { compliance: self.compliance, ..Self::new(self.attraction.clone()) }
+    }
+
+    /// The same bodies, led by the far end of a spring of the stiffness `stiffness` [N/m]: what is prescribed as a depth is
+    /// d + F/k from now on.
+    #[must_use]
+    pub fn on_a_spring(&self, stiffness: f64) -> Self {
+        Self { compliance: stiffness.recip(), ..self.apart() }
+    }
+
+    /// What is prescribed as a depth [m]: d, or d + F/k of a contact on a spring; `None` where bodies have parted under a force.
+    #[must_use]
+    pub fn position(&self) -> Option<f64> {
+        self.led.or(Some(self.far_end(&self.present.balance))).filter(|position| !position.is_nan())
+    }
+
+    /// d + F/k of a state [m].
+    #[must_use]
+    pub fn far_end(&self, balance: &Balance) -> f64 {
+        if self.compliance > 0.0 { balance.indentation + self.compliance * balance.force } else { balance.indentation }
+    }
+
+    fn sprung(&self) -> Sprung<'_, ElasticAttraction> {
+        Sprung { curve: &self.attraction, compliance: self.compliance }
     }
 
     /// The same state with nothing lost on the way to it.
@@ -144,21 +183,54 @@ impl QuasiStatic {
     }
 
     fn follow(&mut self, control: Control, to: f64) -> Result<Vec<Jump>, BranchError> {
-        let attraction = &self.attraction;
+        let led = (control == Control::Indentation).then_some(to);
+        if let ElasticAttraction::Outside(ball) = &self.attraction {
+            let ball = ball.clone();
+            self.led = led;
+            return Ok(self.follow_hertz(&ball, control, to));
+        }
+        let curve = Sprung { curve: &self.attraction, compliance: self.compliance };
         let slot = if control == Control::Indentation { &mut self.by_depth } else { &mut self.by_force };
         let mut branches = match slot.take() {
             Some(branches) => branches,
-            None => Branches::new(attraction, control)?,
+            None => Branches::new(&curve, control)?,
         };
-        let (s, leaps) = branches.follow(attraction, self.s, to)?;
+        let (s, leaps) = branches.follow(&curve, self.s, to)?;
         *slot = Some(branches);
         let jumps = leaps.iter().map(|leap| self.jump(control, leap)).collect::<Result<Vec<_>, _>>()?;
         self.present = self.state_at(control, s, to)?;
-        self.s = s;
+        (self.s, self.led) = (s, led);
         for jump in &jumps {
             self.dissipated += jump.dissipated;
         }
         Ok(jumps)
+    }
+
+    /// Moves a contact that is Hertz's under its load and an attraction; it joins and parts at d = 0.
+    fn follow_hertz(&mut self, ball: &DmtBall, control: Control, to: f64) -> Vec<Jump> {
+        let before = self.present.joined;
+        let state = ball.brought(before, (control, to), self.compliance);
+        let indentation = if control == Control::Indentation { to } else { f64::NAN };
+        let apart = Balance { contact_radius: 0.0, reach: 0.0, indentation, force: 0.0 };
+        let touching = Balance { indentation: 0.0, ..apart };
+        self.s = state.map_or(0.0, |state| state.contact_radius);
+        self.present = Present { joined: state.is_some(), balance: state.unwrap_or(apart) };
+        let parting = ball.at(0.0);
+        let (at, from, landed) = match (before, state.is_some(), control) {
+            (true, true, _) | (false, false, _) => return Vec::new(),
+            (true, false, Control::Indentation) => (self.far_end(&parting), parting, None),
+            (true, false, Control::Force) => (parting.force, parting, None),
+            // At d = 0 and no force, from where bodies do no work as they come together.
+            (false, true, _) => (0.0, touching, ball.brought(false, (control, 0.0), self.compliance)),
+        };
+        let energy =
+            |balance: &Balance| if balance.force < 0.0 { self.energy_of(Some(balance)) } else { Energy::default() };
+        let spring = if control == Control::Force { self.spring_energy(&from) } else { 0.0 };
+        let landed_energy = landed.as_ref().map_or_else(Energy::default, |landed| self.energy_of(Some(landed)));
+        let stored = (energy(&from), landed_energy);
+        let dissipated = stored.0.stored() - spring - stored.1.stored();
+        self.dissipated += dissipated;
+        vec![Jump { control, at, before: from, after: landed, dissipated, stored }]
     }
 
     /// States on the stable path from the reach `from` to the reach `to` [m] at which the force turns,
@@ -190,14 +262,14 @@ impl QuasiStatic {
     }
 
     fn state_at(&self, control: Control, s: f64, to: f64) -> Result<Present, BranchError> {
-        let attraction = &self.attraction;
+        let attraction = self.sprung();
         let at_end = s >= attraction.end();
         if at_end && attraction.value(control, s) < to {
             return self.beyond_end(control, s, to);
         }
         let start = attraction.start();
         let joined = s > start || start > 0.0 && attraction.value(control, start) < to;
-        let mut balance = if joined { self.prescribed(control, s, to) } else { attraction.at(s) };
+        let mut balance = if joined { self.prescribed(control, s, to) } else { self.attraction.at(s) };
         if !joined {
             let indentation = match control {
                 Control::Indentation => to,
@@ -218,10 +290,11 @@ impl QuasiStatic {
         let ends = !matches!(self.profile().rim(), Rim::None);
         let steep = |line: &EdgeLine| self.profile().kink().is_some() || ends && line.elongation(s) <= 0.0;
         match (&self.attraction, control) {
-            (ElasticAttraction::Line(line), Control::Indentation) if steep(line) => line.under_wall(s, to),
+            (ElasticAttraction::Line(line), Control::Indentation) if steep(line) => self.held_by_wall(line, s, to),
             (ElasticAttraction::Line(line), Control::Force) if steep(line) => {
                 Balance { force: to, ..line.under_wall(s, line.indentation_under_wall(s, to)) }
             }
+            (smooth, Control::Indentation) if self.compliance > 0.0 => smooth.at(s),
             (smooth, Control::Indentation) => Balance { indentation: to, ..smooth.at(s) },
             (smooth, Control::Force) => Balance { force: to, ..smooth.at(s) },
         }
@@ -232,20 +305,34 @@ impl QuasiStatic {
         let (ElasticAttraction::Line(line), Rim::Wall(_)) = (&self.attraction, self.profile().rim()) else {
             return Err(BranchError::BeyondEnd { end: self.profile().contact_radius(s) });
         };
-        let d = match control {
-            Control::Indentation => to,
-            Control::Force => line.indentation_under_wall(s, to),
+        let balance = match control {
+            Control::Indentation => self.held_by_wall(line, s, to),
+            Control::Force => line.under_wall(s, line.indentation_under_wall(s, to)),
         };
-        let balance = line.under_wall(s, d);
         let force = if control == Control::Force { to } else { balance.force };
         Ok(Present { joined: true, balance: Balance { force, ..balance } })
+    }
+
+    /// The contact of the radius `a` held by a wall with `to` [m] prescribed: d, or d + F/k with F linear in d.
+    fn held_by_wall(&self, line: &EdgeLine, a: f64, to: f64) -> Balance {
+        if self.compliance <= 0.0 {
+            return line.under_wall(a, to);
+        }
+        let (free, given) = (line.indentation_under_wall(a, 0.0), self.compliance * line.ground().stiffness(a));
+        line.under_wall(a, free + (to - free) / (1.0 + given))
     }
 
     fn jump(&self, control: Control, leap: &Leap) -> Result<Jump, BranchError> {
         let before = self.end_of_leap(control, leap.from, leap.at)?;
         let after = self.end_of_leap(control, leap.to, leap.at)?;
         let stored = (self.energy_of(before.as_ref()), self.energy_of(after.as_ref()));
-        let released = stored.0.stored() - stored.1.stored();
+        // A prescribed force keeps what the spring holds.
+        let kept = |balance: Option<&Balance>| match control {
+            Control::Indentation => 0.0,
+            Control::Force => balance.map_or(0.0, |balance| self.spring_energy(balance)),
+        };
+        let held = kept(before.as_ref()) - kept(after.as_ref());
+        let released = stored.0.stored() - stored.1.stored() - held;
         let apart = Balance { contact_radius: 0.0, reach: 0.0, indentation: 0.0, force: 0.0 };
         let work = match (control, &before, &after) {
             (Control::Indentation, ..) => 0.0,
@@ -255,7 +342,7 @@ impl QuasiStatic {
         };
         let indentation = if control == Control::Indentation { leap.at } else { 0.0 };
         let before = before.unwrap_or(Balance { indentation, ..apart });
-        Ok(Jump { control, before, after, dissipated: released + work, stored })
+        Ok(Jump { control, at: leap.at, before, after, dissipated: released + work, stored })
     }
 
     fn end_of_leap(&self, control: Control, s: f64, at: f64) -> Result<Option<Balance>, BranchError> {
@@ -276,13 +363,13 @@ impl QuasiStatic {
     pub fn last_depth(&self) -> Result<f64, BranchError> {
         let mut probe = self.clone();
         let jumps = probe.indent(-f64::MAX)?;
-        Ok(jumps.last().map_or(self.first_touch(), |jump| jump.before.indentation))
+        Ok(jumps.last().map_or(self.first_touch(), |jump| jump.at))
     }
 
     /// Depth [m] at which the bodies, coming from afar, first act on each other.
     #[must_use]
     pub fn first_touch(&self) -> f64 {
-        self.attraction.value(Control::Indentation, self.attraction.start())
+        self.sprung().value(Control::Indentation, self.attraction.start())
     }
 
     /// Stored energy of the present state.
@@ -293,10 +380,18 @@ impl QuasiStatic {
 
     fn energy_of(&self, balance: Option<&Balance>) -> Energy {
         let Some(balance) = balance else { return Energy::default() };
-        match &self.attraction {
+        let energy = match &self.attraction {
             ElasticAttraction::Line(line) => line.energy(balance.contact_radius, balance.indentation),
+            ElasticAttraction::Outside(ball) => ball.energy(balance),
             ElasticAttraction::Range(disc) => disc.energy(balance),
-        }
+        };
+        Energy { elastic: energy.elastic + self.spring_energy(balance), ..energy }
+    }
+
+    /// F²/2k [J] of the spring the contact is led by.
+    #[must_use]
+    pub fn spring_energy(&self, balance: &Balance) -> f64 {
+        if self.compliance > 0.0 { 0.5 * self.compliance * balance.force * balance.force } else { 0.0 }
     }
 
     /// Contact stiffness k(a) [N/m]: dF/dd at constant contact radius, 2E*a on a half-space (Popov & Heß
@@ -309,10 +404,7 @@ impl QuasiStatic {
     /// The same of a contact of radius `a` [m].
     #[must_use]
     pub fn stiffness_at(&self, a: f64) -> f64 {
-        match &self.attraction {
-            ElasticAttraction::Line(line) => line.ground().stiffness(a),
-            ElasticAttraction::Range(disc) => disc.ground().stiffness(a),
-        }
+        self.ground().stiffness(a)
     }
 
     /// Whether the edge carries no load: no adhesion and no wall.
@@ -323,10 +415,7 @@ impl QuasiStatic {
     /// The profile.
     #[must_use]
     pub fn profile(&self) -> &dyn Profile {
-        match &self.attraction {
-            ElasticAttraction::Line(line) => line.ground().profile(),
-            ElasticAttraction::Range(disc) => disc.ground().profile(),
-        }
+        self.ground().profile()
     }
 }
 
@@ -336,6 +425,7 @@ impl QuasiStatic {
     pub fn ground(&self) -> &Foundation {
         match &self.attraction {
             ElasticAttraction::Line(line) => line.ground(),
+            ElasticAttraction::Outside(ball) => ball.ground(),
             ElasticAttraction::Range(disc) => disc.ground(),
         }
     }
@@ -346,7 +436,7 @@ impl QuasiStatic {
         let balance = self.present.balance;
         match &self.attraction {
             ElasticAttraction::Range(disc) if self.present.joined => Loaded::attracted(disc.clone(), balance),
-            ElasticAttraction::Range(_) | ElasticAttraction::Line(_) => {
+            ElasticAttraction::Range(_) | ElasticAttraction::Outside(_) | ElasticAttraction::Line(_) => {
                 Loaded::elastic(self.ground().clone(), balance.contact_radius, self.edge_load())
                     .at_depth(balance.indentation)
             }
@@ -364,7 +454,7 @@ impl QuasiStatic {
             ElasticAttraction::Line(line) if self.present.joined && !self.is_smooth() => {
                 line.ground().modulus() * (indentation - line.ground().depth(contact_radius))
             }
-            ElasticAttraction::Line(_) | ElasticAttraction::Range(_) => 0.0,
+            ElasticAttraction::Line(_) | ElasticAttraction::Outside(_) | ElasticAttraction::Range(_) => 0.0,
         }
     }
 }
@@ -373,6 +463,7 @@ impl ElasticAttraction {
     fn at(&self, s: f64) -> Balance {
         match self {
             Self::Line(line) => line.at(s),
+            Self::Outside(ball) => ball.at(s),
             Self::Range(disc) => disc.at(s),
         }
     }
@@ -382,6 +473,7 @@ impl Equilibrium for ElasticAttraction {
     fn value(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.value(control, s),
+            Self::Outside(ball) => ball.value(control, s),
             Self::Range(disc) => disc.value(control, s),
         }
     }
@@ -389,6 +481,7 @@ impl Equilibrium for ElasticAttraction {
     fn slope(&self, control: Control, s: f64) -> f64 {
         match self {
             Self::Line(line) => line.slope(control, s),
+            Self::Outside(ball) => ball.slope(control, s),
             Self::Range(disc) => disc.slope(control, s),
         }
     }
@@ -403,6 +496,7 @@ impl Equilibrium for ElasticAttraction {
     fn start(&self) -> f64 {
         match self {
             Self::Line(line) => line.start(),
+            Self::Outside(ball) => ball.start(),
             Self::Range(disc) => disc.start(),
         }
     }
@@ -410,6 +504,7 @@ impl Equilibrium for ElasticAttraction {
     fn end(&self) -> f64 {
         match self {
             Self::Line(line) => line.end(),
+            Self::Outside(ball) => ball.end(),
             Self::Range(disc) => disc.end(),
         }
     }
@@ -417,6 +512,7 @@ impl Equilibrium for ElasticAttraction {
     fn scale(&self) -> f64 {
         match self {
             Self::Line(line) => line.scale(),
+            Self::Outside(ball) => ball.scale(),
             Self::Range(disc) => disc.scale(),
         }
     }
@@ -424,6 +520,7 @@ impl Equilibrium for ElasticAttraction {
     fn search(&self) -> Search {
         match self {
             Self::Line(line) => line.search(),
+            Self::Outside(ball) => ball.search(),
             Self::Range(disc) => disc.search(),
         }
     }

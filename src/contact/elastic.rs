@@ -32,7 +32,7 @@ impl EventLog<'_> {
     fn turns(&mut self, from: f64, to: f64) -> Result<(), ContactError> {
         for balance in self.contact.force_turns(from, to)? {
             let state = normal(self.contact, &balance, self.contact.energy_at(&balance), self.lost);
-            self.push(balance.indentation, state, state);
+            self.push(self.contact.far_end(&balance), state, state);
         }
         Ok(())
     }
@@ -41,7 +41,7 @@ impl EventLog<'_> {
         let before = normal(self.contact, &jump.before, jump.stored.0, self.lost);
         self.lost += jump.dissipated;
         let by_depth = jump.control == Control::Indentation;
-        let at = if by_depth { jump.before.indentation } else { jump.before.force };
+        let at = jump.at;
         let indentation = if by_depth { at } else { f64::NAN };
         let parted = Balance { contact_radius: 0.0, reach: 0.0, indentation, force: 0.0 };
         let after = normal(self.contact, &jump.after.unwrap_or(parted), jump.stored.1, self.lost);
@@ -77,6 +77,10 @@ impl ContactModel for QuasiStatic {
 
     fn state(&self) -> Normal {
         normal(self, &self.present().balance, self.energy(), self.dissipated())
+    }
+
+    fn position(&self) -> Option<f64> {
+        QuasiStatic::position(self)
     }
 
     fn joined(&self) -> bool {

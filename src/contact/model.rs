@@ -187,6 +187,11 @@ pub trait ContactModel: Send {
         self.state().indentation
     }
 
+    /// What a prescribed depth leads [m]: the indenter, or the far end of a spring that carries it.
+    fn position(&self) -> Option<f64> {
+        self.indentation()
+    }
+
     /// Whether the bodies touch or attract each other.
     fn joined(&self) -> bool;
 

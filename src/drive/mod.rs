@@ -205,7 +205,7 @@ impl Driver {
         self.largest = self.largest.max(present.force.abs());
         // Bodies that a pull has parted carry nothing, and the pull goes on.
         let pulled = course.control == Control::Force && present.indentation.is_none();
-        let from = if pulled { self.pull } else { prescribed(&present, course.control) };
+        let from = if pulled { self.pull } else { prescribed(contact, &present, course.control) };
         self.pull = if course.control == Control::Force { course.normal.at(from, 1.0, course.over) } else { 0.0 };
         self.stage =
             ActiveStage { course, from, slide, now: 0.0, remainder: Remainder::Records, leg: None, middle: None };
@@ -327,7 +327,8 @@ impl Driver {
         // Of bodies that a pull has parted the state does not know what pulls them.
         let pulled = control == Control::Force && contact.state().indentation.is_none();
         let behind = if over > 0.0 { stage.now / over } else { 0.0 };
-        let from = if pulled { normal.at(stage.from, behind, over) } else { prescribed(&contact.state(), control) };
+        let from =
+            if pulled { normal.at(stage.from, behind, over) } else { prescribed(contact, &contact.state(), control) };
         let (duration, sliding_speed) = (part * over - stage.now, stage.sliding_speed());
         let before = contact.tangential();
         let events = match control {
@@ -336,7 +337,12 @@ impl Driver {
                 contact.follow(&piece)?
             }
             // Without a push they stay apart.
-            Control::Force if pulled && to <= 0.0 => Vec::new(),
+            Control::Force if pulled && to <= 0.0 => {
+                // What rubs is told where it goes all the same.
+                let force = to.min(-f64::MIN_POSITIVE);
+                let past = before.and_then(|_| contact.press(&Pull { force, slide, sliding_speed, duration }));
+                past.unwrap_or_else(|| Ok(Vec::new()))?
+            }
             Control::Force => {
                 let pull = Pull { force: to, slide, sliding_speed, duration };
                 contact.press(&pull).unwrap_or_else(|| Ok(Vec::new()))?
@@ -591,7 +597,7 @@ impl Driver {
     /// # Errors
     /// The contact cannot follow.
     pub fn part(&mut self, contact: &mut dyn ContactModel, speed: f64) -> Result<Normal, ContactError> {
-        let depth = depth_of(contact);
+        let depth = contact.position().unwrap_or(0.0);
         if contact.memory().is_none() {
             let jumps = contact.follow(&Straight::between(depth, depth.next_down(), 0.0))?;
             let after = jumps.last().map_or_else(|| contact.state(), |jump| jump.after);
@@ -630,9 +636,9 @@ fn accounted(contact: &dyn ContactModel) -> f64 {
 }
 
 /// Value of what is prescribed; a body that has come free starts again from first touch.
-fn prescribed(state: &Normal, control: Control) -> f64 {
+fn prescribed(contact: &dyn ContactModel, state: &Normal, control: Control) -> f64 {
     match control {
-        Control::Indentation => state.indentation.unwrap_or(0.0),
+        Control::Indentation => contact.position().unwrap_or(0.0),
         Control::Force => state.force,
     }
 }

@@ -28,6 +28,8 @@ enum Variant {
     Hertz,
     /// With adhesion of vanishing range.
     Jkr,
+    /// With an attraction outside the contact.
+    Dmt,
     /// With adhesion of finite range.
     Maugis,
     /// A layer of its elastic body on a rigid base.
@@ -36,10 +38,11 @@ enum Variant {
     PowerLaw,
 }
 
-const VARIANTS: [(&str, Variant); 6] = [
+const VARIANTS: [(&str, Variant); 7] = [
     ("scene", Variant::Scene),
     ("hertz", Variant::Hertz),
     ("jkr", Variant::Jkr),
+    ("dmt", Variant::Dmt),
     ("maugis", Variant::Maugis),
     ("layered", Variant::Layered),
     ("power-law", Variant::PowerLaw),
@@ -65,7 +68,7 @@ impl Candidate {
 
     /// Names of all variants.
     #[must_use]
-    pub fn names() -> [&'static str; 6] {
+    pub fn names() -> [&'static str; 7] {
         VARIANTS.map(|(name, _)| name)
     }
 }
@@ -78,16 +81,25 @@ impl Variant {
             Self::Jkr => {
                 let kept = match &plain.scene.adhesion {
                     Some(Adhesion::Jkr(jkr)) => json!({"Jkr": jkr}),
-                    Some(Adhesion::Maugis(_) | Adhesion::Exponential(_) | Adhesion::Capillary(_)) | None => {
+                    Some(
+                        Adhesion::Dmt(_) | Adhesion::Maugis(_) | Adhesion::Exponential(_) | Adhesion::Capillary(_),
+                    )
+                    | None => {
                         json!({"Jkr": {"work": work_of(&plain.scene)}})
                     }
                 };
                 Ok(plain.with_adhesion(Some(kept), (&[WORK.1], "adhesion.stress"))?)
             }
+            Self::Dmt => {
+                let model = json!({"Dmt": {"work": work_of(&plain.scene)}});
+                let plain = plain.with_adhesion(None, (&[], "adhesion.stress"))?;
+                Ok(plain.with_adhesion(Some(model), (&[WORK.1], "adhesion.edge"))?)
+            }
             Self::Maugis => {
                 let stress = match &plain.scene.adhesion {
                     Some(Adhesion::Maugis(maugis)) => maugis.stress.si(),
-                    Some(Adhesion::Jkr(_) | Adhesion::Exponential(_) | Adhesion::Capillary(_)) | None => STRESS.0,
+                    Some(Adhesion::Jkr(_) | Adhesion::Dmt(_) | Adhesion::Exponential(_) | Adhesion::Capillary(_))
+                    | None => STRESS.0,
                 };
                 let model = json!({"Maugis": {"work": work_of(&plain.scene), "stress": stress}});
                 Ok(plain.with_adhesion(Some(model), (&[WORK.1, STRESS.1], "adhesion.edge"))?)

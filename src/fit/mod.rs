@@ -26,6 +26,7 @@
 
 mod adhesive;
 mod answer;
+mod attracted;
 mod candidates;
 mod compare;
 mod curve;

@@ -1,12 +1,14 @@
 //! What a scene answers to the drive of a measured curve.
 
 use super::adhesive::{Branch, Followed, Jump};
+use super::attracted::Attracted;
 use super::curve::Curve;
 use super::drive::{DRIVE, Drive};
 use super::free::Free;
 use super::ranged::Ranged;
 use super::remembering::{Remembering, goes_in_once};
 use super::slopes::Slopes;
+use crate::contact::adhesion::dmt::DmtBall;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
@@ -80,6 +82,8 @@ enum Way<'w> {
     Elastic(Foundation),
     /// It follows from the depth and from whether the bodies hold each other.
     Adhesive(Branch),
+    /// It is Hertz's less an attraction, from the depth at which the bodies touch.
+    Outside(Attracted),
     /// The same of bodies that attract each other over a range.
     Ranged(Ranged),
     /// It remembers a depth that has risen and fallen, at these times.
@@ -94,6 +98,7 @@ impl Way<'_> {
         match self {
             Self::Elastic(ground) => Some(vec![ground.modulus()]),
             Self::Adhesive(branch) => Some(branch.numbers()),
+            Self::Outside(contact) => Some(contact.numbers()),
             Self::Ranged(contact) => Some(contact.numbers()),
             Self::Remembering(body, _) => Some(body.numbers()),
             Self::Run => None,
@@ -110,12 +115,21 @@ impl Way<'_> {
         match (self, adhesion.map(|traits| (traits.work, traits.range))) {
             (Self::Elastic(_), None) => Some(vec![modulus]),
             (Self::Adhesive(_), Some((work, Range::Vanishing(_)))) => Some(vec![modulus, work]),
+            (Self::Outside(_), Some((work, Range::Outside))) => Some(vec![modulus, work]),
             (Self::Ranged(_), Some((work, Range::Finite(stress)))) => Some(vec![modulus, work, stress]),
             (Self::Remembering(body, _), None) => {
                 let relaxation = Arc::new(joined.relaxation?);
                 Some(Remembering { relaxation, ..*body }.numbers())
             }
-            (Self::Elastic(_) | Self::Adhesive(_) | Self::Ranged(_) | Self::Remembering(..) | Self::Run, _) => None,
+            (
+                Self::Elastic(_)
+                | Self::Adhesive(_)
+                | Self::Outside(_)
+                | Self::Ranged(_)
+                | Self::Remembering(..)
+                | Self::Run,
+                _,
+            ) => None,
         }
     }
 }
@@ -163,6 +177,7 @@ impl Model<'_> {
         match self.way(&decided, contact) {
             Way::Elastic(ground) => self.pressed(&ground, contact),
             Way::Adhesive(branch) => Ok(Answer::followed(branch.followed(&self.curve.depth, contact)?)),
+            Way::Outside(bodies) => Ok(Answer::followed(bodies.followed(&self.curve.depth, contact))),
             Way::Ranged(bodies) => Ok(Answer::followed(bodies.followed(&self.curve.depth, contact)?)),
             Way::Remembering(body, time) => Ok(Answer::plain(body.followed(time, &self.curve.depth, contact)?)),
             Way::Run => self.by_run(plan.scene.clone(), contact),
@@ -198,7 +213,7 @@ impl Model<'_> {
             (Some(slopes), Control::Indentation) => Some(slopes.clone()),
             (None, Control::Indentation) => match self.way(&decided, contact) {
                 Way::Remembering(body, time) => Some(body.slopes(time, &self.curve.depth, contact)?),
-                Way::Elastic(_) | Way::Adhesive(_) | Way::Ranged(_) | Way::Run => None,
+                Way::Elastic(_) | Way::Adhesive(_) | Way::Outside(_) | Way::Ranged(_) | Way::Run => None,
             },
         };
         let numbers = self.way(&decided, contact).numbers();
@@ -305,6 +320,9 @@ impl Model<'_> {
                 let flat = round.profile.flat_radius() > 0.0;
                 let body = Remembering { profile: round.profile.as_ref(), relaxation };
                 time.filter(|_| !flat).map_or(Way::Run, |time| Way::Remembering(body, time))
+            }
+            ContactLaw::Direct(ElasticAdhesion::Outside { work }) => {
+                Way::Outside(Attracted(DmtBall::new(round.ground(), *work)))
             }
             ContactLaw::Direct(ElasticAdhesion::Finite { work, stress }) => {
                 let disc = RangeDisc::new(round.ground(), *work, *stress).ok();

@@ -54,6 +54,8 @@ pub enum Friction {
     StaticKinetic(StaticKinetic),
     /// Friction that depends on the rate of slip and on a state of the contact (Dieterich 1979; Ruina 1983).
     RateState(RateState),
+    /// The contact sticks everywhere until its adhesive edge gives way (Savkoor & Briggs 1977).
+    Stuck,
     /// τ = min(μp, τ_max) in gross sliding (Ceglie et al., eq. 6).
     CoulombOrowan(CoulombOrowan),
     /// τ = τ_c + βp in gross sliding (Persson et al. 2008, eq. 3).
@@ -68,6 +70,7 @@ impl Friction {
             Self::Coulomb(_) => "Coulomb",
             Self::StaticKinetic(_) => "StaticKinetic",
             Self::RateState(_) => "RateState",
+            Self::Stuck => "Stuck",
             Self::CoulombOrowan(_) => "CoulombOrowan",
             Self::Pressure(_) => "Pressure",
         }
@@ -80,6 +83,7 @@ impl Friction {
             Self::Coulomb(law) => Slip::Local(law.coefficient.si()),
             Self::StaticKinetic(law) => Slip::Local(law.r#static.si()),
             Self::RateState(law) => Slip::Local(law.coefficient.si()),
+            Self::Stuck => Slip::Nowhere,
             Self::CoulombOrowan(_) | Self::Pressure(_) => Slip::Gross,
         }
     }
@@ -92,6 +96,8 @@ pub enum Slip {
     Local(f64),
     /// Everywhere at once.
     Gross,
+    /// Nowhere.
+    Nowhere,
 }
 
 /// Coulomb friction.

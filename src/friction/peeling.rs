@@ -19,13 +19,16 @@
 //! ```
 
 use super::FrictionError;
+use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
-use crate::numerics::root::{bracket_upwards, brent};
+use crate::numerics::root::{bracket_upwards, brent, within};
 use crate::shape::{Profile, Rim};
 use std::f64::consts::PI;
 
 /// Places between two radii at which an equilibrium is looked for.
 const PLACES: u32 = 1024;
+/// Part of the contact without shear down to which it is looked for where all of it gives way.
+const LEAST: f64 = 1e-6;
 
 /// α of a contact that sticks everywhere against a rigid body: G*/E* = 2(1−ν)/(2−ν).
 ///
@@ -89,6 +92,106 @@ pub struct Sheared {
     pub tangential_force: f64,
     /// Tangential displacement u_x = F_x/(2αE*a) [m].
     pub slide: f64,
+}
+
+/// What is prescribed along the normal, and its value: a depth [m] or a force [N].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prescribed {
+    /// What it is.
+    pub control: Control,
+    /// Its value.
+    pub value: f64,
+}
+
+/// A contact that sticks everywhere, at a prescribed displacement u_x.
+///
+/// Every radius a carries αu² = X(a) with X = 2πaw/E* − e(a)² and e the elongation of the edge springs that depth or force
+/// ask for, g(a) − d or (N(a) − F/2E*)/a. From the contact without shear, X = 0, the edge peels inwards as long as X grows
+/// that way; at its maximum all of the contact gives way. Source: Savkoor & Briggs 1977; Persson et al. 2008, eq. 5.
+/// Check: R = E* = w = α = 1 at d = 0 gives way at a = (π/2)^{1/3}, u² = (3/2)πa.
+impl ShearedAdhesion {
+    /// The state at the displacement u_x = `slide` [m], at most that of the state `last`, of a contact of the radius `rest` [m] without shear.
+    #[must_use]
+    pub fn stuck(&self, under: Prescribed, (last, rest): (Sheared, f64), slide: f64) -> Sheared {
+        let share = |a: f64| self.ratio * slide * slide - self.room(under, a);
+        self.at_radius(within(share, last.contact_radius, rest), under, slide)
+    }
+
+    /// The last state before all of a contact of the radius `rest` [m] gives way.
+    #[must_use]
+    pub fn last_stuck(&self, under: Prescribed, rest: f64) -> Sheared {
+        let at = |k: u32| rest * LEAST.powf(f64::from(k) / f64::from(PLACES));
+        let growth = |a: f64| {
+            let (stretch, slope) = self.stretch(under, a);
+            PI * self.line.work() / self.modulus() - stretch * slope
+        };
+        let a = match (self.wall().filter(|b| rest >= *b), (1..=PLACES).find(|&k| growth(at(k)) >= 0.0)) {
+            (Some(wall), _) => wall,
+            (None, Some(k)) => within(|a| -growth(a), at(k), at(k - 1)),
+            (None, None) => rest,
+        };
+        let slide = (self.room(under, a).max(0.0) / self.ratio).sqrt();
+        self.at_radius(a, under, slide)
+    }
+
+    /// What is left of the contact where its edge has given way; it slides freely.
+    ///
+    /// # Errors
+    /// Nothing presses the bodies: they part. The profile ends before the force is reached.
+    pub fn without_edge(&self, under: Prescribed) -> Result<Sheared, FrictionError> {
+        let Prescribed { control, value } = under;
+        let a = match control {
+            Control::Indentation | Control::Force if value <= 0.0 => None,
+            Control::Indentation => self.profile().edge(value).or(self.wall()),
+            Control::Force => Some(self.plain_radius(value).or_else(|beyond| self.wall().ok_or(beyond))?),
+        };
+        let parted = match control {
+            Control::Indentation => FrictionError::PeeledAt { depth: value },
+            Control::Force => FrictionError::Peeled { force: value },
+        };
+        Ok(self.at_radius(a.ok_or(parted)?, under, 0.0))
+    }
+
+    /// The contact of the radius `a` [m] displaced by `slide` [m].
+    #[must_use]
+    pub fn at_radius(&self, a: f64, under: Prescribed, slide: f64) -> Sheared {
+        let indentation = match under.control {
+            Control::Indentation => under.value,
+            Control::Force => self.profile().reduced(a) - self.elongation(a, under.value),
+        };
+        Sheared { contact_radius: a, indentation, tangential_force: self.tangential_stiffness(a) * slide, slide }
+    }
+
+    /// Normal force of a state [N].
+    #[must_use]
+    pub fn force_of(&self, state: &Sheared) -> f64 {
+        self.line.under_wall(state.contact_radius, state.indentation).force
+    }
+
+    /// 2αE*a [N/m].
+    #[must_use]
+    pub fn tangential_stiffness(&self, a: f64) -> f64 {
+        2.0 * self.ratio * self.modulus() * a
+    }
+
+    /// X(a) [m²].
+    fn room(&self, under: Prescribed, a: f64) -> f64 {
+        let stretch = self.stretch(under, a).0;
+        2.0 * PI * a * (self.line.work() / self.modulus()) - stretch * stretch
+    }
+
+    /// How far the springs at the edge are pulled [m], not at all where a wall presses them, and its slope over the radius.
+    fn stretch(&self, under: Prescribed, a: f64) -> (f64, f64) {
+        let slope = self.profile().reduced_slope(a);
+        let (stretch, slope) = match under.control {
+            Control::Indentation => (self.profile().reduced(a) - under.value, slope),
+            Control::Force => {
+                let stretch = self.elongation(a, under.value);
+                (stretch, slope - stretch / a)
+            }
+        };
+        if stretch > 0.0 { (stretch, slope) } else { (0.0, 0.0) }
+    }
 }
 
 impl ShearedAdhesion {

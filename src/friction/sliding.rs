@@ -97,6 +97,8 @@ impl Friction {
                 let coefficient = steady.unwrap_or(law.coefficient);
                 Box::new(Coulomb { coefficient })
             }
+            // Where the edge of what stuck has given way nothing is said of friction.
+            Self::Stuck => Box::new(LinearLaw { strength: 0.0, slope: 0.0 }),
             Self::CoulombOrowan(law) => Box::new(law.clone()),
             Self::Pressure(law) => {
                 let strength = match (&law.shear, curve) {

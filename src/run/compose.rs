@@ -2,6 +2,7 @@
 
 use super::follow::follow;
 use super::{SimulationError, Wanted, fretting, viscoelastic};
+use crate::contact::adhesion::dmt::DmtBall;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
@@ -15,7 +16,8 @@ use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
 use crate::friction::contact::{
-    CoulombMemory, CoulombSprings, FrictionalContact, Peeling, SlidingContact, TangentialContact, ViscoelasticFriction,
+    CoulombMemory, CoulombSprings, FrictionalContact, Peeling, SlidingContact, StuckEdge, TangentialContact,
+    ViscoelasticFriction,
 };
 use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
 use crate::friction::{FrictionError, ViscoelasticBed};
@@ -36,7 +38,13 @@ use std::sync::Arc;
 pub fn contact(plan: &RoundPlan, wanted: Wanted) -> Result<Box<dyn ContactModel>, SimulationError> {
     let mut bed_radius = 0.0;
     let normal: Box<dyn ContactModel> = match &plan.contact {
-        ContactLaw::Direct(adhesion) => Box::new(direct(plan.ground(), *adhesion)?),
+        ContactLaw::Direct(adhesion) => {
+            let contact = direct(plan.ground(), *adhesion)?;
+            match plan.spring {
+                Some(stiffness) => Box::new(arrived(contact.on_a_spring(stiffness), *adhesion)?),
+                None => Box::new(contact),
+            }
+        }
         ContactLaw::Springs { count, work } => {
             bed_radius = radius_of_bed(plan, *work)?;
             Box::new(SpringBed::new(plan.ground(), count.get(), bed_radius, work.unwrap_or(0.0)))
@@ -147,20 +155,30 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
 /// # Errors
 /// The attraction has no contact.
 pub fn direct(ground: Foundation, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
-    match adhesion {
-        ElasticAdhesion::None => Ok(QuasiStatic::new(EdgeLine::new(ground, 0.0))),
-        ElasticAdhesion::Vanishing { work } => Ok(QuasiStatic::new(EdgeLine::new(ground, work))),
+    let contact = match adhesion {
+        ElasticAdhesion::None => QuasiStatic::new(EdgeLine::new(ground, 0.0)),
+        ElasticAdhesion::Vanishing { work } => QuasiStatic::new(EdgeLine::new(ground, work)),
+        ElasticAdhesion::Outside { work } => QuasiStatic::new(DmtBall::new(ground, work)),
         ElasticAdhesion::Finite { work, stress } => {
             let disc = RangeDisc::new(ground, work, stress);
-            let mut contact = QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?);
-            // The bodies have come from far away: at d = 0 they attract each other already.
-            contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
-            Ok(contact.without_losses())
+            QuasiStatic::new(disc.map_err(|error| SimulationError::Refused(error.to_string()))?)
         }
         ElasticAdhesion::Fading { .. } => {
-            Err(SimulationError::Refused("adhesion: what fades with the gap is followed on pixels only".to_owned()))
+            let what = "adhesion: what fades with the gap is followed on pixels only".to_owned();
+            return Err(SimulationError::Refused(what));
         }
+    };
+    arrived(contact, adhesion)
+}
+
+/// Bodies that have come from far away: at d = 0 they attract each other already, unless the attraction has no range.
+fn arrived(mut contact: QuasiStatic, adhesion: ElasticAdhesion) -> Result<QuasiStatic, SimulationError> {
+    match adhesion {
+        ElasticAdhesion::None | ElasticAdhesion::Vanishing { .. } => return Ok(contact),
+        ElasticAdhesion::Outside { .. } | ElasticAdhesion::Finite { .. } | ElasticAdhesion::Fading { .. } => {}
     }
+    contact.indent(0.0).map_err(|source| SimulationError::Contact { entry: 0, source: source.into() })?;
+    Ok(contact.without_losses())
 }
 
 /// Half width [m] of a bed of springs that is just wide enough for the history, as the direct path finds it.
@@ -200,7 +218,10 @@ fn friction(
             Box::new(ViscoelasticFriction::new(bed, grip.tangential_modulus))
         }
         FrictionLaw::Sliding(interface) => Box::new(SlidingContact::new(plan.ground(), interface.clone())),
-        FrictionLaw::Peeling { interface, work } => Box::new(Peeling::new(peeled(plan, *work), interface.clone())),
+        FrictionLaw::Stuck { work } => Box::new(StuckEdge::new(peeled(plan, *work, 1.0))),
+        FrictionLaw::Peeling { interface, work } => {
+            Box::new(Peeling::new(peeled(plan, *work, UNIFORM), interface.clone()))
+        }
     })
 }
 
@@ -217,9 +238,10 @@ fn friction_radius(plan: &RoundPlan) -> f64 {
     }
 }
 
-/// The adhesive contact of a plan under a uniform shear stress, for the work of adhesion `work` [J/m²].
-fn peeled(plan: &RoundPlan, work: f64) -> ShearedAdhesion {
-    let ratio = UNIFORM * plan.pair.tangential / plan.pair.normal;
+/// The adhesive contact of a plan under shear, for the work of adhesion `work` [J/m²]; its tangential stiffness is `share` of
+/// that of a contact which sticks.
+fn peeled(plan: &RoundPlan, work: f64, share: f64) -> ShearedAdhesion {
+    let ratio = share * plan.pair.tangential / plan.pair.normal;
     ShearedAdhesion { line: EdgeLine::new(plan.ground(), work), ratio }
 }
 
@@ -227,7 +249,8 @@ fn peeled(plan: &RoundPlan, work: f64) -> ShearedAdhesion {
 #[must_use]
 pub fn sheared(plan: &RoundPlan) -> Option<ShearedAdhesion> {
     match &plan.friction {
-        Some(FrictionLaw::Peeling { work, .. }) => Some(peeled(plan, *work)),
+        Some(FrictionLaw::Stuck { work }) => Some(peeled(plan, *work, 1.0)),
+        Some(FrictionLaw::Peeling { work, .. }) => Some(peeled(plan, *work, UNIFORM)),
         Some(
             FrictionLaw::Memory { .. }
             | FrictionLaw::Springs { .. }
@@ -261,6 +284,9 @@ pub fn friction_error(plan: &RoundPlan, law: &FrictionLaw) -> Option<ErrorEstima
                     .to_owned(),
             })
         }
-        FrictionLaw::RateState(_) | FrictionLaw::Sliding(_) | FrictionLaw::Peeling { .. } => None,
+        FrictionLaw::RateState(_)
+        | FrictionLaw::Sliding(_)
+        | FrictionLaw::Stuck { .. }
+        | FrictionLaw::Peeling { .. } => None,
     }
 }

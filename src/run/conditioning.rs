@@ -2,6 +2,7 @@
 
 use crate::contact::adhesion::equilibrium::{Control, Equilibrium};
 use crate::contact::adhesion::line::EdgeLine;
+use crate::contact::adhesion::sprung::Sprung;
 use crate::run::record::Record;
 use crate::scene::plan::RoundPlan;
 
@@ -15,6 +16,7 @@ const TURNING: f64 = 1e-7;
 #[must_use]
 pub fn moved_edge(plan: &RoundPlan, work: f64, records: &[Record]) -> f64 {
     let line = EdgeLine::new(plan.ground(), work);
+    let line = Sprung { curve: &line, compliance: plan.spring.map_or(0.0, f64::recip) };
     let first = |entry: usize| plan.stages.partition_point(|stage| stage.entry < entry);
     let control = |entry: usize| plan.stages.get(first(entry))?.control;
     let largest = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
@@ -30,13 +32,14 @@ pub fn moved_edge(plan: &RoundPlan, work: f64, records: &[Record]) -> f64 {
 }
 
 /// How far rounding moves an edge at the radius `a` [m].
-fn moved(line: &EdgeLine, control: Control, a: f64, modulus: f64) -> Option<f64> {
+fn moved(line: &Sprung<'_, EdgeLine>, control: Control, a: f64, modulus: f64) -> Option<f64> {
     if a <= 0.0 || a >= line.end() {
         return None;
     }
+    let (stretched, pulled) = (line.curve.elongation(a), 2.0 * modulus * a * line.curve.elongation(a));
     let elongation = match control {
-        Control::Indentation => line.elongation(a),
-        Control::Force => 2.0 * modulus * a * line.elongation(a),
+        Control::Indentation => stretched + line.compliance * pulled,
+        Control::Force => pulled,
     };
     let terms = line.value(control, a).abs() + 2.0 * elongation;
     Some(4.0 * f64::EPSILON * terms / line.slope(control, a).abs()).filter(|moved| !moved.is_nan())

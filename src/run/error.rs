@@ -37,6 +37,9 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         ContactLaw::Direct(ElasticAdhesion::Finite { .. }) => {
             of(1e-10, "direct path with roots within roots: rounding, against Maugis' equations over twelve decades")
         }
+        ContactLaw::Direct(ElasticAdhesion::Outside { .. }) => {
+            of(1e-13, "direct path: rounding, for it is Hertz's contact under the load and the attraction")
+        }
         ContactLaw::Direct(ElasticAdhesion::None | ElasticAdhesion::Fading { .. }) => {
             direct_error(plan, 0.0, &run.records)
         }

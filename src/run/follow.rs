@@ -134,7 +134,7 @@ impl Run {
                 return Ok(None);
             }
             let to = self.driver.last_depth(self.contact.as_mut(), speed)?;
-            let from = self.contact.state().indentation.unwrap_or(0.0);
+            let from = self.contact.position().unwrap_or(0.0);
             (normal, over) = (Path::To(to), (from - to).abs() / speed);
         }
         if self.leads_nowhere(stage) {
@@ -151,7 +151,7 @@ impl Run {
             Path::Stay => true,
             Path::Wave(_) | Path::Steady { .. } | Path::UntilParted { .. } => false,
         };
-        let depth = self.contact.state().indentation;
+        let depth = self.contact.position();
         let stays = depth.is_some_and(|depth| there(stage.normal, depth)) && there(stage.tangential, self.slide);
         self.control == Control::Indentation && stage.over <= 0.0 && stage.extent == Extent::Row && stays
     }
@@ -191,7 +191,7 @@ impl Run {
     fn goes_back(&self, course: &Course, part: f64) -> bool {
         let present = self.driver.state(self.contact.as_ref());
         let now = match course.control {
-            Control::Indentation => present.indentation.unwrap_or(0.0),
+            Control::Indentation => self.contact.position().unwrap_or(0.0),
             Control::Force => present.force,
         };
         self.driver.prescribed_at(part) < now
@@ -226,7 +226,7 @@ impl Run {
         let present = |_: &Joined| self.contact.state().force.total_cmp(&normal.force).is_eq();
         let (gliding, joined) = (self.contact.gliding(), self.contact.pieces().filter(present));
         let (entry, worn, pixels, machine) = (self.entry, None, None, None);
-        let record = Record { entry, time, normal, tangential, gliding, worn, pixels, joined, machine };
+        let record = Record { entry, time, normal, tangential, gliding, worn, pixels, joined, machine, spring: None };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }

@@ -57,7 +57,7 @@ pub use warnings::tabor_parameter;
 use crate::drive::impact::ImpactError;
 use crate::drive::machine::MachineError;
 use crate::input::problem::Problem;
-use crate::run::record::Outcome;
+use crate::run::record::{Outcome, Record};
 use crate::scene::parts::Parts;
 use crate::scene::plan::{Plan, RoundPlan};
 use curves::sliding;
@@ -235,7 +235,10 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
 
 /// Leads a round contact through its history; the profile stays as it is.
 fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
-    let run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
+    let mut run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
+    if let Some(stiffness) = plan.spring {
+        run.records.iter_mut().for_each(|record| record.spring = spring(record, stiffness));
+    }
     let fretting = fretting::map(plan, run.path());
     let glides = gliding::steady(plan, &run.records)?;
     let rolled = rolling::steady(plan, &run.records)?;
@@ -279,6 +282,12 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
         fields: run.fields,
     };
     Ok(Solved { outcome, carried: run.carried })
+}
+
+/// Where the far end of a spring of the stiffness `stiffness` [N/m] is that carries a contact [m], and its energy [J].
+fn spring(record: &Record, stiffness: f64) -> Option<(f64, f64)> {
+    let way = record.normal.force / stiffness;
+    Some((record.normal.indentation? + way, 0.5 * record.normal.force * way))
 }
 
 /// The plan in words, with the springs and bytes that are known from the run alone.

@@ -53,6 +53,8 @@ pub struct Record {
     pub joined: Option<Joined>,
     /// The machine, while it moves the contact.
     pub machine: Option<MachineState>,
+    /// Where the far end of the spring is by which the contact is led [m], and its energy [J].
+    pub spring: Option<(f64, f64)>,
 }
 
 /// A machine at one time: forces, and what has become of the energy.
@@ -235,6 +237,12 @@ const MACHINE: &[Column<Record>] = &[
     Column::new("work", Unit::JOULE, "work from outside", |record| Some(record.machine?.work)),
     Column::new("damped", Unit::JOULE, "energy lost in the damper", |record| Some(record.machine?.damped)),
 ];
+/// Where the far end of the spring is by which a contact is led, d + F/k.
+pub const FAR_END: Column<Record> =
+    Column::new("far_end", Unit::METRE, "far end of the spring", |record| Some(record.spring?.0));
+/// Columns of a contact that is led by a spring.
+const LED: &[Column<Record>] =
+    &[FAR_END, Column::new("spring", Unit::JOULE, "energy of the spring", |record| Some(record.spring?.1))];
 /// Columns of a machine along the surface.
 const DRIVEN: &[Column<Record>] =
     &[DRAWN, Column::new("tangential_stored", Unit::JOULE, "energy of the shear", |record| record.machine?.sheared)];
@@ -295,7 +303,8 @@ pub fn columns(records: &[Record]) -> Vec<Column<Record>> {
     let driven = records.iter().any(|record| record.machine.is_some());
     let drawn = records.iter().any(|record| record.machine.is_some_and(|machine| machine.drawn.is_some()));
     let rated = records.iter().any(|record| record.machine.is_some_and(|machine| machine.rated.is_some()));
-    let machine = [(MACHINE, driven), (DRIVEN, drawn), (RATED, rated)];
+    let led = records.iter().any(|record| record.spring.is_some());
+    let machine = [(MACHINE, driven), (DRIVEN, drawn), (RATED, rated), (LED, led)];
     let parts = [(TANGENTIAL, rubs), (SHEARED, peels), (GLIDING, glides), (WORN, wears), (PIXELS, pixels)];
     std::iter::once((NORMAL, true))
         .chain(parts)

@@ -2,8 +2,9 @@
 
 use super::compose;
 use super::curves::sliding;
-use crate::contact::state::Tangential;
-use crate::friction::peeling::TangentialLoad;
+use crate::contact::adhesion::equilibrium::Control;
+use crate::contact::state::{Normal, Tangential};
+use crate::friction::peeling::{Prescribed, ShearedAdhesion, TangentialLoad};
 use crate::run::named::Named;
 use crate::run::record::{Field, Record};
 use crate::run::unit::Unit;
@@ -157,8 +158,35 @@ fn peeled(plan: &RoundPlan, records: &[Record]) -> Vec<Named> {
         ("hertz_area_ratio", Unit::ONE, hertz),
         ("critical_tangential_force", Unit::NEWTON, critical.as_ref().ok().map(|state| state.tangential_force)),
     ];
+    if let Some(FrictionLaw::Stuck { .. }) = &plan.friction {
+        let gone = records.iter().any(|record| record.tangential.is_some_and(|state| gave_way(&state)));
+        let results = known(&found).into_iter().chain(last_stuck(plan, &contact, records));
+        return results.chain([Named::answer("peels", gone)]).collect();
+    }
     let peels = critical.map(|state| Named::answer("peels", radius <= state.contact_radius));
     known(&found).into_iter().chain(peels).collect()
+}
+
+/// Whether the edge of a contact that sticks has given way.
+fn gave_way(state: &Tangential) -> bool {
+    state.area_ratio.is_some() && state.stick_radius <= 0.0
+}
+
+/// Force [N] and displacement [m] at which the edge of a contact that sticks gives way, with what is prescribed at the first slide.
+fn last_stuck(plan: &RoundPlan, contact: &ShearedAdhesion, records: &[Record]) -> Vec<Named> {
+    let slid = records.windows(2).find(|pair| pair[1].tangential.is_some_and(|state| state.area_ratio.is_some()));
+    let Some([rest, _]) = slid else { return Vec::new() };
+    let control =
+        plan.stages.iter().take_while(|stage| stage.entry <= rest.entry).filter_map(|stage| stage.control).last();
+    let Normal { indentation, force, contact_radius, .. } = rest.normal;
+    let (Some(control), Some(depth), Some(radius)) = (control, indentation, contact_radius) else { return Vec::new() };
+    let value = if control == Control::Indentation { depth } else { force };
+    let last = contact.last_stuck(Prescribed { control, value }, radius);
+    known(&[
+        ("peel_force", Unit::NEWTON, Some(last.tangential_force)),
+        ("peel_slide", Unit::METRE, Some(last.slide)),
+        ("peel_radius", Unit::METRE, Some(last.contact_radius)),
+    ])
 }
 
 /// Energy [J] lost from one turning point of the last `Shake` to the next but one: a closed loop.

@@ -3,6 +3,7 @@
 use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
 use crate::contact::inward::left_out;
+use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{HalfSpacePlan, Plan, RoughImpactPlan, RoughPlan, Shared};
 use crate::scene::surface::Source;
 use crate::shape::{Moved, Profile, Shape, Sphere};
@@ -261,17 +262,35 @@ fn connected(profile: &dyn Profile, a: f64) -> Option<String> {
     ))
 }
 
-/// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} of a round tip under attraction of vanishing range, with an atomic range z₀
-/// of 0.3 nm (Tabor 1977); `None` of others.
+/// Tabor's parameter (Rw²/(E*²z₀³))^{1/3} of a round tip under attraction at its edge or outside it, with an atomic
+/// range z₀ of 0.3 nm (Tabor 1977); `None` of others.
 #[must_use]
 pub fn tabor_parameter(plan: &Plan) -> Option<f64> {
-    let (work, radius) = (plan.edge_work()?, plan.scene.shape.tip_radius()?);
+    let (work, radius) = (plan.edge_work().or(work_outside(plan))?, plan.scene.shape.tip_radius()?);
     Some((radius * (work / plan.pair.normal).powi(2) / ATOMIC_RANGE.powi(3)).cbrt())
 }
 
-/// JKR needs more than 5.
+/// Work of adhesion [J/m²] of an attraction outside the contact.
+fn work_outside(plan: &Plan) -> Option<f64> {
+    match plan.direct()? {
+        ElasticAdhesion::Outside { work } => Some(work),
+        ElasticAdhesion::None
+        | ElasticAdhesion::Vanishing { .. }
+        | ElasticAdhesion::Finite { .. }
+        | ElasticAdhesion::Fading { .. } => None,
+    }
+}
+
+/// JKR needs more than 5, DMT less than 0.1.
 fn tabor(plan: &Plan) -> Option<String> {
     let parameter = tabor_parameter(plan)?;
+    if work_outside(plan).is_some() {
+        return (parameter > 0.1).then(|| {
+            format!(
+                "Tabor parameter {parameter:.2} (range of attraction 0.3 nm): DMT holds below 0.1; use Maugis(work: …, stress: …), or Jkr(work: …) above 5"
+            )
+        });
+    }
     (parameter < 5.0).then(|| {
         format!(
             "Tabor parameter {parameter:.2} (range of attraction 0.3 nm): JKR holds above 5; use Maugis(work: …, stress: …)"

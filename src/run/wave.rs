@@ -47,6 +47,6 @@ fn capped(friction: &Friction) -> Option<(f64, f64)> {
         Friction::StaticKinetic(law) => Some((law.r#static.si(), f64::MAX)),
         Friction::RateState(law) => Some((law.coefficient.si(), f64::MAX)),
         Friction::CoulombOrowan(law) => Some((law.coefficient.si(), law.shear_limit.si())),
-        Friction::Pressure(_) => None,
+        Friction::Stuck | Friction::Pressure(_) => None,
     }
 }

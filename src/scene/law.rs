@@ -43,6 +43,11 @@ pub enum ElasticAdhesion {
         /// Work of adhesion w [J/m²].
         work: f64,
     },
+    /// Outside the contact, bending nothing.
+    Outside {
+        /// Work of adhesion w [J/m²].
+        work: f64,
+    },
     /// Of finite range.
     Finite {
         /// Work of adhesion w [J/m²].
@@ -67,14 +72,14 @@ impl ElasticAdhesion {
         match self {
             Self::None => Some(0.0),
             Self::Vanishing { work } => Some(work),
-            Self::Finite { .. } | Self::Fading { .. } => None,
+            Self::Outside { .. } | Self::Finite { .. } | Self::Fading { .. } => None,
         }
     }
 
     /// Work of adhesion [J/m²] of an attraction of vanishing range.
     fn edge_work(self) -> Option<f64> {
         match self {
-            Self::None | Self::Finite { .. } | Self::Fading { .. } => None,
+            Self::None | Self::Outside { .. } | Self::Finite { .. } | Self::Fading { .. } => None,
             Self::Vanishing { work } => Some(work),
         }
     }
@@ -83,6 +88,7 @@ impl ElasticAdhesion {
         match self {
             Self::None => Vec::new(),
             Self::Vanishing { .. } => vec![Component::VanishingRange],
+            Self::Outside { .. } => vec![Component::Outside],
             Self::Finite { .. } | Self::Fading { .. } => vec![Component::FiniteRange],
         }
     }
@@ -519,6 +525,11 @@ pub enum FrictionLaw {
     RateState(RateState),
     /// Gross sliding under a law that acts on the pressure.
     Sliding(Interface),
+    /// An adhesive contact that sticks until its edge gives way.
+    Stuck {
+        /// Work of adhesion w [J/m²].
+        work: f64,
+    },
     /// Sliding of an adhesive contact.
     Peeling {
         /// What slides on what.
@@ -536,7 +547,7 @@ impl FrictionLaw {
             Self::Viscoelastic { .. } => Component::ViscoelasticFriction,
             Self::RateState(_) => Component::RateState,
             Self::Sliding(_) => Component::Sliding,
-            Self::Peeling { .. } => Component::Peeling,
+            Self::Stuck { .. } | Self::Peeling { .. } => Component::Peeling,
         }
     }
 
@@ -551,7 +562,7 @@ impl FrictionLaw {
             Self::Viscoelastic { .. } => 0,
             Self::RateState(_) => size_of::<RatedMass>(),
             Self::Sliding(_) => size_of::<Tangential>(),
-            Self::Peeling { .. } => size_of::<ShearedAdhesion>() + size_of::<Tangential>(),
+            Self::Stuck { .. } | Self::Peeling { .. } => size_of::<ShearedAdhesion>() + size_of::<Tangential>(),
         }
     }
 
@@ -562,7 +573,7 @@ impl FrictionLaw {
             Self::Memory { coefficient }
             | Self::Springs { coefficient, .. }
             | Self::Viscoelastic { coefficient, .. } => Some(*coefficient),
-            Self::RateState(_) | Self::Sliding(_) | Self::Peeling { .. } => None,
+            Self::RateState(_) | Self::Sliding(_) | Self::Stuck { .. } | Self::Peeling { .. } => None,
         }
     }
 
@@ -575,6 +586,7 @@ impl FrictionLaw {
             | Self::Springs { .. }
             | Self::Viscoelastic { .. }
             | Self::Sliding(_)
+            | Self::Stuck { .. }
             | Self::Peeling { .. } => None,
         }
     }
@@ -583,7 +595,11 @@ impl FrictionLaw {
     #[must_use]
     pub fn interface(&self) -> Option<&Interface> {
         match self {
-            Self::Memory { .. } | Self::Springs { .. } | Self::Viscoelastic { .. } | Self::RateState(_) => None,
+            Self::Memory { .. }
+            | Self::Springs { .. }
+            | Self::Viscoelastic { .. }
+            | Self::RateState(_)
+            | Self::Stuck { .. } => None,
             Self::Sliding(interface) | Self::Peeling { interface, .. } => Some(interface),
         }
     }

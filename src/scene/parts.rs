@@ -40,6 +40,7 @@ pub struct Parts {
 pub(super) enum Component {
     Profile,
     VanishingRange,
+    Outside,
     FiniteRange,
     Prony,
     TurningPoints,
@@ -53,12 +54,14 @@ pub(super) enum Component {
     Gliding,
     Rolling,
     Machine,
+    LedBySpring,
 }
 
 impl Component {
-    const ALL: [Self; 15] = [
+    const ALL: [Self; 17] = [
         Self::Profile,
         Self::VanishingRange,
+        Self::Outside,
         Self::FiniteRange,
         Self::Prony,
         Self::TurningPoints,
@@ -72,12 +75,14 @@ impl Component {
         Self::Gliding,
         Self::Rolling,
         Self::Machine,
+        Self::LedBySpring,
     ];
 
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Profile => "one-dimensional profile g(x)",
             Self::VanishingRange => "adhesion of vanishing range (JKR)",
+            Self::Outside => "attraction outside the contact (DMT)",
             Self::FiniteRange => "adhesion of finite range (Maugis–Dugdale)",
             Self::Prony => "Prony elements",
             Self::TurningPoints => "stick and slip by turning points",
@@ -91,6 +96,7 @@ impl Component {
             Self::Gliding => "springs under a body that moves along",
             Self::Rolling => "rolling with traction",
             Self::Machine => "mass of a machine",
+            Self::LedBySpring => "spring of a machine in series",
         }
     }
 }

@@ -127,6 +127,8 @@ pub struct RoundPlan {
     pub wear: Option<WearLaw>,
     /// The machine of which the contact is a part, if there is one.
     pub machine: Option<MachineLaw>,
+    /// Stiffness [N/m] of the spring by whose far end the contact is led, if there is one.
+    pub spring: Option<f64>,
 }
 
 /// The impact of a round body.

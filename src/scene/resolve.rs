@@ -19,6 +19,7 @@ use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::contact::pad::{Bed, Element, Spring, Summit};
 use crate::contact::plastic::YieldingBall;
 use crate::contact::rough::EdgeWorks;
+use crate::drive::machine::Machine;
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
@@ -144,6 +145,7 @@ fn kind(shared: Shared, geometry: &Geometry, impact: Option<Impact>) -> Option<P
                 Some(
                     Friction::StaticKinetic(_)
                     | Friction::RateState(_)
+                    | Friction::Stuck
                     | Friction::CoulombOrowan(_)
                     | Friction::Pressure(_),
                 )
@@ -194,7 +196,8 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
             PixelFriction::Coupled { coefficient }
         }
         Slip::Local(coefficient) => PixelFriction::Partial { coefficient },
-        Slip::Gross => PixelFriction::Gross(interface(&shared, friction)),
+        // What sticks everywhere is refused on pixels.
+        Slip::Gross | Slip::Nowhere => PixelFriction::Gross(interface(&shared, friction)),
     });
     HalfSpacePlan {
         travel,
@@ -223,13 +226,14 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
         if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
     let wear = scene.wear.as_ref().map(|Wear::Archard(law)| WearLaw::new(law.coefficient.si(), shared.accuracy()));
     let machine = machine(&shared);
-    RoundPlan { profile, contact, friction, travel, rolling, wear, machine, shared }
+    let spring = scene.machine.as_ref().filter(|machine| machine.mass.is_none()).map(Machine::stiffness);
+    RoundPlan { profile, contact, friction, travel, rolling, wear, machine, spring, shared }
 }
 
 /// The machine and its motions.
 fn machine(shared: &Shared) -> Option<MachineLaw> {
     let scene = &shared.scene;
-    let suspension = scene.machine.as_ref()?.suspension();
+    let suspension = scene.machine.as_ref()?.suspension()?;
     let steps = scene.steps.map(NonZeroUsize::get);
     let entries = scene.history.iter().enumerate();
     let motions = entries.filter_map(|(number, entry)| entry.traits(number, None, steps).machine).collect();
@@ -244,6 +248,7 @@ fn left(friction: Option<&Friction>) -> f64 {
             Friction::StaticKinetic(_)
             | Friction::Coulomb(_)
             | Friction::RateState(_)
+            | Friction::Stuck
             | Friction::CoulombOrowan(_)
             | Friction::Pressure(_),
         )
@@ -315,6 +320,7 @@ fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
     let Some(AdhesionTraits { work, range, .. }) = adhesion.map(Adhesion::traits) else { return ElasticAdhesion::None };
     match range {
         Range::Vanishing(_) => ElasticAdhesion::Vanishing { work },
+        Range::Outside => ElasticAdhesion::Outside { work },
         Range::Finite(stress) => ElasticAdhesion::Finite { work, stress },
         Range::Fading(range) => ElasticAdhesion::Fading { work, range },
     }
@@ -337,7 +343,7 @@ fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
         Range::Vanishing(edge) => {
             edge.map(|edge| HeldEdge { work, closing: closing.unwrap_or(work), edge: edge.clone() })
         }
-        Range::Finite(_) | Range::Fading(_) => None,
+        Range::Outside | Range::Finite(_) | Range::Fading(_) => None,
     }
 }
 
@@ -363,6 +369,10 @@ fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
     let coefficient = match friction.slip() {
         Slip::Local(coefficient) => coefficient,
         Slip::Gross => return gross(shared, friction),
+        Slip::Nowhere => {
+            let work = elastic(shared.scene.adhesion.as_ref()).work_at_edge().unwrap_or(0.0);
+            return FrictionLaw::Stuck { work };
+        }
     };
     if let Friction::RateState(law) = friction
         && !law.is_coulomb()
@@ -380,9 +390,9 @@ fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
 
 fn gross(shared: &Shared, friction: &Friction) -> FrictionLaw {
     let interface = interface(shared, friction);
-    match &shared.scene.adhesion {
+    match elastic(shared.scene.adhesion.as_ref()).work_at_edge().filter(|_| shared.scene.adhesion.is_some()) {
+        Some(work) => FrictionLaw::Peeling { interface, work },
         None => FrictionLaw::Sliding(interface),
-        Some(adhesion) => FrictionLaw::Peeling { interface, work: adhesion.traits().work },
     }
 }
 

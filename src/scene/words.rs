@@ -36,9 +36,11 @@ impl RoundPlan {
         used.extend(self.rolling.iter().map(|_| Component::Rolling));
         used.extend(self.wear.map(|_| Component::Wear));
         used.extend(self.machine.as_ref().map(|_| Component::Machine));
+        used.extend(self.spring.map(|_| Component::LedBySpring));
         let mut solver = self.solver();
         solver.reason.extend(self.rolling.as_ref().map(TractiveRolling::in_words));
         solver.reason.extend(self.wear.map(WearLaw::in_words));
+        solver.reason.extend(self.spring.map(|_| "; it is led by the far end of a spring, d + F/k, between the limits of a prescribed depth and a prescribed force"));
         solver.reason.extend(self.machine.as_ref().map(|machine| machine.in_words(self.friction.as_ref())));
         let tangential = self.friction.as_ref().map_or(0, FrictionLaw::bytes);
         Parts {

@@ -40,6 +40,8 @@ mod hertz_and_jkr;
 #[path = "../../src/laws.rs"]
 mod laws;
 mod layers;
+#[cfg(feature = "text")]
+mod led_by_spring;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod leak;
 #[cfg(feature = "text")]
@@ -58,6 +60,8 @@ mod rough;
 mod scenes;
 #[cfg(feature = "text")]
 mod stresses;
+#[cfg(feature = "text")]
+mod stuck;
 #[cfg(feature = "cli")]
 mod sweep;
 #[cfg(all(feature = "cli", feature = "half-space"))]

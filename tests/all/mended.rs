@@ -48,6 +48,7 @@ const ADHESIONS: &[&str] = &[
     "adhesion: Jkr(work: 0.05, closing: 0.01),",
     "adhesion: Jkr(work: 0.05, closing: 0.08, edge: Instantaneous),",
     "adhesion: Jkr(work: 0.05, edge: Rate(speed: 1e-6, exponent: 0.5)),",
+    "adhesion: Dmt(work: 0.05),",
     "adhesion: Maugis(work: 0, stress: 1e5),",
     "adhesion: Capillary(tension: \"72 mN/m\", angle: \"60 deg\", kelvin_radius: \"1 nm\"),",
 ];
@@ -56,6 +57,7 @@ const FRICTIONS: &[&str] = &[
     "",
     "",
     "friction: Coulomb(coefficient: 0.3),",
+    "friction: Stuck,",
     "friction: CoulombOrowan(coefficient: 0.3, shear_limit: 1e6),",
     "friction: StaticKinetic(static: 0.3, kinetic: 0.4), machine: (mass: 1, stiffness: 10),",
     "friction: Coulomb(coefficient: 0.3), machine: (mass: 1),",

@@ -21,6 +21,7 @@ starters!(
     "cone",
     "punch",
     "jkr",
+    "dmt",
     "maugis",
     "capillary",
     "pad",

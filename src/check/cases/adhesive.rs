@@ -1,7 +1,7 @@
 //! Adhesive contacts with closed answers.
 
 use crate::check::case::{Attempt, Case, Pairs, Proof};
-use crate::check::contacts::{jkr, maugis, paraboloid};
+use crate::check::contacts::{dmt, jkr, maugis, paraboloid};
 use crate::check::sketch::si;
 use crate::contact::adhesion::equilibrium::Balance;
 use crate::contact::adhesion::{Adhesion, Capillary, Range};
@@ -36,6 +36,25 @@ pub(super) const CASES: &[Case] = &[
     Case::new("jkr/edge stress", Proof::Rounding, 1e-13, "K_I = √(2E*w) at any load, from the edge load −q(a)/√(πa)")
         .weak("the paraboloid only")
         .by(edge_stress),
+    Case::new(
+        "jkr/pull-off behind a spring",
+        Proof::Rounding,
+        2e-7,
+        "lost where dF/dd = −k, with F and d of JKR's closed form at the radius of the jump",
+    )
+    .weak("the radius at a turning point is known to the square root of rounding")
+    .by(behind_a_spring),
+    Case::new(
+        "dmt/ball",
+        Proof::Rounding,
+        1e-13,
+        "F = (4/3)E*√R d^{3/2} − 2πwR, torn off by 2πwR (Derjaguin et al. 1975)",
+    )
+    .weak("the paraboloid only: other shapes have no such force")
+    .by(dmt_ball),
+    Case::new("dmt/limit of hard bodies", Proof::Other, 2e-3, "Maugis' contact at λ = 0.001, away from it by some λ")
+        .weak("the first order in λ is not known in closed form")
+        .by(dmt_limit),
     Case::new(
         "maugis/pull-off over λ",
         Proof::Rounding,
@@ -162,6 +181,45 @@ fn edge_stress() -> Attempt<Pairs> {
         Ok((contact.loaded().stress_intensity(), 2f64.sqrt()))
     };
     [0.0, 1.0, -1.0].into_iter().map(&mut at).collect()
+}
+
+/// R = E* = w = 1: −(dF/da)/(dd/da) where the contact jumps off, and k.
+fn behind_a_spring() -> Attempt<Pairs> {
+    let one = |stiffness: f64| {
+        let mut contact = jkr(paraboloid(1.0)?, 1.0, 1.0).on_a_spring(stiffness);
+        contact.press(1.0)?;
+        let a = first(&contact.indent(-1e6)?)?.before.contact_radius;
+        let stretch = (2.0 * PI * a).sqrt();
+        Ok(((3.0 * stretch - 4.0 * a * a) / (2.0 * a - 0.5 * stretch / a), stiffness))
+    };
+    [0.01, 0.3, 1.0, 10.0, 100.0].into_iter().map(one).collect()
+}
+
+/// E* = 3, R = 2, w = 0.5: 2πwR = 2π, and at F = 0 Hertz's radius under it.
+fn dmt_ball() -> Attempt<Pairs> {
+    let mut contact = dmt(paraboloid(2.0)?, 3.0, 0.5);
+    contact.indent(0.25)?;
+    let pressed = contact.present().balance;
+    contact.press(0.0)?;
+    let free = contact.present().balance;
+    let torn = first(&contact.press(-7.0)?)?.before;
+    Ok(vec![
+        (pressed.force, 4.0 * 2f64.sqrt() * 0.125 - 2.0 * PI),
+        (free.contact_radius, (0.75 * 2.0 * 2.0 * PI / 3.0).cbrt()),
+        (torn.force, -2.0 * PI),
+    ])
+}
+
+/// K = 1, R = 1, πw = 1: forces in units of πwR.
+fn dmt_limit() -> Attempt<Pairs> {
+    let mut hard = maugis(paraboloid(1.0)?, 0.75, 1.0 / PI, 0.5e-3)?;
+    let mut limit = dmt(paraboloid(1.0)?, 0.75, 1.0 / PI);
+    let mut at = |force| {
+        hard.press(force)?;
+        limit.press(force)?;
+        Ok((hard.present().balance.contact_radius, limit.present().balance.contact_radius))
+    };
+    [3.0, 0.0, -1.0].into_iter().map(&mut at).collect()
 }
 
 /// The pull-off force of a ball with K = 1, R = 1 and πw = 1: the units are one and σ₀ = λ/2.

@@ -79,6 +79,14 @@ pub(super) const CASES: &[Case] = &[
         .weak("a paraboloid")
         .by(peeling_force),
     Case::new(
+        "friction/lens that sticks",
+        Proof::Rounding,
+        1e-11,
+        "a³ of Savkoor & Briggs at the forces the scene gives, with α = 2(1−ν)/(2−ν); a root of a root",
+    )
+    .weak("a paraboloid, below the greatest tangential force")
+    .by(stuck_lens),
+    Case::new(
         "friction/drop to Hertz",
         Proof::Bound,
         5e-3,
@@ -253,6 +261,22 @@ fn area_drop() -> Attempt<Pairs> {
             ("final_force_n", LOAD),
         ];
         pairs.extend(beside(&outcome, &right)?);
+    }
+    Ok(pairs)
+}
+
+/// The same lens, held fast: α = 2/3 at ν = 1/2.
+fn stuck_lens() -> Attempt<Pairs> {
+    let right = SavkoorBriggs { ratio: 2.0 / 3.0, ..PDMS };
+    let lens = || Sketch::of(ball(PDMS.radius)).body(elastic(4.8e6, 0.5)).jkr(PDMS.work, None);
+    let slid = |slide: f64| lens().friction(Ok(Friction::Stuck)).press(LOAD, 1.0).slide(slide).steps(4).run();
+    let most = 0.5 * result(&slid(1e-9)?, "peel_slide_m")?;
+    let mut pairs = Vec::new();
+    for part in [0.1, 0.5, 1.0] {
+        let outcome = slid(part * most)?;
+        let (a, shear) = (result(&outcome, "final_contact_radius_m")?, result(&outcome, "final_tangential_force_n")?);
+        pairs.push((a, right.contact_radius(LOAD, shear)));
+        pairs.push((shear, 4.0 / 3.0 * PDMS.modulus * a * part * most));
     }
     Ok(pairs)
 }

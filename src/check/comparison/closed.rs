@@ -25,8 +25,16 @@ pub(super) fn form(plan: &Plan, depth: f64) -> Attempt<Option<(&'static str, Fou
         (Some(ElasticAdhesion::Vanishing { work }), Shape::Paraboloid(ball)) => {
             jkr_ball(ball, modulus, work, depth).map(Some)
         }
+        (Some(ElasticAdhesion::Outside { work }), Shape::Paraboloid(ball)) => {
+            Ok(Some(dmt_ball(ball, modulus, work, depth)))
+        }
         (
-            Some(ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. } | ElasticAdhesion::Fading { .. })
+            Some(
+                ElasticAdhesion::Vanishing { .. }
+                | ElasticAdhesion::Outside { .. }
+                | ElasticAdhesion::Finite { .. }
+                | ElasticAdhesion::Fading { .. },
+            )
             | None,
             _,
         ) => Ok(None),
@@ -117,6 +125,15 @@ fn axisymmetric(shape: &Shape, d: f64) -> Attempt<Option<ClosedForm>> {
         | Shape::PlaneWavy(_)
         | Shape::Pad(_) => Ok(None),
     }
+}
+
+/// DMT ball at an indentation: Hertz's contact less 2πwR.
+fn dmt_ball(ball: &Paraboloid, modulus: f64, work: f64, d: f64) -> (&'static str, Found) {
+    let hertz = closed_forms::hertz(ball.radius.si(), d);
+    let force = modulus * hertz.force - 2.0 * PI * work * ball.radius.si();
+    let (indentation_m, force_n) = (Some(d), Some(force));
+    let found = Found { indentation_m, force_n, contact_radius_m: Some(hertz.radius), ..Found::default() };
+    ("closed form (Derjaguin, Muller & Toporov)", found)
 }
 
 /// JKR ball at an indentation: d = a²/R − √(2πaw/E*), F = 4E*a³/3R − √(8πE*wa³), on the branch of wide contacts.

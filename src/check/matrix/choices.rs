@@ -233,18 +233,20 @@ const fn attracting(name: &'static str, elastic: Option<Attraction>, relaxing: O
 }
 
 pub(super) const MAUGIS: &str = "adhesion: Maugis(work: WORK, stress: STRESS),";
+const DMT: &str = "adhesion: Dmt(work: WORK),";
 /// 2γ is the work, γ/r_K the stress.
 const CAPILLARY: &str = "adhesion: Capillary(tension: TENSION, angle: 0, kelvin_radius: KELVIN),";
 
 const JKR: ByKind =
     [Case("jkr/radius under load"), Case("cylinder/jkr under a force"), Laws(Other), Laws(Other), Laws(Other)];
 const RELAXED: ByKind = [Case("viscoelastic jkr/slow pull-off"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const OUTSIDE: ByKind = [Case("dmt/ball"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 const RANGE: ByKind =
     [Case("maugis/pull-off over λ"), Laws(Other), Laws(Other), Laws(Other), Case("half-space/Maugis on pixels")];
 const BRIDGE: ByKind =
     [Case("maugis/bridge of liquid"), Laws(Other), Laws(Other), Laws(Other), Case("half-space/Maugis on pixels")];
 
-pub(super) const ADHESIONS: [Attracting; 7] = [
+pub(super) const ADHESIONS: [Attracting; 8] = [
     attracting("none", Some(("", all(Whole))), Some(("", all(Whole)))),
     attracting(
         "JKR",
@@ -262,6 +264,7 @@ pub(super) const ADHESIONS: [Attracting; 7] = [
         Some(("adhesion: Jkr(work: WORK, closing: CLOSING),", all(Laws(Other)))),
         Some(("adhesion: Jkr(work: WORK, closing: CLOSING, edge: Relaxed),", all(Laws(Other)))),
     ),
+    attracting("DMT", Some((DMT, OUTSIDE)), Some((DMT, OUTSIDE))),
     attracting("Maugis", Some((MAUGIS, RANGE)), Some((MAUGIS, RANGE))),
     attracting("capillary", Some((CAPILLARY, BRIDGE)), Some((CAPILLARY, BRIDGE))),
 ];
@@ -282,14 +285,16 @@ const CAPPED: ByKind = [
     Laws(Other),
 ];
 const PRESSED: ByKind = [Case("friction/peeling force of a lens"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const STUCK: ByKind = [Case("friction/lens that sticks"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 const DROPS: ByKind = [Case("machine/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 
-pub(super) const FRICTIONS: [Choice; 6] = [
+pub(super) const FRICTIONS: [Choice; 7] = [
     choice("none", "", all(Whole)),
     choice("Coulomb", "friction: Coulomb(coefficient: 0.3),", PARTIAL_SLIP),
     choice("Coulomb, wear", "friction: Coulomb(coefficient: 0.3), wear: Archard(coefficient: <1e-8 m2/N>),", WEAR),
     choice("capped", "friction: CoulombOrowan(coefficient: 0.3, shear_limit: <1e4 Pa>),", CAPPED),
     choice("pressure law", "friction: Pressure(shear: <1e4 Pa>, slope: 0.1),", PRESSED),
+    choice("stuck", "friction: Stuck,", STUCK),
     choice("static, kinetic", "friction: StaticKinetic(static: 0.3, kinetic: 0.2),", DROPS),
 ];
 

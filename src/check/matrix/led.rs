@@ -111,6 +111,13 @@ pub(super) fn history(lead: Lead, slides: bool, scales: &Scales, turns: &[Turn])
     }
 }
 
+/// The history of a contact that is not to be moved while it is sheared: a slide behind the rest, short of where it gives way.
+pub(super) fn slid_at_last(lead: Lead, scales: &Scales, turns: &[Turn]) -> Vec<Leg> {
+    let slide = matches!(lead, Lead::Depth | Lead::Force | Lead::ForceThenDepth | Lead::Sine);
+    let slide = slide.then(|| ramp("Slide", scales.slides[1], scales.over));
+    history(lead, false, scales, turns).into_iter().chain(slide).collect()
+}
+
 /// A shake along the surface, or an oscillation of the depth.
 fn wave(slides: bool, scales: &Scales) -> String {
     let frequency = scales.pace / scales.over;

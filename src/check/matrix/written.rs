@@ -11,7 +11,7 @@
 //! ```
 
 use super::choices::{ADHESIONS, BODIES, DRIVES, FINER_PIXELS, FRICTIONS, Lead, MAUGIS, RELAXING, SHAPES};
-use super::led::{Leg, Row, Scales, history, machine};
+use super::led::{Leg, Row, Scales, history, machine, slid_at_last};
 use super::variation::{Units, Variation};
 use crate::input::table::InMemory;
 use crate::scene::plan::Plan;
@@ -67,7 +67,11 @@ pub(super) fn written(
         adhesion: attraction(adhesion, variation),
         friction: units.fill(FRICTIONS[friction].text),
         machine: machine(lead, &scales),
-        history: history(lead, slides, &scales, turns),
+        history: if FRICTIONS[friction].name == "stuck" {
+            slid_at_last(lead, &scales, turns)
+        } else {
+            history(lead, slides, &scales, turns)
+        },
         steps: 4,
         accuracy: ACCURACY,
         units: *units,

@@ -54,8 +54,9 @@ pub const GRAVITY: f64 = 9.806_65;
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Machine {
-    /// Mass m [kg].
-    pub mass: quantity::Mass,
+    /// Mass m [kg]; none of a spring that leads the contact slowly.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass: Option<quantity::Mass>,
     /// Stiffness k of the spring that holds or draws it [N/m]; none if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,
@@ -65,11 +66,17 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// Its numbers in SI units.
+    /// Its mass, spring and damper in SI units; `None` without a mass.
     #[must_use]
-    pub fn suspension(&self) -> Suspension {
-        let stiffness = self.stiffness.map_or(0.0, Stiffness::si);
-        Suspension { mass: self.mass.si(), stiffness, damping: self.damping.map_or(0.0, Damping::si) }
+    pub fn suspension(&self) -> Option<Suspension> {
+        let (mass, stiffness) = (self.mass?.si(), self.stiffness());
+        Some(Suspension { mass, stiffness, damping: self.damping.map_or(0.0, Damping::si) })
+    }
+
+    /// Stiffness k of its spring [N/m], zero without one.
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        self.stiffness.map_or(0.0, Stiffness::si)
     }
 }
 

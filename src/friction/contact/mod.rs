@@ -29,12 +29,14 @@ mod memory;
 mod peeling;
 mod sliding;
 mod springs;
+mod stuck;
 mod viscoelastic;
 
 pub use memory::CoulombMemory;
 pub use peeling::Peeling;
 pub use sliding::{GrossSlip, Interface, SlidingContact};
 pub use springs::CoulombSprings;
+pub use stuck::StuckEdge;
 pub use viscoelastic::ViscoelasticFriction;
 
 use super::FrictionError;
@@ -126,6 +128,10 @@ impl Step<'_> {
             return vec![Pose { indentation: end, slide: self.slide[1] }];
         }
         let from = Pose { indentation: from.indentation.max(0.0), ..from };
+        if from.indentation <= 0.0 && !self.contact.joined() {
+            // Bodies apart slide past each other.
+            return vec![Pose { indentation: 0.0, slide: self.slide[1] }];
+        }
         let depth = |t: f64| match t {
             t if t <= 0.0 => from.indentation,
             t if t >= 1.0 => end,
@@ -134,13 +140,17 @@ impl Step<'_> {
         std::iter::once(from).chain(chords(&depth, (self.slide[0], self.slide[1]), accuracy)).collect()
     }
 
-    /// Depth [m] at the fraction `t` of a step under a prescribed force. Without adhesion it depends
-    /// on the present force alone.
+    /// Depth [m] at the fraction `t` of a step under a prescribed force. Where there is friction
+    /// inside a contact it depends on the present force alone.
     fn depth(&self, t: f64) -> Option<f64> {
         let mut probe = self.contact.copy();
-        let force = self.prescribed[0] + t * (self.prescribed[1] - self.prescribed[0]);
-        probe.press(&Pull { force, slide: 0.0, sliding_speed: 0.0, duration: 0.0 })?.ok()?;
-        probe.state().indentation
+        let mut press = |force| probe.press(&Pull { force, slide: 0.0, sliding_speed: 0.0, duration: 0.0 });
+        if !self.contact.joined() {
+            // What has parted by the end was in contact on the way.
+            press(0.0)?.ok()?;
+        }
+        press(self.prescribed[0] + t * (self.prescribed[1] - self.prescribed[0]))?.ok()?;
+        Some(probe.state().indentation.unwrap_or(0.0))
     }
 }
 
@@ -182,6 +192,16 @@ impl FrictionalContact {
         Ok(onset.map(|onset| self.onset(start.indentation, onset)))
     }
 
+    /// What is left of the tangential contact where the bodies part with no area left: it has slipped everywhere.
+    fn parts(&self, events: &mut [Event], prescribed: [f64; 2], slides: [f64; 2]) {
+        let gone = |normal: &Normal| normal.contact_radius == Some(0.0);
+        for event in events.iter_mut().filter(|event| gone(&event.before) && gone(&event.after)) {
+            let part = (event.at - prescribed[0]) / (prescribed[1] - prescribed[0]);
+            let slide = slides[0] + part * (slides[1] - slides[0]);
+            event.tangential = Some(Tangential { slide, ..self.friction.state() });
+        }
+    }
+
     /// A sudden change of the tangential contact at the beginning of a step.
     fn onset(&self, at: f64, onset: Tangential) -> Event {
         let normal = self.sheared();
@@ -204,7 +224,9 @@ impl ContactModel for FrictionalContact {
         if self.normal.memory().is_some() {
             self.behind = joined.or(Some((start, *piece)));
         } else {
-            events.extend(self.drag(start, piece)?);
+            let onset = self.drag(start, piece)?;
+            self.parts(&mut events, [start.indentation, piece.to], [start.slide, piece.slide]);
+            events.extend(onset);
         }
         Ok(events)
     }
@@ -284,7 +306,8 @@ impl ContactModel for FrictionalContact {
             over: pull.duration,
         };
         let onset = self.friction.follow(&step);
-        self.slide = pull.slide;
+        let slides = [std::mem::replace(&mut self.slide, pull.slide), pull.slide];
+        self.parts(&mut events, [from, pull.force], slides);
         Some(onset.map_err(ContactError::from).map(|onset| {
             events.extend(onset.map(|onset| self.onset(from, onset)));
             events

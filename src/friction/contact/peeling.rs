@@ -73,13 +73,28 @@ impl Peeling {
         let side = (step.slide[1] - step.slide[0]).signum();
         Ok(HeldShear { state, stress, side, under, rest })
     }
+}
 
-    fn edge_load(&self, state: &Sheared) -> f64 {
-        let ground = self.contact.line.ground();
-        let edge = state.indentation - ground.profile().reduced(state.contact_radius);
-        // Where no adhesion is left the edge is that of the plain contact, to rounding.
-        if edge < 0.0 { ground.modulus() * edge } else { 0.0 }
+/// The normal contact in the sheared state `state`.
+pub(super) fn sheared(contact: &ShearedAdhesion, state: &Sheared, normal: Normal) -> Normal {
+    let (a, line) = (state.contact_radius, &contact.line);
+    Normal {
+        indentation: Some(state.indentation),
+        force: contact.force_of(state),
+        contact_radius: Some(a),
+        stiffness: 2.0 * line.ground().modulus() * a,
+        stored: line.energy(a, state.indentation),
+        ..normal
     }
+}
+
+/// The load of the normal contact in the sheared state `state`.
+pub(super) fn loaded(contact: &ShearedAdhesion, state: &Sheared) -> Loaded {
+    let ground = contact.line.ground();
+    let edge = state.indentation - ground.profile().reduced(state.contact_radius);
+    // Where no adhesion is left the edge is that of the plain contact, to rounding.
+    let edge_load = if edge < 0.0 { ground.modulus() * edge } else { 0.0 };
+    Loaded::elastic(ground.clone(), state.contact_radius, edge_load)
 }
 
 impl TangentialContact for Peeling {
@@ -117,22 +132,11 @@ impl TangentialContact for Peeling {
     }
 
     fn sheared(&self, normal: Normal) -> Normal {
-        let Some(HeldShear { state, .. }) = self.present else { return normal };
-        let (a, line) = (state.contact_radius, &self.contact.line);
-        Normal {
-            indentation: Some(state.indentation),
-            force: line.under_wall(a, state.indentation).force,
-            contact_radius: Some(a),
-            stiffness: 2.0 * line.ground().modulus() * a,
-            stored: line.energy(a, state.indentation),
-            ..normal
-        }
+        self.present.map_or(normal, |present| sheared(&self.contact, &present.state, normal))
     }
 
     fn loading(&self) -> Option<Box<dyn Loading + '_>> {
-        let HeldShear { state, .. } = self.present?;
-        let ground = self.contact.line.ground().clone();
-        Some(Box::new(Loaded::elastic(ground, state.contact_radius, self.edge_load(&state))))
+        self.present.map(|present| Box::new(loaded(&self.contact, &present.state)) as Box<dyn Loading>)
     }
 
     fn stress(&self, _loading: &dyn Loading, radii: &[f64]) -> Vec<Option<f64>> {

@@ -20,11 +20,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+use crate::contact::adhesion::dmt::DmtBall;
+use crate::contact::adhesion::equilibrium::Balance;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::foundation::Foundation;
 use crate::contact::plane::WavyContact;
 use crate::contact::state::Normal;
 use crate::run::record::Record;
+use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{Plan, PlanePlan};
 
 /// Change of the contact radius, over the largest radius, from which a straight line is seen as one.
@@ -41,10 +44,10 @@ const MOST: f64 = 50.0;
 pub fn filled(plan: &Plan, records: &[Record]) -> Vec<Record> {
     let (line, ground) = (line(plan), plan.ground());
     let between = |pair: &[Record], radius: f64| match (&line, &ground, plan) {
-        (Some(line), _, _) => Some(at(line, radius, &pair[0])),
+        (Some(line), Some(ground), _) => Some(at(&line(ground.profile().place(radius)), radius, &pair[0])),
         (None, Some(ground), _) => grown(ground, radius, pair),
         (None, None, Plan::Plane(plane)) => wavy(plane, radius, pair),
-        (None, None, _) => None,
+        (None, None, _) | (Some(_), None, _) => None,
     };
     let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
     let largest = records.iter().map(radius).fold(0.0, f64::max);
@@ -60,8 +63,14 @@ pub fn filled(plan: &Plan, records: &[Record]) -> Vec<Record> {
 }
 
 /// The equilibrium curve of the scene, if its states are those of the direct path.
-fn line(plan: &Plan) -> Option<EdgeLine> {
-    Some(EdgeLine::new(plan.ground()?, plan.direct()?.work_at_edge()?))
+fn line(plan: &Plan) -> Option<Box<dyn Fn(f64) -> Balance>> {
+    let (ground, adhesion) = (plan.ground()?, plan.direct()?);
+    if let ElasticAdhesion::Outside { work } = adhesion {
+        let ball = DmtBall::new(ground, work);
+        return Some(Box::new(move |a| ball.at(a)));
+    }
+    let line = EdgeLine::new(ground, adhesion.work_at_edge()?);
+    Some(Box::new(move |a| line.at(a)))
 }
 
 /// The state near `radius` between two records of a wavy section: that of a force between theirs, for F ∝ a².
@@ -97,8 +106,7 @@ fn grown(ground: &Foundation, radius: f64, pair: &[Record]) -> Option<Record> {
     Some(Record { normal, time, ..pair[0] })
 }
 
-fn at(line: &EdgeLine, radius: f64, like: &Record) -> Record {
-    let state = line.at(line.ground().profile().place(radius));
+fn at(state: &Balance, radius: f64, like: &Record) -> Record {
     let normal = Normal {
         indentation: Some(state.indentation),
         force: state.force,

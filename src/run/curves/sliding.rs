@@ -12,6 +12,7 @@
 //! assert_eq!((ways[0].1.len(), ways[1].1.len()), (3, 2));
 //! ```
 
+use crate::contact::adhesion::dmt::DmtBall;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::loaded::Loaded;
 use crate::contact::state::Tangential;
@@ -20,7 +21,7 @@ use crate::friction::peeling::ShearedAdhesion;
 use crate::friction::sliding::{SlidingPoint, amontons_range, friction_curve, full_slip_displacement};
 use crate::run::record::Record;
 use crate::run::sheared;
-use crate::scene::law::{FrictionLaw, PixelFriction};
+use crate::scene::law::{ElasticAdhesion, FrictionLaw, PixelFriction};
 use crate::scene::plan::{Plan, RoundPlan, Shared};
 use crate::scene::stage::Stage;
 use crate::shape::Rim;
@@ -73,7 +74,13 @@ fn coulomb(plan: &Plan) -> Option<f64> {
     }
 }
 
-/// μF of Coulomb friction [N], if the load stays while the body slides and the force comes near it.
+/// Force [N] that presses a contact beside its load: that of an attraction outside it.
+fn attraction(plan: &Plan) -> f64 {
+    let (Some(ElasticAdhesion::Outside { work }), Some(ground)) = (plan.direct(), plan.ground()) else { return 0.0 };
+    DmtBall::new(ground, work).attraction()
+}
+
+/// μF of Coulomb friction [N], with what attracts the bodies outside the contact, if the load stays while the body slides and the force comes near it.
 #[must_use]
 pub fn limit(plan: &Plan, records: &[Record]) -> Option<f64> {
     let coefficient = coulomb(plan)?;
@@ -84,7 +91,7 @@ pub fn limit(plan: &Plan, records: &[Record]) -> Option<f64> {
     let loads: Vec<f64> = records.windows(2).filter(slides).map(|pair| pair[1].normal.force).collect();
     let load = *loads.first()?;
     let constant = loads.iter().all(|other| (other - load).abs() <= 1e-9 * load);
-    let limit = coefficient * load;
+    let limit = coefficient * (load + attraction(plan));
     let most = records.iter().filter_map(|record| record.tangential).map(|state| state.force.abs()).fold(0.0, f64::max);
     (constant && most > 0.5 * limit).then_some(limit)
 }
@@ -104,6 +111,8 @@ pub fn slid(record: &Record) -> Option<(f64, f64)> {
 pub fn coefficient(plan: &Plan, records: &[Record]) -> Result<Vec<SlidingPoint>, FrictionError> {
     let load = records.iter().filter_map(slid).map(|point| point.0).fold(0.0, f64::max);
     let interface = plan.round().and_then(|round| round.friction.as_ref()?.interface()).filter(|_| load > 0.0);
+    // An attraction presses too, and F_x/F is no number of the interface.
+    let interface = interface.filter(|_| !plan.adheres());
     let (Some(ground), Some(interface)) = (plan.ground(), interface) else { return Ok(Vec::new()) };
     let speed = speeds(plan).rev().map(|(_, speed)| speed).find(|speed| *speed > 0.0).unwrap_or(0.0);
     let law = interface.law(speed)?;
@@ -154,7 +163,7 @@ pub fn short_slides(plan: &RoundPlan, records: &[Record]) -> Vec<String> {
 fn loaded(plan: &RoundPlan, record: &Record) -> Option<Loaded> {
     let ground = plan.ground();
     let radius = ground.profile().place(record.normal.contact_radius.filter(|&a| a > 0.0)?);
-    let edge_load = match (ground.profile().rim(), plan.contact.bodies().adheres()) {
+    let edge_load = match (ground.profile().rim(), plan.contact.bodies().edge_work().is_some()) {
         (Rim::Wall(_), _) | (_, true) => {
             ground.modulus() * (record.normal.indentation? - ground.profile().reduced(radius))
         }

@@ -43,7 +43,8 @@ impl Attraction {
     /// ℓ = πE*w/(4σ₀²) (Dugdale 1960; Maugis 1992), is three pixels long: as they shrink it becomes that of JKR.
     pub(super) fn of(law: ElasticAdhesion, pixel: f64, modulus: f64) -> Option<Self> {
         match law {
-            ElasticAdhesion::None => None,
+            // What has no stress is refused on pixels.
+            ElasticAdhesion::None | ElasticAdhesion::Outside { .. } => None,
             ElasticAdhesion::Vanishing { work } => {
                 Some(Self { work, stress: (PI * modulus * work / (4.0 * RING * pixel)).sqrt(), fall: Fall::AtOnce })
             }

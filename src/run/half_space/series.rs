@@ -231,6 +231,7 @@ impl<'p> Series<'p> {
             worn: None,
             joined: None,
             machine: None,
+            spring: None,
             pixels: Some(state.pixels),
         };
         if records.last() != Some(&record) {

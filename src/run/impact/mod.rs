@@ -125,6 +125,7 @@ fn records(plan: &ImpactPlan, moments: &[ImpactState]) -> Vec<Record> {
         worn: None,
         joined: None,
         machine: None,
+        spring: None,
     };
     moments.iter().map(record).collect()
 }

@@ -101,6 +101,7 @@ fn member(plan: &RoughImpactPlan, seed: u64) -> Result<Member, SimulationError> 
                 worn: None,
                 joined: None,
                 machine: None,
+                spring: None,
                 pixels: None,
             };
             member.records = one.moments.into_iter().map(record).collect();

@@ -264,6 +264,7 @@ impl<'p> WornRun<'p> {
             pixels: None,
             joined: None,
             machine: None,
+            spring: None,
         };
         self.records.push(self.last);
     }

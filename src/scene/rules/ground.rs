@@ -85,7 +85,7 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
         }
         Range::Vanishing(_) => return None,
         Range::Finite(_) | Range::Fading(_) if on_pixels => return None,
-        Range::Finite(_) | Range::Fading(_) => {
+        Range::Outside | Range::Finite(_) | Range::Fading(_) => {
             "its attraction acts on a surface that is bent otherwise than a half-space: expected Jkr(work: …), or solver: HalfSpace(…)"
         }
     };

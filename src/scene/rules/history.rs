@@ -2,7 +2,8 @@
 
 use super::draft::Draft;
 use super::parts::{cannot_be_on, is_without_bed};
-use crate::friction::Slip;
+use crate::contact::adhesion::Range;
+use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::history::{EntryTraits, Impact};
 use crate::scene::mended::Look;
@@ -115,10 +116,18 @@ pub(super) fn pull_without_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) 
 pub(super) fn oblique_under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     oblique(entry)?;
     let adhesion = draft.adhesion(Look::Kind)?.traits();
+    let why = match adhesion.range {
+        Range::Outside => {
+            "its course along the surface is told of a ball that takes Hertz's time and no attraction draws"
+        }
+        Range::Vanishing(_) | Range::Finite(_) | Range::Fading(_) => {
+            "the springs of an adhesive edge are pulled and have no limit μq at which the ball would slip"
+        }
+    };
     refused(
         entry,
         format!(
-            "an oblique Impact with {} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq at which the ball would slip: expected no adhesion, or no angle and spin",
+            "an oblique Impact with {} adhesion cannot be computed, for {why}: expected no adhesion, or no angle and spin",
             adhesion.name
         ),
     )
@@ -148,6 +157,22 @@ pub(super) fn shake_in_gross_sliding(draft: &Draft<'_>, entry: &EntryTraits<'_>)
         entry,
         format!(
             "{name} with friction {law} cannot be computed, for {law} is a law of gross sliding: expected Coulomb(coefficient: …) or Slide(…)"
+        ),
+    )
+}
+
+/// A contact that sticks everywhere is followed along the surface, not up and down while it is sheared.
+pub(super) fn moved_while_stuck(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let Friction::Stuck = draft.friction(Look::Kind)? else { return None };
+    let mut before = draft.entries().flatten().take_while(|earlier| earlier.number < entry.number);
+    let moves = entry.stages.iter().any(|stage| stage.normal != Path::Stay);
+    let both = entry.slides() && moves;
+    (moves && (both || before.any(EntryTraits::slides))).then_some(())?;
+    refused(
+        entry,
+        format!(
+            "{} moves a sheared contact up or down, and how a Stuck edge joins and parts on the way is not computed: expected Slide, Shake or Hold from the first slide on",
+            entry.name
         ),
     )
 }

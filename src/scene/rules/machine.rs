@@ -24,15 +24,84 @@ const MACHINE: &str = "a machine";
 
 pub(super) fn without_motion(draft: &Draft<'_>) -> Option<Problem> {
     (draft.has_machine()? && !draft.is_driven()?).then_some(())?;
+    draft.machine()?.mass?;
     refused(
         "machine",
-        "moves nothing, for the history leads the contact by itself: expected Drive(speed: …, over: …), Ring(amplitude: …, over: …) or Fall(height: …, over: …) in the history, or no machine",
+        "moves nothing, for the history leads the contact by itself: expected Drive(speed: …, over: …), Ring(amplitude: …, over: …) or Fall(height: …, over: …) in the history, no mass for a spring by whose far end the history leads the contact, or no machine",
+    )
+}
+
+/// A machine without a mass is a spring.
+pub(super) fn without_mass(draft: &Draft<'_>) -> Option<Problem> {
+    let machine = draft.machine().filter(|machine| machine.mass.is_none())?;
+    if machine.damping.is_some() {
+        return refused(
+            "machine.damping",
+            "a damper acts where a mass moves, and there is none: expected a mass, or no damping",
+        );
+    }
+    (machine.stiffness() <= 0.0).then(|| {
+        Problem::new(
+            "machine",
+            "has neither a mass to be moved nor a spring to lead the contact by: expected mass: …, or stiffness: … above zero",
+        )
+    })
+}
+
+/// The spring of a machine without a mass, if there is one.
+fn is_spring(draft: &Draft<'_>) -> Option<()> {
+    draft.machine().filter(|machine| machine.mass.is_none() && machine.stiffness() > 0.0).map(|_| ())
+}
+
+/// How bodies that remember or yield move behind a spring depends on how fast it is led.
+pub(super) fn spring_on_bodies(draft: &Draft<'_>) -> Option<Problem> {
+    is_spring(draft)?;
+    let (one, two) = draft.bodies(Look::Kind)?;
+    let named = |of: fn(&Body) -> bool| [one, two].into_iter().find(|body| of(body)).map(Body::name);
+    let (name, why) = match (named(Body::relaxes), named(|body| matches!(body, Body::Plastic(_)))) {
+        (Some(name), _) => {
+            (name, "its depth follows from what the spring has carried at all times, not from where its far end is")
+        }
+        (None, Some(name)) => (name, "the dent it is left with is told of a prescribed depth or force"),
+        (None, None) => return None,
+    };
+    refused(
+        "machine",
+        format!(
+            "without a mass on a {name} body cannot be computed, for {why}: expected Elastic bodies, or no machine"
+        ),
+    )
+}
+
+/// A spring behind what else leads or holds a contact.
+pub(super) fn spring_with_parts(draft: &Draft<'_>) -> Option<Problem> {
+    is_spring(draft)?;
+    let why = if draft.friction(Look::Kind).is_some() {
+        "friction goes along the surface, where nothing is said of its spring: expected no friction"
+    } else if draft.adhesion(Look::Whole).is_some_and(|adhesion| adhesion.traits().closing.is_some()) {
+        "an edge that stands still between two works has its own past: expected no closing"
+    } else {
+        return None;
+    };
+    refused("machine", format!("without a mass cannot be computed here, for {why}, or no machine"))
+}
+
+/// What moves by itself is not led by a spring.
+pub(super) fn spring_in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    is_spring(draft)?;
+    (entry.impact.is_some() || entry.glide.is_some()).then_some(())?;
+    refused_entry(
+        entry,
+        format!(
+            "{} is a motion of its own, which no spring leads: expected Indent, Press, Retract or a Table, or no machine",
+            entry.name
+        ),
     )
 }
 
 pub(super) fn without_machine(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     entry.machine?;
-    if draft.has_machine()? {
+    if draft.has_machine()? && draft.machine().is_none_or(|machine| machine.mass.is_some()) {
         return None;
     }
     refused_entry(
@@ -44,7 +113,7 @@ pub(super) fn without_machine(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opt
 /// Springs and dampers that make no sense for a motion.
 pub(super) fn suspension(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let (machine, motion) = (draft.machine()?, entry.machine?.motion);
-    let stiff = machine.suspension().stiffness > 0.0;
+    let stiff = machine.stiffness() > 0.0;
     match motion {
         MachineMotion::Drive { .. } if !stiff => refused(
             "machine.stiffness",
@@ -96,9 +165,14 @@ pub(super) fn under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Opti
     let adhesion = draft.adhesion(Look::Kind)?.traits();
     let pinned = draft.adhesion(Look::Whole).is_some_and(|adhesion| adhesion.traits().closing.is_some());
     let why = match motion {
+        MachineMotion::Drive { .. } | MachineMotion::Ring { .. } | MachineMotion::Fall { .. }
+            if adhesion.range == Range::Outside =>
+        {
+            "its force sets in at once where the bodies touch, within a step of the mass"
+        }
         MachineMotion::Drive { .. } => "the springs of an adhesive edge are pulled and have no limit μq",
         MachineMotion::Ring { .. } | MachineMotion::Fall { .. } => match adhesion.range {
-            Range::Finite(_) | Range::Fading(_) => {
+            Range::Outside | Range::Finite(_) | Range::Fading(_) => {
                 "an attraction across the gap acts on the mass before the bodies touch"
             }
             Range::Vanishing(_) if draft.pair_relaxes()? => {
@@ -130,6 +204,13 @@ pub(super) fn friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
     let friction = draft.friction(Look::Kind)?;
     match friction {
         Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::RateState(_) => None,
+        Friction::Stuck => refused_entry(
+            entry,
+            format!(
+                "{} with Stuck cannot be computed, for it tells of no friction once the edge has given way: expected Coulomb(…) or StaticKinetic(…), or Slide(…)",
+                entry.name
+            ),
+        ),
         Friction::CoulombOrowan(_) | Friction::Pressure(_) => refused_entry(
             entry,
             format!(
@@ -148,7 +229,7 @@ pub(super) fn falling_friction(draft: &Draft<'_>) -> Option<Problem> {
             "StaticKinetic falls as the contact begins to slide, and how fast it then slips only a mass knows"
         }
         Friction::RateState(_) => "RateState depends on the speed of slip, which only a mass and a spring decide",
-        Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
+        Friction::Coulomb(_) | Friction::Stuck | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
     };
     if draft.drives()? {
         return None;
@@ -203,7 +284,7 @@ pub(super) fn slide_before(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option
     let why = match friction {
         Friction::StaticKinetic(_) => "how fast it slips once it has given way only a mass knows",
         Friction::RateState(_) => "it has a contact slip at any load, at a speed that its machine decides",
-        Friction::Coulomb(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
+        Friction::Coulomb(_) | Friction::Stuck | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
     };
     entry.slides().then_some(())?;
     refused_entry(

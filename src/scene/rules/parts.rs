@@ -14,10 +14,12 @@ fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
 
 pub(super) fn two_rigid(draft: &Draft<'_>) -> Option<Problem> {
     let (Body::Rigid, Body::Rigid) = draft.bodies(Look::Kind)? else { return None };
-    refused(
-        "bodies",
-        "two rigid bodies cannot be pressed together: expected at least one Elastic(…), Viscoelastic(…) or Plastic(…)",
-    )
+    let what = if draft.adheres()? {
+        "two rigid bodies that attract each other have no contact to be computed: balls that touch are torn off by 2πwR (Bradley 1932), and a gap z weakens that to 2πR(w − σ₀z) under a constant stress σ₀; expected at least one Elastic(…), however stiff, with Dmt(work: …) or Maugis(work: …, stress: …)"
+    } else {
+        "two rigid bodies cannot be pressed together: expected at least one Elastic(…), Viscoelastic(…) or Plastic(…)"
+    };
+    refused("bodies", what)
 }
 
 /// An attraction, and what holds its edge, between elastic or viscoelastic bodies.
@@ -36,7 +38,21 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
             ),
         ),
         (Range::Finite(_) | Range::Fading(_), true) if on_pixels && adhesion.work > 0.0 => None,
-        (Range::Vanishing(None), false) => None,
+        (Range::Outside, _) if on_pixels => refused(
+            "adhesion",
+            format!(
+                "{} with the solver HalfSpace cannot be computed, for its pixels pull across the gap, by a stress: expected Maugis(work: …, stress: …), or no solver",
+                adhesion.name
+            ),
+        ),
+        (Range::Outside, true) => refused(
+            "adhesion",
+            format!(
+                "{} with a Viscoelastic body cannot be computed, for 2πwR is the attraction of a ball on a flat, and a body that relaxes is left with a dent that is not known to be flat: expected Jkr(work: …, edge: …), or Elastic bodies",
+                adhesion.name
+            ),
+        ),
+        (Range::Vanishing(None) | Range::Outside, false) => None,
         (Range::Vanishing(Some(_)), false) => {
             refused("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
         }
@@ -123,9 +139,23 @@ pub(super) fn fading(draft: &Draft<'_>) -> Option<Problem> {
 
 pub(super) fn range_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     let (adhesion, profile) = (draft.adhesion(Look::Kind)?.traits(), draft.profile()?);
-    let Range::Finite(_) = adhesion.range else { return None };
     if draft.chooses_solver()? {
         return None;
+    }
+    let of_paraboloid = profile.is_square() && !profile.is_plane();
+    match adhesion.range {
+        Range::Outside if !of_paraboloid => {
+            return refused(
+                "adhesion",
+                format!(
+                    "{} on a {} cannot be computed, for outside its contact a paraboloid alone is attracted by a force, 2πwR, that depends on the work and not on the range: expected Paraboloid(radius: …) or Spheres(…), or Maugis(work: …, stress: …)",
+                    adhesion.name,
+                    draft.shape()?.name()
+                ),
+            );
+        }
+        Range::Finite(_) => {}
+        Range::Outside | Range::Vanishing(_) | Range::Fading(_) => return None,
     }
     let why = if profile.is_plane() {
         "an attraction of finite range is known around a round contact, not beside a strip"
@@ -158,7 +188,8 @@ pub(super) fn gross_sliding_of_viscoelastic(draft: &Draft<'_>) -> Option<Problem
     draft.pair_relaxes()?.then_some(())?;
     let friction = draft.friction_of_history()?;
     match friction.slip() {
-        Slip::Local(_) => None,
+        // Of what sticks everywhere its edge is told its own reason.
+        Slip::Local(_) | Slip::Nowhere => None,
         Slip::Gross => refused(
             "friction",
             format!(
@@ -179,7 +210,7 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         (Range::Vanishing(_), Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::RateState(_)) => refused(
             "friction",
             format!(
-                "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Pressure(shear: …, slope: 0), or no adhesion"
+                "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Stuck, Pressure(shear: …, slope: 0), Dmt(work: …) of hard bodies, or no adhesion"
             ),
         ),
         (Range::Vanishing(_), Friction::CoulombOrowan(_)) => refused(
@@ -191,11 +222,15 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
         (Range::Vanishing(_), Friction::Pressure(law)) if known && law.slope.si() > 0.0 => refused(
             "friction.slope",
             format!(
-                "{one} with a slope of {} and {other} adhesion cannot be computed, for peeling is known under a uniform stress only: expected slope: 0",
+                "{one} with a slope of {} and {other} adhesion cannot be computed, for at an adhesive edge the pressure falls without bound, and τ_c + βp with it would drive the slide there: expected slope: 0, or Dmt(work: …) of hard bodies",
                 law.slope.si()
             ),
         ),
-        (Range::Vanishing(_), Friction::Pressure(_)) => None,
+        (Range::Vanishing(_), Friction::Pressure(_) | Friction::Stuck) => None,
+        // What adheres at no edge is told by another rule.
+        (_, Friction::Stuck) => None,
+        // The pressure inside the contact is Hertz's, and the attraction outside adds to what presses.
+        (Range::Outside, _) => None,
         (
             Range::Finite(_) | Range::Fading(_),
             Friction::Coulomb(_)
@@ -212,12 +247,32 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     }
 }
 
+/// What sticks everywhere gives way at an edge that adheres.
+pub(super) fn stuck_without_edge(draft: &Draft<'_>) -> Option<Problem> {
+    let Friction::Stuck = draft.friction(Look::Kind)? else { return None };
+    let adheres = draft.adheres()?;
+    let range = adheres.then(|| draft.adhesion(Look::Kind).map(|adhesion| adhesion.traits().range)).flatten();
+    let why = match range {
+        Some(Range::Vanishing(_)) if !draft.pair_relaxes()? => return None,
+        Some(Range::Vanishing(_)) => {
+            "how the edge of a body that relaxes peels under shear has no closed answer: expected Elastic bodies"
+        }
+        None if !adheres => {
+            "nothing says where a contact slips that no edge holds: expected adhesion: Jkr(work: …), or Coulomb(coefficient: …)"
+        }
+        Some(_) | None => {
+            "how shear weakens what pulls outside the contact is not known: expected adhesion: Jkr(work: …)"
+        }
+    };
+    refused("friction", format!("Stuck cannot be computed here, for {why}"))
+}
+
 /// How shear peels an edge is known of round contacts.
 pub(super) fn peeling_on_section(draft: &Draft<'_>) -> Option<Problem> {
     let (friction, profile) = (draft.friction_of_history()?, draft.profile()?);
     draft.adhesion(Look::Kind)?;
     match friction.slip() {
-        Slip::Gross if profile.is_plane() => refused(
+        Slip::Gross | Slip::Nowhere if profile.is_plane() => refused(
             "friction",
             format!(
                 "{} with adhesion cannot be computed on a {}, for how shear peels is known of round contacts: expected no adhesion, or no friction",
@@ -225,7 +280,7 @@ pub(super) fn peeling_on_section(draft: &Draft<'_>) -> Option<Problem> {
                 draft.shape()?.name()
             ),
         ),
-        Slip::Gross | Slip::Local(_) => None,
+        Slip::Gross | Slip::Nowhere | Slip::Local(_) => None,
     }
 }
 
@@ -234,7 +289,7 @@ pub(super) fn springs_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let adhesion = draft.adhesion(Look::Whole)?.traits();
     let name = adhesion.name;
     match adhesion.range {
-        Range::Finite(_) | Range::Fading(_) => {
+        Range::Outside | Range::Finite(_) | Range::Fading(_) => {
             refused("springs", format!("with {name} adhesion cannot be computed: expected Jkr(…), or no springs"))
         }
         Range::Vanishing(Some(_)) => refused(
@@ -277,7 +332,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
     }
     let (of, why) = match (shape.family(), &adhesion.range) {
         (Family::Pad(_), Range::Vanishing(_)) => return None,
-        (Family::Pad(_), Range::Finite(_) | Range::Fading(_)) => {
+        (Family::Pad(_), Range::Outside | Range::Finite(_) | Range::Fading(_)) => {
             let why = "for its springs and summits hold what they touch: expected Jkr(work: …)";
             return refused("adhesion", format!("{} cannot be computed on a Pad, {why}", adhesion.name));
         }
@@ -286,7 +341,7 @@ pub(super) fn adhesion_on_shape(draft: &Draft<'_>) -> Option<Problem> {
             " of Viscoelastic bodies",
             "each of its patches would have edges with a past of their own, which join and part",
         ),
-        (Family::Line(_) | Family::Map(..), Range::Finite(_) | Range::Fading(_)) => {
+        (Family::Line(_) | Family::Map(..), Range::Outside | Range::Finite(_) | Range::Fading(_)) => {
             return refused(
                 "adhesion",
                 format!(
@@ -315,7 +370,11 @@ pub(super) fn friction_on_shape(draft: &Draft<'_>) -> Option<Problem> {
         }
         (
             Family::Line(_) | Family::Map(..),
-            Friction::StaticKinetic(_) | Friction::RateState(_) | Friction::CoulombOrowan(_) | Friction::Pressure(_),
+            Friction::StaticKinetic(_)
+            | Friction::RateState(_)
+            | Friction::Stuck
+            | Friction::CoulombOrowan(_)
+            | Friction::Pressure(_),
         ) => refused(
             "friction",
             format!(

@@ -58,7 +58,7 @@ pub(super) fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
 /// What the bed itself lacks.
 fn of_bed(draft: &Draft<'_>) -> Option<&'static str> {
     match draft.adhesion(Look::Kind)?.traits().range {
-        Range::Vanishing(_) => None,
+        Range::Vanishing(_) | Range::Outside => None,
         Range::Finite(_) | Range::Fading(_) => Some(
             "an attraction of finite range acts in a ring outside the contact, where no spring is touched: expected Pressure or Surface, or Jkr adhesion",
         ),

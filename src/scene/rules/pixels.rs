@@ -40,7 +40,7 @@ pub(super) fn adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let why = match (closing, range) {
         (Some(_), _) => "closing: … of an edge",
         (None, Range::Vanishing(Some(_))) => "edge: … of a body that relaxes",
-        (None, Range::Vanishing(None) | Range::Finite(_) | Range::Fading(_)) => return None,
+        (None, Range::Vanishing(None) | Range::Outside | Range::Finite(_) | Range::Fading(_)) => return None,
     };
     let what = format!(
         "{name} with {why} and the solver HalfSpace cannot be computed, for its pixels pull across the gap and have no edge of their own: expected Maugis(work, stress), or no solver"
@@ -58,6 +58,9 @@ pub(super) fn friction(draft: &Draft<'_>) -> Option<Problem> {
             "",
             "it is followed in a machine, which pixels have none of: expected Coulomb(coefficient: …), or no solver",
         ),
+        Friction::Stuck => {
+            ("", "it is known of the edge of a round contact: expected Coulomb(coefficient: …), or no solver")
+        }
         Friction::Coulomb(_) if draft.pair_relaxes()? => (
             " of a Viscoelastic body",
             "what stuck at one time has crept at another, so that differences of pressures no longer tell its shear: expected Elastic or Rigid bodies, or no solver",

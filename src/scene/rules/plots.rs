@@ -4,6 +4,7 @@ use super::draft::Draft;
 use super::parts::is_without_bed;
 use super::pictures;
 use super::plastic::yields;
+use crate::contact::adhesion::{Adhesion, Range};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::scene::Plot;
@@ -86,7 +87,7 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             "expected CoulombOrowan or Pressure friction, and no adhesion",
         ),
         Plot::Contact | Plot::Distribution | Plot::Leak => (false, "expected solver: HalfSpace(…)"),
-        Plot::Area => (draft.adheres()? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
+        Plot::Area => (at_an_edge(draft)? && slides_as_a_whole(draft)?, "expected Jkr adhesion and Pressure friction"),
         Plot::Machine => (draft.is_driven()?, "expected a machine, and Drive, Ring or Fall in the history"),
         Plot::Resistance => {
             (draft.glides()? && !draft.has_traction()?, "expected Glide or Roll in the history, without a traction")
@@ -95,6 +96,13 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         Plot::Restitution => (draft.speeds()? > 1, "expected an Impact with a list of at least two speeds"),
     };
     (!there).then_some(what)
+}
+
+/// Whether the bodies adhere at an edge.
+fn at_an_edge(draft: &Draft<'_>) -> Option<bool> {
+    let adheres = draft.adheres()?;
+    let held = |adhesion: &Adhesion| matches!(adhesion.traits().range, Range::Vanishing(_));
+    Some(adheres && draft.adhesion(Look::Kind).is_some_and(held))
 }
 
 /// Whether a figure shows stresses below the surface.

@@ -26,6 +26,12 @@ pub(super) fn under_friction(draft: &Draft<'_>) -> Option<Problem> {
     match friction {
         Friction::Coulomb(_) => None,
         Friction::StaticKinetic(_) | Friction::RateState(_) => None,
+        Friction::Stuck => refused(
+            "wear",
+            format!(
+                "{name} under Stuck cannot be computed, for nothing rubs that sticks: expected Coulomb(coefficient: …)"
+            ),
+        ),
         Friction::CoulombOrowan(_) | Friction::Pressure(_) => refused(
             "wear",
             format!(

@@ -22,7 +22,9 @@ pub fn suiting(law: &FrictionLaw, outcome: &Outcome) -> Vec<Plot> {
         }
         // Only a machine has it, which has figures of its own.
         FrictionLaw::RateState(_) => Vec::new(),
-        FrictionLaw::Peeling { .. } => vec![Plot::Friction, Plot::Area, Plot::Radius, Plot::Pressure],
+        FrictionLaw::Stuck { .. } | FrictionLaw::Peeling { .. } => {
+            vec![Plot::Friction, Plot::Area, Plot::Radius, Plot::Pressure]
+        }
         FrictionLaw::Sliding(_) => vec![Plot::Friction, Plot::Coefficient, Plot::Shear],
     }
 }

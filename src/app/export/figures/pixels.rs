@@ -63,9 +63,13 @@ pub fn leak(outcome: &Outcome) -> Option<Panel> {
 pub fn area(scene: &Plan, plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
     let (across, axis) = match (&plan.relaxation, plan.attraction) {
         (Some(_), _) => (TIME, axis_of(&TIME).from(0.0)),
-        (None, ElasticAdhesion::Vanishing { .. } | ElasticAdhesion::Finite { .. } | ElasticAdhesion::Fading { .. }) => {
-            (INDENTATION, axis_of(&INDENTATION))
-        }
+        (
+            None,
+            ElasticAdhesion::Vanishing { .. }
+            | ElasticAdhesion::Outside { .. }
+            | ElasticAdhesion::Finite { .. }
+            | ElasticAdhesion::Fading { .. },
+        ) => (INDENTATION, axis_of(&INDENTATION)),
         (None, ElasticAdhesion::None) => (FORCE, axis_of(&FORCE).from(0.0)),
     };
     let points = of_records(&outcome.records, &across, &AREA);
