@@ -363,6 +363,11 @@ fn small_step((s, u, pressed): (f64, f64, bool), above: f64, dt: f64) -> (f64, f
     (-u, u, false)
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "a number below sixty")]
+fn of_sixty(k: f64) -> usize {
+    k.rem_euclid(60.0) as usize
+}
+
 /// Against a bed of small steps that knows nothing of touch and release but the signs; its error goes with the step.
 #[test]
 fn a_rough_start_is_that_of_small_steps() {
@@ -376,7 +381,7 @@ fn a_rough_start_is_that_of_small_steps() {
     // u = d − g(ξ) with ξ = x − X, along the chords.
     let gap = |xi: f64| {
         let (cell, part) = ((60.0 * xi).floor(), 60.0 * xi - (60.0 * xi).floor());
-        let at = |k: f64| gaps[k.rem_euclid(60.0) as usize] - lowest;
+        let at = |k: f64| gaps[of_sixty(k)] - lowest;
         (1.0 - part) * at(cell) + part * at(cell + 1.0)
     };
     let by_steps = |steps: u32| {
