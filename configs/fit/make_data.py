@@ -65,6 +65,55 @@ def jkr_lens():
     save("jkr_lens.csv", "z;F\num;mN", (z * 1e6, force * 1e3), "%.6f", ";")
 
 
+def cell_on_glass():
+    """A flat cell on glass, which sphere and base feel: R = 5 um, E = 1.5 kPa, nu = 1/2, 3 um thick and bonded; noise 15 pN, correlated 0.5.
+
+    p(r) of the contact radius a has the transform int_0^a phi(t) cos(k t) dt, where (Lebedev & Ufliand 1958)
+    phi(x) + 1/pi int_0^a phi(t) (M(x - t) + M(x + t)) dt = E*/pi (d - x^2/R), M(y) = int_0^oo (L(k h) - 1) cos(k y) dk,
+    L(q) = (sinh 2q - 2q)/(cosh 2q + 2 q^2 + 1), phi(a) = 0 gives d, and F = 2 pi int phi.
+    """
+    rng = np.random.default_rng(12)
+    radius, modulus, thickness = 5e-6, 1.5e3 / 0.75, 3e-6
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    q, by = np.polynomial.legendre.leggauss(400)
+    q, by = 15 * (q + 1), 15 * by  # L = 1 beyond 30 to 1e-22
+    with np.errstate(over="ignore"):
+        lacking = (np.sinh(2 * q) - 2 * q) / (np.cosh(2 * q) + 2 * q**2 + 1) - 1
+
+    def kernel(y):
+        return np.cos(y[..., None] / thickness * q) @ (lacking * by) / thickness
+
+    def pressed(a):
+        x, w = 0.5 * a * (nodes + 1), 0.5 * a * weights
+        matrix = np.eye(x.size) + (kernel(x[:, None] - x) + kernel(x[:, None] + x)) * w / np.pi
+        one, other = np.linalg.solve(matrix, np.array([np.ones_like(x), x**2 / radius]).T).T
+        row = (kernel(a - x) + kernel(a + x)) * w / np.pi
+        depth = (a**2 / radius - row @ other) / (1 - row @ one)
+        return depth, 2 * modulus * w @ (depth * one - other)
+
+    table = np.array([(0.0, 0.0)] + [pressed(a) for a in np.linspace(0.02e-6, 3.2e-6, 400)])
+    z = np.linspace(0.0, 1.6e-6, 800)
+    depth = np.clip(z - 0.5e-6, 0.0, None)
+    # F/d^(3/2) is smooth.
+    force = depth**1.5 * np.interp(depth, table[1:, 0], table[1:, 1] / table[1:, 0] ** 1.5)
+    force += correlated(rng, z.size, 15e-12, 0.5)
+    save("cell_on_glass.csv", "z [nm],force [nN]", (z * 1e9, force * 1e9), "%.5f")
+
+
+def fused_silica():
+    """The way out of a diamond sphere on fused silica: R = 10 um, E = 72 GPa, nu = 0.17, diamond 1141 GPa and 0.07; from 10 mN.
+
+    Hertz, F = 4/3 E* sqrt(R) (z - z0)^(3/2), touched last at z0 = 12 nm, baseline 3 uN; noise 5 uN, correlated 0.6.
+    """
+    rng = np.random.default_rng(11)
+    modulus = 1 / ((1 - 0.17**2) / 72e9 + (1 - 0.07**2) / 1141e9)
+    deepest = (10e-3 * 0.75 / (modulus * np.sqrt(10e-6))) ** (2 / 3)
+    z = np.linspace(deepest + 12e-9, -20e-9, 600)
+    force = 4 / 3 * modulus * np.sqrt(10e-6) * np.clip(z - 12e-9, 0.0, None) ** 1.5 + 3e-6
+    force += correlated(rng, z.size, 5e-6, 0.6)
+    save("fused_silica.csv", "depth (nm)\tload (uN)", (z * 1e9, force * 1e6), "%.5f", "\t")
+
+
 def ting():
     """Ting's triangle on a standard solid: R = 10 um, G(t) = 300 Pa + 900 Pa exp(-t/0.2 s), nu = 1/2, touched at 0.3 um.
 
@@ -187,5 +236,5 @@ def polymer_temperatures():
 
 
 if __name__ == "__main__":
-    for make in (gel_sphere, jkr_lens, ting, power_law, creep, rubber_moduli, polymer_temperatures):
+    for make in (gel_sphere, cell_on_glass, fused_silica, jkr_lens, ting, power_law, creep, rubber_moduli, polymer_temperatures):
         make()

@@ -489,6 +489,7 @@ impl Equilibrium for ElasticAttraction {
     fn known(&self, control: Control, target: f64) -> Option<f64> {
         match self {
             Self::Line(line) => line.known(control, target),
+            Self::Outside(ball) => ball.known(control, target),
             Self::Range(disc) => disc.known(control, target),
         }
     }

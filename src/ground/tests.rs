@@ -363,7 +363,7 @@ fn profiles_on_a_graded_body() {
             poisson: Poisson::new(0.3).unwrap(),
         };
         let ground = PowerLaw::from(&graded);
-        let cone = crate::shape::Cone { slope: crate::input::quantity::Positive::new(0.1).unwrap() };
+        let cone = Cone { slope: Positive::new(0.1).unwrap() };
         for a in [1e-6, 1.0, 1e6] {
             let share = ground.depth_share(paraboloid().as_ref(), a);
             assert!((share * (1.0 + n) - 1.0).abs() < 1e-12, "{n}: {share}");
@@ -426,8 +426,8 @@ proptest! {
         // Bound: h² and the rounding of a difference over it.
         prop_assert!((slope / layers.density(a) - 1.0).abs() < 1e-6, "{a}: {slope} {}", layers.density(a));
         let power = crate::shape::Power {
-            exponent: crate::input::quantity::Positive::new(2.0).unwrap(),
-            coefficient: crate::input::quantity::Positive::new(0.05).unwrap(),
+            exponent: Positive::new(2.0).unwrap(),
+            coefficient: Positive::new(0.05).unwrap(),
         };
         let (square, resolvent) = (layers.depth_share(paraboloid().as_ref(), a), layers.depth_share(&power, a));
         prop_assert!((square / resolvent - 1.0).abs() < layers::TABLES, "{a}: {square} {resolvent}");

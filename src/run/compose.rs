@@ -12,7 +12,7 @@ use crate::contact::gliding::GlidingBed;
 use crate::contact::mapped::MappedContact;
 use crate::contact::model::ContactModel;
 use crate::contact::plastic::PlasticContact;
-use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact};
+use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact, gliding_line};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
 use crate::friction::contact::{
@@ -23,7 +23,7 @@ use crate::friction::peeling::{ShearedAdhesion, UNIFORM};
 use crate::friction::{FrictionError, ViscoelasticBed};
 use crate::material::Relaxation;
 use crate::run::record::ErrorEstimate;
-use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw, MachineLaw};
+use crate::scene::law::{ContactLaw, ElasticAdhesion, FrictionLaw, MachineLaw, Travel};
 use crate::scene::plan::{RoughPlan, RoundPlan, Shared};
 use crate::scene::stage::{Path, Stage};
 use crate::shape::rough::{RoughError, RoughLine};
@@ -125,6 +125,9 @@ pub fn rough_normal(plan: &RoughPlan, seed: u64) -> Result<RoughNormal, RoughErr
 /// # Errors
 /// The surface cannot be made.
 pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, RoughError> {
+    if let Some(travel) = plan.travel.as_ref().filter(|_| plan.moves_along()) {
+        return Ok(Box::new(gliding_rough(plan, travel, seed)?));
+    }
     let Some(coefficient) = plan.coefficient else {
         return Ok(match rough_normal(plan, seed)? {
             RoughNormal::Elastic(normal) => Box::new(normal),
@@ -148,6 +151,13 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
         // Friction of patches that adhere is refused.
         RoughNormal::Adhesive(normal) => Box::new(normal),
     })
+}
+
+/// The bed of springs of a rough line that moves along, each with a past of its own.
+fn gliding_rough(plan: &RoughPlan, travel: &Travel, seed: u64) -> Result<GlidingBed, RoughError> {
+    let line = RoughLine::new(&plan.surface.rings, seed);
+    let line = Arc::new(gliding_line(&line, plan.surface.points, plan.base.as_deref())?);
+    Ok(GlidingBed::line(Arc::new(Spectrum::new(&travel.relaxation)), line, plan.accuracy()))
 }
 
 /// The direct path on a ground, bodies just touching.

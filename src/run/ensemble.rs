@@ -5,7 +5,7 @@ use super::record::Record;
 use super::table::{Column, Table};
 use super::unit::Unit;
 use crate::contact::adhesion::line::Energy;
-use crate::contact::state::{Normal, Tangential};
+use crate::contact::state::{Gliding, Normal, Tangential};
 use crate::shape::rough::Scatter;
 
 /// Mean and scatter over many random surfaces.
@@ -123,7 +123,9 @@ pub fn mean(members: &[Vec<Record>]) -> Vec<Record> {
                 ..state
             })
         });
-        Some(Record { time: mean(|record| record.time)?, normal, tangential: tangential.flatten(), ..*record })
+        let resistance = |record: &Record| record.gliding.map_or(0.0, |state| state.resistance);
+        let gliding = record.gliding.and_then(|state| Some(Gliding { resistance: mean(resistance)?, ..state }));
+        Some(Record { time: mean(|record| record.time)?, normal, tangential: tangential.flatten(), gliding, ..*record })
     };
     let first = members.first().map_or(&[][..], |first| &first[..shortest(members)]);
     first.iter().enumerate().filter_map(record).collect()

@@ -135,7 +135,9 @@ pub(super) const ROUGH: [Column<Rubbing>; 2] = [
 /// The named results of a rough body at one speed, or its greatest heat of many.
 pub(super) fn results_of_rough(travel: Option<&Travel>, rubbing: &[Rubbing]) -> Vec<Named> {
     match (travel.map(|travel| travel.start), rubbing) {
-        (Some(Start::LeftOut), [one]) => ROUGH.iter().filter_map(|column| column.named(one)).collect(),
+        (Some(Start::LeftOut | Start::Followed), [one]) => {
+            ROUGH.iter().filter_map(|column| column.named(one)).collect()
+        }
         (Some(_), all) => {
             let heats = all.iter().filter_map(|one| (ROUGH[1].of)(one));
             let most = heats.reduce(f64::max);

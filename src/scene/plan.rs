@@ -36,7 +36,7 @@ use crate::material::{Pair, Relaxation, Times};
 use crate::scene::Scene;
 use crate::scene::history::Impact;
 use crate::scene::solver::{Leak, SolverChoice};
-use crate::scene::stage::Stage;
+use crate::scene::stage::{Path, Stage};
 use crate::shape::{Boundary, Pad, PlaneWavy, Profile};
 use std::num::NonZeroUsize;
 use std::ops::Deref;
@@ -243,6 +243,14 @@ impl HalfSpacePlan {
     #[must_use]
     pub fn surface(&self) -> Option<&Surface> {
         self.indenter.surface()
+    }
+}
+
+impl Shared {
+    /// Whether the history leads the body along the surface of a bed that remembers.
+    #[must_use]
+    pub fn moves_along(&self) -> bool {
+        self.stages.iter().any(|stage| matches!(stage.tangential, Path::Steady { .. }))
     }
 }
 

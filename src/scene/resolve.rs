@@ -26,7 +26,6 @@ use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::material::{Body, Relaxation, Under};
 use crate::scene::history::{EntryTraits, Impact, space};
-use crate::scene::stage::Path;
 use crate::shape::{Pad, Profile, Shape};
 use crate::wear::Wear;
 use std::num::NonZeroUsize;
@@ -223,7 +222,7 @@ fn round(shared: Shared, profile: Arc<dyn Profile>) -> RoundPlan {
     let friction = friction.map(|friction| tangential(&shared, friction));
     let travel = travel(&shared).filter(|_| rolling.is_none());
     let contact =
-        if moves_along(&shared) { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
+        if shared.moves_along() { ContactLaw::Gliding { relaxation: lasting(&shared) } } else { resting(&shared) };
     let wear = scene.wear.as_ref().map(|Wear::Archard(law)| WearLaw::new(law.coefficient.si(), shared.accuracy()));
     let machine = machine(&shared);
     let spring = scene.machine.as_ref().filter(|machine| machine.mass.is_none()).map(Machine::stiffness);
@@ -254,11 +253,6 @@ fn left(friction: Option<&Friction>) -> f64 {
         )
         | None => 1.0,
     }
-}
-
-/// Whether the history leads the body along the surface of a bed that remembers.
-fn moves_along(shared: &Shared) -> bool {
-    shared.stages.iter().any(|stage| matches!(stage.tangential, Path::Steady { .. }))
 }
 
 /// The motion along the surface with which a history ends.

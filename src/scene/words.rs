@@ -126,14 +126,18 @@ impl RoughPlan {
             (None, Some(_)) => "rough adhesive bed",
             (None, None) => "rough bed",
         };
+        let (name, past, order) = if self.moves_along() {
+            ("gliding bed of a rough line", ", each with a past of its own, exact in time", "springs in their places")
+        } else {
+            (name, "", "springs sorted by height")
+        };
         let solver = Solver::new(
             name,
             format!(
-                "approximate: a line with the spectrum of the surface stands for it, {springs} springs that touch one by one"
+                "approximate: a line with the spectrum of the surface stands for it, {springs} springs that touch one by one{past}"
             ),
         );
-        let (mut used, mut left_out) =
-            (vec!["equivalent rough line", "springs sorted by height"], vec!["real contact area"]);
+        let (mut used, mut left_out) = (vec!["equivalent rough line", order], vec!["real contact area"]);
         (if self.base.is_some() { &mut used } else { &mut left_out }).push(Component::Profile.name());
         for (part, there) in [
             ("relaxation", self.relaxation.is_some()),

@@ -625,11 +625,13 @@ fn program(arguments: &[&str], folder: &Path) -> std::process::Output {
 #[test]
 fn the_data_that_come_with_it_give_back_what_made_them() {
     let folder = tempfile::tempdir().unwrap();
-    let truths: [(&str, &[(&str, f64)]); 5] = [
+    let truths: [(&str, &[(&str, f64)]); 7] = [
         ("gel_sphere", &[("bodies.0.young", 2.4e3), ("contact_point", 1.3e-6)]),
         ("jkr_lens", &[("bodies.0.young", 4.8e6), ("adhesion.work", 0.042)]),
         ("cell_ting", &[("bodies.0.shear.equilibrium", 300.0), ("bodies.0.shear.terms.0.time", 0.2)]),
         ("cell_power_law", &[("bodies.0.shear.modulus", 800.0), ("bodies.0.shear.exponent", 0.2)]),
+        ("cell_on_glass", &[("bodies.1.layers.0.body.young", 1.5e3), ("contact_point", 0.5e-6)]),
+        ("fused_silica", &[("bodies.1.young", 72e9), ("contact_point", 12e-9)]),
         ("pdms_creep", &[("bodies.0.shear.equilibrium", 0.4e6), ("bodies.0.shear.terms.0.time", 2.0)]),
     ];
     for (name, truth) in truths {
@@ -646,6 +648,40 @@ fn the_data_that_come_with_it_give_back_what_made_them() {
     }
     let output = program(&["--moduli", "configs/fit/rubber_moduli.csv"], folder.path());
     assert!(output.status.success() && folder.path().join("rubber_moduli.moduli.json").exists());
+}
+
+/// Every truth of a cell on glass and of fused silica, the baseline too, is inside its interval.
+#[test]
+fn truths_are_inside_their_intervals() {
+    let folder = tempfile::tempdir().unwrap();
+    let truths: [(&str, [(&str, f64); 3]); 2] = [
+        ("cell_on_glass", [("bodies.1.layers.0.body.young", 1.5e3), ("contact_point", 0.5e-6), ("baseline", 0.0)]),
+        ("fused_silica", [("bodies.1.young", 72e9), ("contact_point", 12e-9), ("baseline", 3e-6)]),
+    ];
+    for (name, truth) in truths {
+        let output = program(&[&format!("configs/fit/{name}.ron"), "--json"], folder.path());
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        for (path, value) in truth {
+            let parameters = json["fits"][0]["parameters"].as_array().unwrap();
+            let found = parameters.iter().find(|one| one["path"] == path).unwrap();
+            let [low, high] = ["low", "high"].map(|end| found[end].as_f64().unwrap());
+            assert!(low <= value && value <= high, "{name} {path} {value:e}: {low:e} … {high:e}");
+        }
+    }
+}
+
+/// A thin cell is no half-space: Hertz is told to be wrong, and is five times as stiff.
+#[test]
+fn hertz_is_rejected_on_glass() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("hertz.ron");
+    let text = r#"(shape: Paraboloid(radius: "5 um"), bodies: (Rigid, Elastic(young: "1 kPa", poisson: 0.5)),
+        history: [Indent(to: "1.1 um", over: "1 s")], fit: (free: ["bodies.1.young=100 Pa..100 kPa"]))"#;
+    std::fs::write(&scene, text).unwrap();
+    let output = program(&[scene.to_str().unwrap(), "configs/fit/cell_on_glass.csv", "--json"], folder.path());
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(json["fits"][0]["rejected"], true, "{json}");
+    assert!(json["fits"][0]["parameters"][0]["value"].as_f64().unwrap() > 4.0 * 1.5e3);
 }
 
 /// What `springbed fit --moduli` says of a file that comes with it.

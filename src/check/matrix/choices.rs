@@ -3,12 +3,12 @@
 use super::part::Proved::{self, Case, Laws, Whole};
 use crate::check::attempt::Proof::{Other, Rounding};
 
-/// What proves a part: under a round contact, a lying one, a rough line, a plane section, on pixels.
-pub(super) type ByKind = [Proved; 5];
+/// What proves a part: under a round contact, a lying one, a rough line, a plane section, on pixels, under a pad.
+pub(super) type ByKind = [Proved; 6];
 
 /// The same under all of them.
 const fn all(proved: Proved) -> ByKind {
-    [proved; 5]
+    [proved; 6]
 }
 
 /// A value of one of the parts of a scene.
@@ -33,6 +33,7 @@ pub(super) enum Kind {
     Rough,
     Section,
     Pixels,
+    Pad,
 }
 
 /// Shapes, with a depth and a force that suit them.
@@ -85,7 +86,7 @@ const fn on_pixels(
 }
 
 /// Numbers stand in `<…>` with their units, so that a scene can be written in others.
-pub(super) const SHAPES: [PressedShape; 9] = [
+pub(super) const SHAPES: [PressedShape; 11] = [
     pressed(("ball", "Paraboloid(radius: <5e-3 m>)"), (Kind::Round, Case("hertz/steel ball")), "<1e-5 m>", "<5e-3 N>"),
     pressed(
         ("wavy ball", "WavyParaboloid(radius: <2e-2 m>, amplitude: <1e-8 m>, wavelength: <1e-4 m>)"),
@@ -144,6 +145,18 @@ pub(super) const SHAPES: [PressedShape; 9] = [
         "<1e-6 m>",
         "<1e-4 N>",
     ),
+    pressed(
+        ("pad", "Pad(side: <5e-4 m>, deviation: <5e-6 m>)"),
+        (Kind::Pad, Case("pad/springs")),
+        "<1e-5 m>",
+        "<1e-3 N>",
+    ),
+    pressed(
+        ("pad of summits", "Pad(side: <5e-4 m>, deviation: <5e-6 m>, summits: (number: 100, radius: <1e-4 m>))"),
+        (Kind::Pad, Case("pad/Greenwood and Williamson")),
+        "<1e-5 m>",
+        "<1e-3 N>",
+    ),
 ];
 
 const ELASTIC: &str = "Elastic(young: <2e6 Pa>, poisson: 0.5)";
@@ -168,6 +181,7 @@ pub(super) struct TwoBodies {
 const LAYERED: &str =
     "Layered(layers: [(body: Elastic(young: <2e6 Pa>, poisson: 0.5), thickness: <1e-3 m>)], base: Rigid)";
 const GRADED: &str = "Graded(young: <2e6 Pa>, depth: <1e-3 m>, exponent: 0.3, poisson: 0.4)";
+const SHEET: &str = "Winkler(modulus: <1e5 Pa>, thickness: <5e-5 m>)";
 const PLASTIC: &str = "Plastic(young: <2e6 Pa>, poisson: 0.5, yield_stress: <2e4 Pa>)";
 const HARD: &str = "Plastic(young: <2e6 Pa>, poisson: 0.5, hardness: <5e4 Pa>)";
 
@@ -178,6 +192,7 @@ const TING: ByKind = [
     Laws(Other),
     Laws(Other),
     Case("half-space/Ting's history on pixels"),
+    Laws(Other),
 ];
 const LAYERS: ByKind = [
     Case("ground/incompressible layer bonded to a rigid base"),
@@ -185,6 +200,7 @@ const LAYERS: ByKind = [
     Laws(Other),
     Laws(Other),
     Case("half-space/layers beside the bed"),
+    Laws(Other),
 ];
 const GRADES: ByKind = [
     Case("ground/jkr pull-off from a graded body"),
@@ -192,6 +208,7 @@ const GRADES: ByKind = [
     Laws(Other),
     Laws(Other),
     Case("half-space/layers beside the bed"),
+    Laws(Other),
 ];
 const YIELDING: ByKind = [
     Case("plastic/heat of a loop"),
@@ -199,13 +216,23 @@ const YIELDING: ByKind = [
     Laws(Other),
     Laws(Other),
     Case("half-space/a body too hard to yield"),
+    Laws(Other),
+];
+
+const SHEETS: ByKind = [
+    Case("ground/sheet of springs"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/layers beside the bed"),
+    Case("pad/springs"),
 ];
 
 const fn two_bodies(name: &'static str, texts: [&'static str; 2], relaxes: bool, proved: ByKind) -> TwoBodies {
     TwoBodies { name, texts, relaxes, proved }
 }
 
-pub(super) const BODIES: [TwoBodies; 9] = [
+pub(super) const BODIES: [TwoBodies; 10] = [
     two_bodies("elastic", [ELASTIC, "Rigid"], false, all(Whole)),
     two_bodies("both elastic", [ELASTIC, ELASTIC], false, all(Whole)),
     two_bodies("viscoelastic", [RELAXING[0], "Rigid"], true, TING),
@@ -215,6 +242,7 @@ pub(super) const BODIES: [TwoBodies; 9] = [
     two_bodies("graded", [GRADED, "Rigid"], false, GRADES),
     two_bodies("plastic", [PLASTIC, ELASTIC], false, YIELDING),
     two_bodies("plastic, by hardness", [HARD, "Rigid"], false, YIELDING),
+    two_bodies("sheet", [SHEET, "Rigid"], false, SHEETS),
 ];
 
 /// How a scene writes an attraction, and what proves it.
@@ -237,14 +265,33 @@ const DMT: &str = "adhesion: Dmt(work: WORK),";
 /// 2γ is the work, γ/r_K the stress.
 const CAPILLARY: &str = "adhesion: Capillary(tension: TENSION, angle: 0, kelvin_radius: KELVIN),";
 
-const JKR: ByKind =
-    [Case("jkr/radius under load"), Case("cylinder/jkr under a force"), Laws(Other), Laws(Other), Laws(Other)];
-const RELAXED: ByKind = [Case("viscoelastic jkr/slow pull-off"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
-const OUTSIDE: ByKind = [Case("dmt/ball"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
-const RANGE: ByKind =
-    [Case("maugis/pull-off over λ"), Laws(Other), Laws(Other), Laws(Other), Case("half-space/Maugis on pixels")];
-const BRIDGE: ByKind =
-    [Case("maugis/bridge of liquid"), Laws(Other), Laws(Other), Laws(Other), Case("half-space/Maugis on pixels")];
+const JKR: ByKind = [
+    Case("jkr/radius under load"),
+    Case("cylinder/jkr under a force"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("pad/pull-off over preload"),
+];
+const RELAXED: ByKind =
+    [Case("viscoelastic jkr/slow pull-off"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const OUTSIDE: ByKind = [Case("dmt/ball"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const RANGE: ByKind = [
+    Case("maugis/pull-off over λ"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/Maugis on pixels"),
+    Laws(Other),
+];
+const BRIDGE: ByKind = [
+    Case("maugis/bridge of liquid"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/Maugis on pixels"),
+    Laws(Other),
+];
 
 pub(super) const ADHESIONS: [Attracting; 8] = [
     attracting("none", Some(("", all(Whole))), Some(("", all(Whole)))),
@@ -275,18 +322,22 @@ const PARTIAL_SLIP: ByKind = [
     Laws(Other),
     Laws(Other),
     Case("half-space/Cattaneo and Mindlin on 128²"),
+    Laws(Other),
 ];
-const WEAR: ByKind = [Case("wear/Archard's volume"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const WEAR: ByKind = [Case("wear/Archard's volume"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 const CAPPED: ByKind = [
     Case("friction/Coulomb–Orowan slider"),
     Laws(Other),
     Laws(Other),
     Case("rough/wave in gross sliding"),
     Laws(Other),
+    Laws(Other),
 ];
-const PRESSED: ByKind = [Case("friction/peeling force of a lens"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
-const STUCK: ByKind = [Case("friction/lens that sticks"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
-const DROPS: ByKind = [Case("machine/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const PRESSED: ByKind =
+    [Case("friction/peeling force of a lens"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const STUCK: ByKind =
+    [Case("friction/lens that sticks"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const DROPS: ByKind = [Case("machine/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 
 pub(super) const FRICTIONS: [Choice; 7] = [
     choice("none", "", all(Whole)),
@@ -332,21 +383,30 @@ const CREEP: ByKind = [
     Laws(Other),
     Laws(Other),
     Case("half-space/creep on pixels"),
+    Laws(Other),
 ];
 const SWING: ByKind =
-    [Case("oscillation/storage and loss of a punch"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
-const PULL_OFF: ByKind =
-    [Case("jkr/pull-off under depth"), Case("cylinder/jkr pull-off"), Laws(Other), Laws(Other), Laws(Other)];
-const BLOW: ByKind = [Case("impact/Hertz"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
-const SLANT: ByKind = [Case("impact/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+    [Case("oscillation/storage and loss of a punch"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const PULL_OFF: ByKind = [
+    Case("jkr/pull-off under depth"),
+    Case("cylinder/jkr pull-off"),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("pad/greatest pull-off"),
+];
+const BLOW: ByKind = [Case("impact/Hertz"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
+const SLANT: ByKind = [Case("impact/stick and slip"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 const GLIDES: ByKind = [
     Case("gliding/paraboloid on Kelvin–Voigt"),
     Laws(Other),
     Laws(Other),
     Laws(Other),
     Case("half-space/gliding slowly"),
+    Laws(Other),
 ];
-const TRACTION: ByKind = [Case("rolling/ball, Kalker"), Case("rolling/Carter"), Laws(Other), Laws(Other), Laws(Other)];
+const TRACTION: ByKind =
+    [Case("rolling/ball, Kalker"), Case("rolling/Carter"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)];
 
 pub(super) const DRIVES: [Drive; 14] = [
     ("depth", Lead::Depth, all(Whole)),
@@ -361,6 +421,14 @@ pub(super) const DRIVES: [Drive; 14] = [
     ("roll", Lead::Roll, GLIDES),
     ("traction", Lead::Traction, TRACTION),
     ("drive", Lead::Drive, DROPS),
-    ("ring", Lead::Ring, [Case("machine/small swing"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)]),
-    ("fall", Lead::Fall, [Case("machine/elastic bounces"), Laws(Other), Laws(Other), Laws(Other), Laws(Other)]),
+    (
+        "ring",
+        Lead::Ring,
+        [Case("machine/small swing"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)],
+    ),
+    (
+        "fall",
+        Lead::Fall,
+        [Case("machine/elastic bounces"), Laws(Other), Laws(Other), Laws(Other), Laws(Other), Laws(Other)],
+    ),
 ];

@@ -15,7 +15,7 @@
 //! ```
 
 use super::Cell;
-use super::choices::{ADHESIONS, BODIES, DRIVES, FRICTIONS, SHAPES};
+use super::choices::{ADHESIONS, BODIES, ByKind, DRIVES, FRICTIONS, SHAPES};
 use super::ends::outcome;
 use super::known::beside_finer;
 use super::part::Proved;
@@ -65,7 +65,7 @@ impl Cell {
     fn proved(&self) -> [Proved; 5] {
         let [shape, bodies, adhesion, friction, drive] = self.at;
         let (shape, bodies) = (&SHAPES[shape], &BODIES[bodies]);
-        let of = |parts: &[Proved; 5]| parts[shape.kind as usize];
+        let of = |parts: &ByKind| parts[shape.kind as usize];
         let adhesion = &ADHESIONS[adhesion];
         let adhesion = if bodies.relaxes { adhesion.relaxing } else { adhesion.elastic };
         [

@@ -131,6 +131,13 @@ impl Equilibrium for DmtBall {
         self.plain.slope(control, a)
     }
 
+    fn known(&self, control: Control, target: f64) -> Option<f64> {
+        match control {
+            Control::Indentation => self.plain.known(control, target),
+            Control::Force => None,
+        }
+    }
+
     fn start(&self) -> f64 {
         0.0
     }

@@ -52,6 +52,10 @@ impl<C: Equilibrium> Equilibrium for Sprung<'_, C> {
         self.with_spring(control, |control| self.curve.slope(control, s))
     }
 
+    fn known(&self, control: Control, target: f64) -> Option<f64> {
+        if self.compliance > 0.0 { None } else { self.curve.known(control, target) }
+    }
+
     fn start(&self) -> f64 {
         self.curve.start()
     }

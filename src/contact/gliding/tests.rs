@@ -269,3 +269,168 @@ fn the_steady_state_is_the_one_that_comes_of_itself() {
         assert!((found.heat / tally.heat - 1.0).abs() < 1e-9, "{:e} {:e}", found.heat, tally.heat);
     }
 }
+
+/// A line of waves on rubber, gliding from rest at the speed `speed`: its bed, and its steady state.
+fn rough_start(viscosity: f64, (depth, speed): (f64, f64)) -> (GlidingBed, SteadyState) {
+    let spectrum = material(1.0, &[(3.0, 0.1), (1.0, 0.7)], viscosity);
+    let gaps = waves(60, &[(1, 1.0, 0.3), (2, 0.5, 1.0), (5, 0.2, 2.0)]);
+    let line = Arc::new(GlidingLine::periodic(&gaps, 1.0 / 60.0));
+    let mut bed = GlidingBed::line(spectrum.clone(), line.clone(), 1e-6);
+    bed.follow(&Straight::between(0.0, depth, 0.5)).unwrap();
+    (bed, SteadyGlide::line(spectrum, line).at_depth(speed, depth).unwrap())
+}
+
+/// From the place `from` to `to` at the speed `speed` and the depth `depth`.
+fn along(depth: f64, speed: f64, (from, to): (f64, f64)) -> Straight {
+    Straight { slide: to, sliding_speed: speed, ..Straight::between(depth, depth, (to - from) / speed) }
+}
+
+/// A rough line set in motion comes into the steady state found at once: over a period the work done on it is that of
+/// the resistance, to what is left of a past twenty relaxation times ago and more; and so is what stands in the records.
+#[test]
+fn a_rough_line_comes_into_the_steady_state() {
+    for (viscosity, depth, speed) in [(0.0, 0.6, 0.1), (0.0, 2.0, 1.0), (0.05, 0.6, 1.0), (0.0, 5.0, 3.0)] {
+        let (mut bed, steady) = rough_start(viscosity, (depth, speed));
+        let periods = (20.0 * 0.7 * speed).ceil() + 3.0;
+        bed.follow(&along(depth, speed, (0.0, periods))).unwrap();
+        // Over a period, and over one width: all springs go through the same one after the other.
+        let mut work = vec![bed.state().stored.elastic + bed.state().dissipated];
+        let (width, mut force) = (1.0 / 60.0, 0.0);
+        for k in 0..400 {
+            let at = |k: i32| periods + width * f64::from(k) / 400.0;
+            bed.follow(&along(depth, speed, (at(k), at(k + 1)))).unwrap();
+            force += bed.state().force / 400.0;
+        }
+        let resistance = bed.gliding().unwrap().resistance;
+        work.push(bed.state().stored.elastic + bed.state().dissipated);
+        bed.follow(&along(depth, speed, (periods + width, periods + 1.0))).unwrap();
+        work.push(bed.state().stored.elastic + bed.state().dissipated);
+        let off = |one: f64, other: f64| (one / other - 1.0).abs();
+        assert!(off(work[2] - work[0], steady.work) < 1e-7, "{speed} {:e}", off(work[2] - work[0], steady.work));
+        assert!(off(work[1] - work[0], width * steady.work) < 1e-7);
+        assert!(off(resistance, steady.resistance) < 1e-7, "{speed} {:e}", off(resistance, steady.resistance));
+        // Touches and releases fall between records: 1/400 of what a spring carries as it is touched or let go.
+        assert!(off(force, steady.force) < 1e-3, "{speed} {:e}", off(force, steady.force));
+    }
+}
+
+/// Records change nothing, and neither does where the period starts.
+#[test]
+fn a_rough_start_does_not_depend_on_records() {
+    let (depth, speed) = (0.6, 0.4);
+    let (mut one, _) = rough_start(0.02, (depth, speed));
+    let mut many = one.clone();
+    one.follow(&along(depth, speed, (0.0, 0.83))).unwrap();
+    for k in 0..97 {
+        let at = |k: i32| 0.83 * f64::from(k) / 97.0;
+        many.follow(&along(depth, speed, (at(k), at(k + 1)))).unwrap();
+    }
+    let (one, many) = ((one.state(), one.gliding().unwrap()), (many.state(), many.gliding().unwrap()));
+    assert!((one.0.force / many.0.force - 1.0).abs() < 1e-11);
+    assert!((one.1.resistance / many.1.resistance - 1.0).abs() < 1e-10);
+    assert!((one.0.dissipated / many.0.dissipated - 1.0).abs() < 1e-10);
+}
+
+/// At rest the bed is that of its points, and nothing resists.
+#[test]
+fn a_rough_line_at_rest_is_its_points() {
+    let (bed, _) = rough_start(0.0, (0.6, 1.0));
+    let gaps = waves(60, &[(1, 1.0, 0.3), (2, 0.5, 1.0), (5, 0.2, 2.0)]);
+    let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+    // A ramp of the speed w: f = w[E∞ s + Σ Eᵢτᵢ(1 − e^(−s/τᵢ))], s the time since the touch.
+    let down = 0.6 / 0.5;
+    let spring = |gap: f64| {
+        let since = ((0.6 - (gap - lowest)) / down).max(0.0);
+        down * (since - 3.0 * 0.1 * (-since / 0.1).exp_m1() - 0.7 * (-since / 0.7).exp_m1())
+    };
+    let force = gaps.iter().map(|gap| spring(*gap)).sum::<f64>() / 60.0;
+    assert!((bed.state().force / force - 1.0).abs() < 1e-12, "{:e}", bed.state().force / force - 1.0);
+    assert_eq!(bed.gliding().unwrap().resistance.to_bits(), 0);
+}
+
+/// One spring of a standard solid, E∞ = 1 beside a Maxwell element (3, 0.1), by small steps: load of the element and displacement.
+fn small_step((s, u, pressed): (f64, f64, bool), above: f64, dt: f64) -> (f64, f64, bool) {
+    let keep = (-dt / 0.1f64).exp();
+    let mean = -(-dt / 0.1f64).exp_m1() * 0.1 / dt;
+    if pressed || u <= above {
+        let next = keep * s + 3.0 * mean * (above - u);
+        if above + next >= 0.0 && above >= 0.0 {
+            return (next, above, true);
+        }
+    }
+    // Free: E∞u + s = 0 and ṡ = 3u̇ − s/τ give u̇ = s/(4τ).
+    let u = u * (-dt / 0.4f64).exp();
+    (-u, u, false)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a number below sixty")]
+fn of_sixty(k: f64) -> usize {
+    k.rem_euclid(60.0) as usize
+}
+
+/// Against a bed of small steps that knows nothing of touch and release but the signs; its error goes with the step.
+#[test]
+fn a_rough_start_is_that_of_small_steps() {
+    let (depth, speed, way) = (0.6, 0.4, 0.5 + 1.0 / 3.0);
+    let gaps = waves(60, &[(1, 1.0, 0.3), (2, 0.5, 1.0), (5, 0.2, 2.0)]);
+    let line = Arc::new(GlidingLine::periodic(&gaps, 1.0 / 60.0));
+    let mut bed = GlidingBed::line(material(1.0, &[(3.0, 0.1)], 0.0), line, 1e-6);
+    bed.follow(&Straight::between(0.0, depth, 0.5)).unwrap();
+    bed.follow(&along(depth, speed, (0.0, way))).unwrap();
+    let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+    // u = d − g(ξ) with ξ = x − X, along the chords.
+    let gap = |xi: f64| {
+        let (cell, part) = ((60.0 * xi).floor(), 60.0 * xi - (60.0 * xi).floor());
+        let at = |k: f64| gaps[of_sixty(k)] - lowest;
+        (1.0 - part) * at(cell) + part * at(cell + 1.0)
+    };
+    let by_steps = |steps: u32| {
+        let force = |j: i32| {
+            let x = f64::from(j) / 60.0 + 1e-12;
+            let mut spring = (0.0, 0.0, false);
+            for k in 1..=steps {
+                let part = f64::from(k) / f64::from(steps);
+                spring = small_step(spring, depth * part - gap(x), 0.5 / f64::from(steps));
+            }
+            for k in 1..=steps {
+                let part = f64::from(k) / f64::from(steps);
+                spring = small_step(spring, depth - gap(x - way * part), way / speed / f64::from(steps));
+            }
+            if spring.2 { spring.0 + spring.1 } else { 0.0 }
+        };
+        (0..60).map(force).sum::<f64>() / 60.0
+    };
+    let (coarse, fine) = (by_steps(2000), by_steps(32_000));
+    let force = bed.state().force;
+    assert!((fine / force - 1.0).abs() < 2e-4, "{:e} {:e}", fine / force - 1.0, coarse / force - 1.0);
+    assert!((fine - force).abs() < 0.25 * (coarse - force).abs());
+}
+
+/// A line with two ends, on a ball, over new ground: the steady state of one spring swept through it; and the ends are noticed.
+#[test]
+fn a_line_on_a_ball_comes_into_the_steady_state() {
+    let count = 400;
+    let waves = waves(count, &[(20, 0.01, 0.3), (37, 0.004, 1.0)]);
+    let x = |k: usize| (k as f64 + 0.5 - 0.5 * count as f64) / count as f64;
+    let gaps: Vec<f64> = waves.iter().enumerate().map(|(k, z)| z + x(k) * x(k)).collect();
+    let line = Arc::new(GlidingLine::single(&gaps, 1.0 / count as f64));
+    let spectrum = material(1.0, &[(3.0, 0.05)], 0.0);
+    let (depth, speed) = (0.05, 1.0);
+    let steady = SteadyGlide::line(spectrum.clone(), line.clone()).at_depth(speed, depth).unwrap();
+    let mut bed = GlidingBed::line(spectrum, line, 1e-6);
+    bed.follow(&Straight::between(0.0, depth, 0.5)).unwrap();
+    bed.follow(&along(depth, speed, (0.0, 2.0))).unwrap();
+    let before = bed.state();
+    let width = 1.0 / count as f64;
+    bed.follow(&along(depth, speed, (2.0, 2.0 + 20.0 * width))).unwrap();
+    let after = bed.state();
+    let done = after.dissipated + after.stored.elastic - before.dissipated - before.stored.elastic;
+    assert!(
+        (done / (20.0 * width * steady.work) - 1.0).abs() < 1e-7,
+        "{:e}",
+        done / (20.0 * width * steady.work) - 1.0
+    );
+    assert!((after.force / steady.force - 1.0).abs() < 1e-2, "{:e}", after.force / steady.force - 1.0);
+    let told = bed.follow(&Straight { slide: 2.0 + 20.0 * width, ..Straight::between(depth, 0.3, 1.0) }).unwrap_err();
+    assert!(told.to_string().contains("reaches the ends of the rough line"));
+}

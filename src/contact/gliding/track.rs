@@ -2,6 +2,7 @@
 
 use crate::contact::error::{ContactError, LineTooShort};
 use crate::shape::Profile;
+use std::ops::Range;
 
 /// A polygon of depths d − g(ξ) over the way, in the order in which a spring meets them.
 #[derive(Debug, Clone)]
@@ -96,6 +97,54 @@ impl GlidingLine {
         self.extent == Extent::Periodic
     }
 
+    /// Points [m] apart.
+    pub(super) fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// How many points it has, of a line that comes again those of one period.
+    pub(super) fn corners(&self) -> usize {
+        self.gaps.len() - usize::from(self.is_periodic())
+    }
+
+    /// Gap [m] of the k-th point in the direction of the motion; of a line with two ends infinite beyond them.
+    pub(super) fn gap(&self, corner: i64) -> f64 {
+        let last = self.gaps.len().saturating_sub(1);
+        let met = i64::try_from(last).ok().map(|last| last - corner);
+        let met = match self.extent {
+            Extent::Periodic => met.map(|met| met.rem_euclid(i64::try_from(last).unwrap_or(1).max(1))),
+            Extent::Single => met,
+        };
+        met.and_then(|met| usize::try_from(met).ok())
+            .and_then(|met| self.gaps.get(met))
+            .copied()
+            .unwrap_or(f64::INFINITY)
+    }
+
+    /// The chords under which a spring can be touched at `depth` [m], by their lower corners, with `margin` more on either side of a
+    /// line with two ends.
+    pub(super) fn chords_below(&self, depth: f64, margin: usize) -> Result<Range<i64>, ContactError> {
+        let (corners, touched) = (self.corners(), |gap: &f64| *gap < depth);
+        let signed = |corner: usize| i64::try_from(corner).unwrap_or(i64::MAX);
+        if self.is_periodic() {
+            return Ok(0..signed(corners));
+        }
+        let last = corners.saturating_sub(1);
+        // Gaps are kept from the front to the rear.
+        let (Some(front), Some(rear)) = (self.gaps.iter().position(touched), self.gaps.iter().rposition(touched))
+        else {
+            return Ok(0..0);
+        };
+        if front == 0 || rear == last {
+            return Err(self.too_short(depth));
+        }
+        Ok(signed((last - rear).saturating_sub(margin))..signed((last - front + margin).min(last)))
+    }
+
+    fn too_short(&self, indentation: f64) -> ContactError {
+        LineTooShort { indentation, length: self.step * (self.gaps.len() as f64 - 1.0) }.into()
+    }
+
     /// Largest gap [m].
     pub(super) fn height(&self) -> f64 {
         self.gaps.iter().copied().fold(0.0, f64::max)
@@ -107,7 +156,7 @@ impl GlidingLine {
         let steps = vec![self.step; depths.len().saturating_sub(1)];
         let touches = |end: Option<&f64>| end.is_none_or(|end| *end >= 0.0);
         if self.extent == Extent::Single && (touches(depths.first()) || touches(depths.last())) {
-            return Err(LineTooShort { indentation: depth, length: self.step * steps.len() as f64 }.into());
+            return Err(self.too_short(depth));
         }
         Ok(Track { front: 0.0, steps, depths })
     }

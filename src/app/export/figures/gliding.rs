@@ -67,6 +67,10 @@ fn over_time(outcome: &Outcome) -> Vec<Panel> {
         Some(steady) => force.guide(Guide::horizontal(steady, "steady")),
         None => force,
     };
+    // What is rough has no two edges.
+    if records.iter().all(|record| (LEADING_EDGE.of)(record).is_none()) {
+        return vec![force];
+    }
     let place = crate::app::figure::Axis::linear("edge of the contact", LEADING_EDGE.unit.symbol);
     let edges = Panel::new(axis_of(&TIME), place)
         .with(Series::new("leading", of_records(records, &TIME, &LEADING_EDGE)))

@@ -1,6 +1,7 @@
 //! The bed of a body that moves along as a contact that is driven piece by piece.
 
 use super::GlidingBed;
+use super::outline::Outline;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Pull, Straight};
@@ -27,7 +28,10 @@ impl ContactModel for GlidingBed {
         Normal {
             indentation: Some(self.now.depth),
             force: self.forces().0,
-            contact_radius: Some(self.edges().map_or(0.0, |(front, rear)| 0.5 * (front - rear))),
+            contact_radius: match self.outline {
+                Outline::Round { .. } => Some(self.edges().map_or(0.0, |(front, rear)| 0.5 * (front - rear))),
+                Outline::Line(_) => None,
+            },
             stiffness: self.stiffness(),
             stored: Energy { elastic: stored, surface: 0.0 },
             dissipated: self.work - stored,

@@ -1,20 +1,27 @@
 //! A bed of springs under a profile that is pressed and glides: how a contact at rest comes into motion.
 
 mod contact;
+mod outline;
 mod pull;
+mod rough;
 mod seen;
+mod window;
 
 use super::kernel::Kernel;
 use super::tally::Tally;
-use crate::contact::error::{BedError, ContactError};
+use super::track::GlidingLine;
+use crate::contact::error::ContactError;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::spring::{Free, Motion, Spring};
 use crate::shape::Profile;
+use outline::Outline;
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::Arc;
+use window::Window;
 
-/// Springs at (j + ½)h under the polygon of a profile with corners at kh.
+/// Springs at (j + ½)h under the polygon of a round profile with corners at kh, or at jh under a rough line, whose points are
+/// the corners; where the line comes again and again so do they.
 ///
 /// Every spring is followed by itself and exactly in time, so that the history of a contact, where it has been and
 /// what it has left behind, is known. Second order in the width h. A prescribed force is followed in straight pieces of the
@@ -22,11 +29,9 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct GlidingBed {
     kernel: Kernel,
-    profile: Arc<dyn Profile>,
+    outline: Outline,
     width: f64,
     accuracy: f64,
-    /// Heights [m] of the polygon at kh, k = 0, 1, …
-    heights: Vec<f64>,
     /// The springs that have ever been within reach, in order.
     springs: VecDeque<Touched>,
     /// Number j of the first of them.
@@ -35,6 +40,8 @@ pub struct GlidingBed {
     /// How the contact moved last.
     moved: Moved,
     work: f64,
+    /// What has resisted a rough line on the last width of its way.
+    window: Window,
     /// Step [s] by which a prescribed force was followed last.
     step: f64,
 }
@@ -94,10 +101,21 @@ impl GlidingBed {
     /// A bed never touched, with springs of the width `width` [m], to the relative accuracy `accuracy`.
     #[must_use]
     pub fn new(spectrum: Arc<Spectrum>, profile: Arc<dyn Profile>, (width, accuracy): (f64, f64)) -> Self {
+        Self::under(Outline::round(profile), spectrum, (width, accuracy))
+    }
+
+    /// A bed never touched under a rough line, with a spring under each of its points, to the relative accuracy
+    /// `accuracy`, with which a prescribed force is followed; depths count from the first touch.
+    #[must_use]
+    pub fn line(spectrum: Arc<Spectrum>, line: Arc<GlidingLine>, accuracy: f64) -> Self {
+        let width = line.step();
+        Self::under(Outline::Line(line), spectrum, (width, accuracy))
+    }
+
+    fn under(outline: Outline, spectrum: Arc<Spectrum>, (width, accuracy): (f64, f64)) -> Self {
         Self {
             kernel: Kernel::new(spectrum),
-            heights: vec![profile.reduced(0.0)],
-            profile,
+            outline,
             width,
             accuracy,
             springs: VecDeque::new(),
@@ -105,6 +123,7 @@ impl GlidingBed {
             now: Pose::default(),
             moved: Moved::default(),
             work: 0.0,
+            window: Window::default(),
             step: f64::INFINITY,
         }
     }
@@ -113,38 +132,25 @@ impl GlidingBed {
         self.kernel.spectrum()
     }
 
-    /// Height [m] of the polygon at the corner k.
-    fn height(&self, corner: i64) -> f64 {
-        usize::try_from(corner.unsigned_abs()).ok().and_then(|k| self.heights.get(k)).copied().unwrap_or(f64::INFINITY)
+    /// A place [m] in widths, such that the spring j is below the chord j − ⌊…⌋ − 1.
+    fn cells(&self, place: f64) -> f64 {
+        place / self.width - self.outline.offset()
     }
 
-    /// Corners up to which a contact of the depth `depth` [m] reaches.
-    fn reach(&mut self, depth: f64) -> Result<usize, ContactError> {
-        let outgrown = || ContactError::from(BedError::BeyondProfile { indentation: depth });
-        let known = self.heights.partition_point(|height| *height < depth);
-        if known + MARGIN < self.heights.len() || depth <= 0.0 && self.heights.len() > MARGIN {
-            return Ok(known + MARGIN);
+    /// Where the spring `j` is kept.
+    fn index(&self, j: i64) -> Option<usize> {
+        match self.outline.ring() {
+            Some(ring) => usize::try_from(j.rem_euclid(signed(ring))).ok(),
+            None => usize::try_from(j - self.first).ok(),
         }
-        let end = self.profile.rim().radius();
-        let edge = self.profile.edge(depth.max(0.0)).ok_or_else(outgrown)?;
-        if edge >= end {
-            return Err(outgrown());
-        }
-        let corners = number((edge / self.width).ceil()) + 2 * MARGIN + 1;
-        let height = |k: usize| {
-            let x = k as f64 * self.width;
-            // Beyond its end the profile goes on straight, where nothing meets it.
-            let inside = x.min(end);
-            self.profile.reduced(inside) + (x - inside) * self.profile.reduced_slope(inside)
-        };
-        let more: Vec<f64> = (self.heights.len()..=corners).map(height).collect();
-        self.heights.extend(more);
-        Ok(self.heights.partition_point(|height| *height < depth) + MARGIN)
     }
 
     /// Takes up the springs of a range that have not been within reach before.
     fn take_up(&mut self, range: &Range<i64>) {
         let fresh = || Touched { spring: Spring::untouched(self.kernel.spectrum()), known: self.now.time };
+        if let Some(ring) = self.outline.ring() {
+            return self.springs.resize_with(ring, fresh);
+        }
         if self.springs.is_empty() {
             self.first = range.start;
         }
@@ -167,8 +173,7 @@ impl GlidingBed {
     fn advance(&mut self, depth: f64, place: f64, duration: f64) -> Result<(), ContactError> {
         let from = self.now;
         self.moved = Moved { down: (depth - from.depth) / duration, along: (place - from.place) / duration };
-        let cells = |place: f64| place / self.width - 0.5;
-        let (begin, end) = (cells(from.place), cells(place));
+        let (begin, end) = (self.cells(from.place), self.cells(place));
         let (mut at, mut behind) = (begin, 0.0);
         for next in joints(begin, end) {
             let last = next.total_cmp(&end).is_eq();
@@ -176,7 +181,7 @@ impl GlidingBed {
             let to = Pose {
                 time: from.time + part * duration,
                 depth: if last { depth } else { from.depth + part * (depth - from.depth) },
-                place: if last { place } else { (next + 0.5) * self.width },
+                place: if last { place } else { (next + self.outline.offset()) * self.width },
             };
             let cell = (0.5 * (at + next)).floor();
             let stretch = Stretch {
@@ -196,25 +201,28 @@ impl GlidingBed {
         if stretch.duration <= 0.0 {
             return Ok(());
         }
-        let reach = signed(self.reach(stretch.depths[0].max(stretch.depths[1]))?);
-        let range = stretch.cell + 1 - reach..stretch.cell + 1 + reach;
+        let chords = self.outline.reach(stretch.depths[0].max(stretch.depths[1]), self.width)?;
+        let range = stretch.cell + 1 + chords.start..stretch.cell + 1 + chords.end;
         self.take_up(&range);
         self.kernel.prepare(stretch.duration);
-        let mut tally = Tally::default();
+        let (mut tally, mut along) = (Tally::default(), 0.0);
         for j in range {
             let chord = stretch.chord(j);
-            let (low, high) = (self.height(chord), self.height(chord + 1));
+            let (low, high) = (self.outline.height(chord), self.outline.height(chord + 1));
             let depths = [0, 1].map(|end| stretch.depths[end] - (low + stretch.parts[end] * (high - low)));
             let speed = (depths[1] - depths[0]) / stretch.duration;
             let motion = Motion { start: depths[0], speed, duration: stretch.duration };
-            let Some(place) = usize::try_from(j - self.first).ok().and_then(|at| self.springs.get_mut(at)) else {
-                continue;
-            };
+            let Some(place) = self.index(j).and_then(|at| self.springs.get_mut(at)) else { continue };
             place.catch_up(self.kernel.spectrum(), self.now.time);
+            let before = tally.impulse;
             self.kernel.step(&mut place.spring, &motion, &mut tally);
+            along += (high - low) * (tally.impulse - before);
             place.known = self.now.time + stretch.duration;
         }
         self.work += self.width * tally.work;
+        if let Outline::Line(_) = self.outline {
+            self.window.note(stretch.parts, (stretch.duration, along));
+        }
         Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! The bed of a body that moves along under a prescribed force.
 
-use super::{GlidingBed, integer, signed};
+use super::{GlidingBed, Window, integer};
 use crate::contact::error::ContactError;
 use crate::contact::model::Pull;
 
@@ -14,16 +14,18 @@ impl GlidingBed {
     fn scout(&self, along: f64, duration: f64) -> Self {
         let cells = |place: f64| integer(place / self.width);
         let (one, other) = (cells(self.now.place), cells(self.now.place + along * duration));
-        let reach = signed(self.heights.len());
-        let from = (one.min(other) - reach).max(self.first);
-        let to = (one.max(other) + reach).min(self.end());
+        let extent = self.outline.extent();
+        let (from, to) = match self.outline.ring() {
+            Some(_) => (self.first, self.end()),
+            None => ((one.min(other) + extent.start).max(self.first), (one.max(other) + extent.end).min(self.end())),
+        };
         let at = |j: i64| usize::try_from(j - self.first).unwrap_or(0).min(self.springs.len());
         Self {
             springs: self.springs.range(at(from)..at(to).max(at(from))).cloned().collect(),
             first: from,
             kernel: self.kernel.clone(),
-            profile: self.profile.clone(),
-            heights: self.heights.clone(),
+            outline: self.outline.clone(),
+            window: Window::default(),
             ..*self
         }
     }

@@ -1,7 +1,9 @@
 //! What is seen of the bed under a body that moves along.
 
+use super::outline::Outline;
 use super::{GlidingBed, Touched, integer, signed};
 use crate::contact::viscoelastic::spring::Spring;
+use crate::shape::Profile;
 
 /// What a spring at a distance [m] from the middle of the body carries and holds back, both over its width [N/m].
 #[derive(Debug, Clone, Copy)]
@@ -23,16 +25,21 @@ impl Loads {
 }
 
 impl GlidingBed {
-    /// The springs that are pressed: their distance from the middle of the body [m], displacement [m] and load [N/m].
-    pub(super) fn pressed(&self) -> impl DoubleEndedIterator<Item = (i64, f64, f64)> + '_ {
-        let cells = self.now.place / self.width - 0.5;
+    /// The number of the cell in which the body is, and the part of its chord at which every spring is.
+    pub(super) fn now_below(&self) -> (i64, f64) {
+        let cells = self.cells(self.now.place);
         // Of a spring below a corner the chord it came from.
         let cell = if self.moved.along > 0.0 { cells.ceil() - 1.0 } else { cells.floor() };
-        let (part, cell) = (1.0 - (cells - cell), integer(cell));
+        (integer(cell), 1.0 - (cells - cell))
+    }
+
+    /// The springs that are pressed: their distance from the middle of the body [m], displacement [m] and load [N/m].
+    pub(super) fn pressed(&self) -> impl DoubleEndedIterator<Item = (i64, f64, f64)> + '_ {
+        let (cell, part) = self.now_below();
         let load = move |(at, touched): (usize, &Touched)| {
             let Spring::Pressed(loads) = &touched.spring else { return None };
             let j = self.first + signed(at);
-            let (low, high) = (self.height(j - cell - 1), self.height(j - cell));
+            let (low, high) = (self.outline.height(j - cell - 1), self.outline.height(j - cell));
             let speed = self.moved.down + self.moved.along * (high - low) / self.width;
             let displacement = self.now.depth - (low + part * (high - low));
             Some((j, displacement, self.spectrum().load(displacement, loads, speed)))
@@ -41,25 +48,33 @@ impl GlidingBed {
     }
 
     /// Distance [m] of the spring `j` from the middle of the body.
-    pub(super) fn distance(&self, j: i64) -> f64 {
-        (j as f64 + 0.5) * self.width - self.now.place
+    fn distance(&self, j: i64) -> f64 {
+        (j as f64 + self.outline.offset()) * self.width - self.now.place
     }
 
     /// Normal force F and resistance F_x [N].
+    pub(super) fn forces(&self) -> (f64, f64) {
+        match &self.outline {
+            Outline::Round { profile, .. } => self.forces_of_round(profile.as_ref()),
+            Outline::Line(_) => self.forces_of_line(),
+        }
+    }
+
+    /// Those under a round profile.
     ///
     /// Of F_x the part of E∞ is known in closed form. The rest, and F, are sums over the springs, each of which stands for
     /// its width, and what lies between the last of them and the edge: second order in the width.
-    pub(super) fn forces(&self) -> (f64, f64) {
+    fn forces_of_round(&self, profile: &dyn Profile) -> (f64, f64) {
         let modulus = self.spectrum().equilibrium();
         let loads = |(j, displacement, load): (i64, f64, f64)| {
             let at = self.distance(j);
-            let slope = if at.abs() > 0.0 { self.profile.reduced_slope(at.abs()).copysign(at) } else { 0.0 };
+            let slope = if at.abs() > 0.0 { profile.reduced_slope(at.abs()).copysign(at) } else { 0.0 };
             Loads { at, normal: load, along: (load - modulus * displacement) * slope }
         };
         let springs: Vec<Loads> = self.pressed().map(loads).collect();
         let sums = springs.iter().fold((0.0, 0.0), |sums, spring| (sums.0 + spring.normal, sums.1 + spring.along));
         let (mut normal, mut along) = (self.width * sums.0, self.width * sums.1);
-        if let ([first, .., last], Some((front, rear))) = (&springs[..], self.edges()) {
+        if let ([first, .., last], Some((front, rear))) = (&springs[..], self.edges_of(profile)) {
             let (second, before) = (springs[1], springs[springs.len() - 2]);
             for rest in [last.up_to(before, (front, 0.5 * self.width)), first.up_to(second, (rear, -0.5 * self.width))]
             {
@@ -67,30 +82,38 @@ impl GlidingBed {
                 along += rest.along;
             }
         }
-        (normal, along + 0.5 * modulus * self.rise())
+        (normal, along + 0.5 * modulus * self.rise(profile))
     }
 
     /// 2∫ u g′ dξ over the contact: u² at its rear less that at its front [m²].
-    pub(super) fn rise(&self) -> f64 {
-        let Some((front, rear)) = self.edges() else { return 0.0 };
-        let displacement = |at: f64| (self.now.depth - self.profile.reduced(at.abs())).max(0.0);
+    fn rise(&self, profile: &dyn Profile) -> f64 {
+        let Some((front, rear)) = self.edges_of(profile) else { return 0.0 };
+        let displacement = |at: f64| (self.now.depth - profile.reduced(at.abs())).max(0.0);
         (displacement(rear) - displacement(front)) * (displacement(rear) + displacement(front))
+    }
+
+    /// Where the contact of a round body ends [m].
+    pub(super) fn edges(&self) -> Option<(f64, f64)> {
+        match &self.outline {
+            Outline::Round { profile, .. } => self.edges_of(profile.as_ref()),
+            Outline::Line(_) => None,
+        }
     }
 
     /// Where the contact ends on the side of larger and of smaller places [m]: on ground never touched where the profile
     /// meets it, else between two springs where the load goes to zero.
-    pub(super) fn edges(&self) -> Option<(f64, f64)> {
+    fn edges_of(&self, profile: &dyn Profile) -> Option<(f64, f64)> {
         let mut all = self.pressed().map(|(j, _, load)| (j, load));
         let front = (all.next_back()?, all.next_back());
         let mut all = self.pressed().map(|(j, _, load)| (j, load));
         let rear = (all.next()?, all.next());
-        Some((self.edge(front, 1), self.edge(rear, -1)))
+        Some((self.edge(profile, front, 1), self.edge(profile, rear, -1)))
     }
 
-    pub(super) fn edge(&self, (last, before): ((i64, f64), Option<(i64, f64)>), side: i64) -> f64 {
+    fn edge(&self, profile: &dyn Profile, (last, before): ((i64, f64), Option<(i64, f64)>), side: i64) -> f64 {
         let outside = usize::try_from(last.0 + side - self.first).ok().and_then(|at| self.springs.get(at));
         if outside.is_none_or(|touched| touched.spring.is_untouched())
-            && let Some(edge) = self.profile.edge(self.now.depth)
+            && let Some(edge) = profile.edge(self.now.depth)
         {
             return edge * side as f64;
         }
@@ -102,7 +125,7 @@ impl GlidingBed {
     /// Energy [J] in all springs.
     pub(super) fn stored(&self) -> f64 {
         let pressed = self.pressed().map(|(j, displacement, _)| {
-            let touched = usize::try_from(j - self.first).ok().and_then(|at| self.springs.get(at));
+            let touched = self.index(j).and_then(|at| self.springs.get(at));
             match touched.map(|touched| &touched.spring) {
                 Some(Spring::Pressed(loads)) => self.spectrum().stored_pressed(displacement, loads),
                 Some(Spring::Free(_)) | None => 0.0,
