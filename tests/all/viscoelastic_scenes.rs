@@ -339,7 +339,7 @@ fn the_surface_in_the_contact_is_the_indenter() {
         let outcome = with_fields(scene);
         assert!(outcome.fields.len() >= 2);
         for field in &outcome.fields {
-            let at_end = |record: &&run::record::Record| (record.time - field.time).abs() <= 0.0;
+            let at_end = |record: &&Record| (record.time - field.time).abs() <= 0.0;
             let record = outcome.records.iter().rev().find(at_end).unwrap();
             let d = record.normal.indentation.unwrap();
             for row in field.rows.iter().filter(|row| row.radius < field.contact_radius) {
