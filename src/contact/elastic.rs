@@ -154,7 +154,7 @@ impl ContactModel for SpringBed {
     }
 
     fn effort(&self) -> Effort {
-        Effort { springs: self.springs(), bytes: self.bytes(), force_error: None }
+        Effort { springs: self.springs(), bytes: self.bytes(), force_error: None, radius_error: None }
     }
 
     fn press(&mut self, pull: &Pull) -> Option<Result<Vec<Event>, ContactError>> {

@@ -97,6 +97,8 @@ pub struct Effort {
     pub bytes: usize,
     /// Error of the present force [N], where the contact can tell.
     pub force_error: Option<f64>,
+    /// Error of the present contact radius [m], where the contact can tell.
+    pub radius_error: Option<f64>,
 }
 
 /// Pressure and surface of a contact at the present instant.

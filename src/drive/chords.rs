@@ -16,6 +16,8 @@ pub struct Chords {
     next: f64,
 }
 
+/// A time is at a corner that is nearer than this part of a chord.
+const SAME: f64 = 1e-9;
 /// Fewest chords per cycle: the loop of a small amplitude is resolved too.
 const FEWEST: f64 = 256.0;
 /// Most chords per cycle.
@@ -32,6 +34,24 @@ impl Chords {
     /// Frequency [Hz].
     pub fn frequency(&self) -> f64 {
         self.wave.frequency
+    }
+
+    /// The value at the time `t` [s], on the chord there.
+    pub fn at(&self, t: f64) -> f64 {
+        let width = self.width();
+        let corner = (t / width + SAME).floor();
+        let (from, to) = (self.wave.at(corner * width), self.wave.at((corner + 1.0) * width));
+        self.center + from + (t / width - corner) * (to - from)
+    }
+
+    /// The time [s] of the next corner after the time `t` [s].
+    pub fn next_corner(&self, t: f64) -> f64 {
+        ((t / self.width() + SAME).floor() + 1.0) * self.width()
+    }
+
+    /// Duration of a chord [s].
+    fn width(&self) -> f64 {
+        (self.per_cycle * self.wave.frequency).recip()
     }
 
     /// The time since the beginning of the last whole cycle at which the chord handed out last begins, and

@@ -96,6 +96,8 @@ struct ActiveStage {
     /// What is prescribed, and the tangential displacement [m], at its beginning.
     from: f64,
     slide: f64,
+    /// A slide that is a sine, in the chords a contact that remembers takes it in.
+    shaken: Option<Chords>,
     /// Time since its beginning [s].
     now: f64,
     remainder: Remainder,
@@ -103,6 +105,9 @@ struct ActiveStage {
     /// Force in the middle of the last chord [N].
     middle: Option<f64>,
 }
+
+/// Part of the amplitude within which a slide that is a sine is followed: less than friction tells by a thousand springs.
+const SHAKEN: f64 = 1e-5;
 
 /// The rest of a stage.
 #[derive(Debug, Clone)]
@@ -150,6 +155,9 @@ impl Leg {
 impl ActiveStage {
     /// Tangential displacement [m] at the time `t` [s].
     fn slide_at(&self, t: f64) -> f64 {
+        if let Some(shaken) = &self.shaken {
+            return shaken.at(t);
+        }
         let over = self.course.over;
         self.course.tangential.at(self.slide, if over > 0.0 { t / over } else { 1.0 }, over)
     }
@@ -179,6 +187,7 @@ impl Driver {
             course,
             from: 0.0,
             slide: 0.0,
+            shaken: None,
             now: 0.0,
             remainder: Remainder::Done,
             leg: None,
@@ -207,10 +216,13 @@ impl Driver {
         let pulled = course.control == Control::Force && present.indentation.is_none();
         let from = if pulled { self.pull } else { prescribed(contact, &present, course.control) };
         self.pull = if course.control == Control::Force { course.normal.at(from, 1.0, course.over) } else { 0.0 };
-        self.stage =
-            ActiveStage { course, from, slide, now: 0.0, remainder: Remainder::Records, leg: None, middle: None };
+        let remainder = Remainder::Records;
+        self.stage = ActiveStage { course, from, slide, shaken: None, now: 0.0, remainder, leg: None, middle: None };
         if contact.memory().is_none() {
             return Ok(());
+        }
+        if let Path::Wave(wave) = course.tangential {
+            self.stage.shaken = Some(Chords::new(slide, wave, course.over, self.accuracy.max(SHAKEN)));
         }
         match course.control {
             Control::Force => self.begin_force(contact)?,
@@ -231,7 +243,8 @@ impl Driver {
         self.stage.remainder = match course.normal {
             Path::Wave(wave) => Remainder::Chords(Chords::new(depth, wave, course.over, self.accuracy)),
             Path::To(to) if course.over <= 0.0 => {
-                contact.follow(&Straight::between(depth, to, 0.0))?;
+                let slide = self.stage.slide_at(course.over);
+                contact.follow(&Straight { slide, ..Straight::between(depth, to, 0.0) })?;
                 Remainder::Done
             }
             Path::To(to) => Remainder::Straight(to),
@@ -265,8 +278,8 @@ impl Driver {
         let Remainder::Force(force) = &mut self.stage.remainder else { return Ok(()) };
         if let Some(stretch) = force.leap(contact)? {
             self.lost += force.lost_on_leap(contact, stretch)?;
-            let piece = ahead(contact, stretch.speed, stretch.until);
-            contact.follow(&piece)?;
+            let slide = self.stage.slide_at(self.stage.course.over);
+            contact.follow(&Straight { slide, ..ahead(contact, stretch.speed, stretch.until) })?;
             self.stage.remainder = Remainder::Done;
         }
         Ok(())
@@ -470,13 +483,15 @@ impl Driver {
         Ok(time)
     }
 
-    /// On along a leg to the time `time` [s].
+    /// On along a leg to the time `time` [s], from corner to corner of the slide.
     fn move_to(&mut self, contact: &mut dyn ContactModel, leg: &Leg, time: f64) -> Result<(), ContactError> {
-        let duration = time - self.stage.now;
-        if duration > 0.0 {
-            let (slide, sliding_speed) = (self.stage.slide_at(time), self.stage.sliding_speed());
-            contact.follow(&Straight { to: leg.depth(time), speed: leg.speed, slide, sliding_speed, duration })?;
-            self.stage.now = time;
+        while self.stage.now < time {
+            let corner = self.stage.shaken.as_ref().map_or(time, |shaken| shaken.next_corner(self.stage.now));
+            let stop = corner.min(time);
+            let (slide, sliding_speed) = (self.stage.slide_at(stop), self.stage.sliding_speed());
+            let duration = stop - self.stage.now;
+            contact.follow(&Straight { to: leg.depth(stop), speed: leg.speed, slide, sliding_speed, duration })?;
+            self.stage.now = stop;
         }
         Ok(())
     }

@@ -224,7 +224,8 @@ fn friction(
         }
         FrictionLaw::Viscoelastic { coefficient, count, relaxation } => {
             let (spectrum, grip) = (Arc::new(Spectrum::new(relaxation)), plan.grip(*coefficient));
-            let bed = ViscoelasticBed::new(plan.profile.as_ref(), spectrum, grip, *count, friction_radius(plan))?;
+            let radius = friction_radius(plan, &spectrum);
+            let bed = ViscoelasticBed::new(plan.profile.as_ref(), spectrum, grip, *count, radius)?;
             Box::new(ViscoelasticFriction::new(bed, grip.tangential_modulus))
         }
         FrictionLaw::Sliding(interface) => Box::new(SlidingContact::new(plan.ground(), interface.clone())),
@@ -235,17 +236,10 @@ fn friction(
     })
 }
 
-/// Radius [m] at the largest depth of the history: no spring further out is ever touched.
-fn friction_radius(plan: &RoundPlan) -> f64 {
-    let depth = |path: Path| if let Path::To(to) = path { to } else { 0.0 };
-    let ramps = plan.stages.iter().filter(|stage| stage.control == Some(Control::Indentation));
-    let deepest = ramps.map(|stage| depth(stage.normal)).fold(0.0, f64::max);
-    let profile = plan.profile.as_ref();
-    let edge = if deepest > 0.0 { profile.edge(deepest) } else { None };
-    match profile.rim() {
-        Rim::Wall(end) => edge.map_or(end, |edge| edge.min(end)),
-        Rim::None | Rim::End(_) => edge.unwrap_or_else(|| profile.scale()),
-    }
+/// Radius [m] beyond which no spring is ever touched: that of the largest depth, or of the creep under the largest force.
+fn friction_radius(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
+    let reach = viscoelastic::reach(plan, spectrum);
+    if let Rim::Wall(end) = plan.profile.rim() { reach.min(end) } else { reach }
 }
 
 /// The adhesive contact of a plan under shear, for the work of adhesion `work` [J/m²]; its tangential stiffness is `share` of
@@ -277,15 +271,20 @@ fn friction_accuracy(plan: &Shared) -> f64 {
     plan.accuracy().clamp(1e-12, 1e-2)
 }
 
-/// The error of the tangential contact, where it is not rounding.
+/// The error of the tangential contact, where it is not rounding; `place` is where the edge of the largest contact is in
+/// the bed [m].
 #[must_use]
-pub fn friction_error(plan: &RoundPlan, law: &FrictionLaw) -> Option<ErrorEstimate> {
-    let springs = |count: NonZeroUsize| ErrorEstimate {
-        relative: 17.0 / 16.0 / count.get() as f64,
+pub fn friction_error(plan: &RoundPlan, law: &FrictionLaw, place: f64) -> Option<ErrorEstimate> {
+    let springs = |count: NonZeroUsize, wider: f64| ErrorEstimate {
+        relative: 17.0 / 16.0 * wider / count.get() as f64,
         basis: format!("bed of {count} springs: the tangential force within half a cell of its variation"),
     };
     match law {
-        FrictionLaw::Springs { count, .. } | FrictionLaw::Viscoelastic { count, .. } => Some(springs(*count)),
+        FrictionLaw::Springs { count, .. } => Some(springs(*count, 1.0)),
+        FrictionLaw::Viscoelastic { count, relaxation, .. } => {
+            let wider = friction_radius(plan, &Arc::new(Spectrum::new(relaxation))) / place;
+            Some(springs(*count, if wider.is_finite() { wider.max(1.0) } else { 1.0 }))
+        }
         FrictionLaw::Memory { .. } => {
             let curved = |stage: &Stage| stage.control == Some(Control::Force) && stage.tangential != Path::Stay;
             plan.stages.iter().any(curved).then(|| ErrorEstimate {

@@ -21,7 +21,8 @@ const ROUNDING: f64 = 1e-11;
 #[must_use]
 pub fn estimate(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
     let normal = normal_error(plan, run);
-    let tangential = plan.friction.as_ref().and_then(|law| compose::friction_error(plan, law));
+    let place = plan.profile.place(largest_radius(&run.records));
+    let tangential = plan.friction.as_ref().and_then(|law| compose::friction_error(plan, law, place));
     tangential.filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
 }
 
@@ -102,6 +103,11 @@ fn largest_force(run: &Run) -> f64 {
     run.records.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max)
 }
 
+/// The largest contact radius among records [m].
+fn largest_radius(records: &[Record]) -> f64 {
+    records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max)
+}
+
 /// The error of the sums of the continuous bed.
 fn sums(run: &Run) -> f64 {
     (run.force_error / largest_force(run)).max(1e-13)
@@ -110,12 +116,18 @@ fn sums(run: &Run) -> f64 {
 fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run, count: usize) -> ErrorEstimate {
     let width = GRADE.recip().asinh() / count as f64;
     let basis = format!(
-        "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius lies between two springs",
+        "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius between two springs as the loads of four tell, and as the fourth changes it",
         plan.accuracy()
     );
     let (springs, depth) = (0.25 * width * width, felt(plan, run) * plan.accuracy());
-    let steep = steepness(plan, &run.records);
-    ErrorEstimate { relative: steep * (steep * springs + depth), basis }
+    let (steep, edge) = (steepness(plan, &run.records), edge_between_springs(plan, run));
+    ErrorEstimate { relative: steep * (steep * springs.max(edge) + depth), basis }
+}
+
+/// The largest error of the place of the edge between two springs, as a part of the place of the largest contact.
+fn edge_between_springs(plan: &RoundPlan, run: &Run) -> f64 {
+    let radius = largest_radius(&run.records);
+    if radius > 0.0 { run.radius_error / plan.profile.place(radius) } else { 0.0 }
 }
 
 /// d ln a/d ln x of the contact radius a over the place x of the edge in the bed, at the largest contact: one under a
@@ -124,7 +136,7 @@ fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run, count: usize) -> Erro
 /// bends that much more.
 fn steepness(plan: &RoundPlan, records: &[Record]) -> f64 {
     const STEP: f64 = 1e-3;
-    let radius = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
+    let radius = largest_radius(records);
     let inside = plan.profile.contact_radius(plan.profile.place(radius) * (1.0 - STEP));
     let steep = (1.0 - inside / radius) / STEP;
     if steep.is_finite() && steep > 1.0 + 1e-9 { steep } else { 1.0 }

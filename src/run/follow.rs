@@ -37,6 +37,8 @@ pub(super) struct Run {
     pub(super) carried: Option<Carried>,
     /// Largest error of the force at the ends of the stages [N].
     pub(super) force_error: f64,
+    /// Largest error of the contact radius at the records [m].
+    pub(super) radius_error: f64,
     /// Largest state at the ends of the stages.
     pub(super) effort: Effort,
 }
@@ -93,6 +95,7 @@ impl Run {
             notes: Vec::new(),
             carried: None,
             force_error: 0.0,
+            radius_error: 0.0,
             effort: Effort::default(),
         };
         run.record();
@@ -210,6 +213,7 @@ impl Run {
         let state = self.driver.state(self.contact.as_ref());
         let tangential = self.contact.tangential();
         self.push(state, tangential, self.time);
+        self.radius_error = self.radius_error.max(self.contact.effort().radius_error.unwrap_or(0.0));
         if self.wanted.fields && self.contact.memory().is_some() {
             self.look_at_force(state.force);
         }

@@ -9,7 +9,7 @@ use springbed::input::quantity::{
 use springbed::input::table::InMemory;
 use springbed::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
 use springbed::run::named::Named;
-use springbed::run::record::Outcome;
+use springbed::run::record::{Outcome, Record};
 use springbed::run::{self, Wanted};
 use springbed::scene::Scene;
 use springbed::scene::history::{Entry, Hold, Indent, Oscillate, Press, Retract};
@@ -339,7 +339,7 @@ fn the_surface_in_the_contact_is_the_indenter() {
         let outcome = with_fields(scene);
         assert!(outcome.fields.len() >= 2);
         for field in &outcome.fields {
-            let at_end = |record: &&run::record::Record| (record.time - field.time).abs() <= 0.0;
+            let at_end = |record: &&Record| (record.time - field.time).abs() <= 0.0;
             let record = outcome.records.iter().rev().find(at_end).unwrap();
             let d = record.normal.indentation.unwrap();
             for row in field.rows.iter().filter(|row| row.radius < field.contact_radius) {
@@ -362,4 +362,47 @@ fn two_viscoelastic_bodies() {
     same(&there, &back, 0.0);
     let half = rubber(0.125, &TERMS.map(|(modulus, time)| (0.5 * modulus, time)), 0.0);
     same(&run(scene((one.clone(), one), history())), &run(scene((half, Body::Rigid), history())), 1e-12);
+}
+
+/// A depth in straight pieces through `knots` [mm], one a second.
+fn zigzag(knots: &[f64]) -> Vec<Entry> {
+    knots.iter().map(|&to| indent(1e-3 * to, 1.0)).collect()
+}
+
+proptest! {
+    #![proptest_config(crate::laws::cases(24))]
+
+    /// The contact radius between springs is stated: the continuous bed, exact in time, goes through the same pieces,
+    /// sudden turns and slow ones as of a sine. At the records asked for: those at the very instant of a touch, in which
+    /// a contact lies within one spring, are not held to it.
+    #[test]
+    fn the_radius_between_springs_is_stated(
+        knots in prop::collection::vec(1i32..30, 3..7),
+        swing in 1i32..20,
+        count in 100usize..3000,
+        shares in prop::collection::vec(1i32..20, 3),
+        times in prop::collection::vec(-10i32..10, 2),
+    ) {
+        let share = |k: usize| 1e5 * f64::from(shares[k]);
+        let time = |k: usize| 10f64.powf(0.1 * f64::from(times[k]));
+        let bodies = (rubber(share(0), &[(share(1), time(0)), (share(2), 10.0 * time(1))], 0.0), Body::Rigid);
+        let sudden: Vec<f64> = knots.iter().map(|&knot| f64::from(knot)).collect();
+        let slow: Vec<f64> = (0..48).map(|k| 20.0 + f64::from(swing) * (2.0 * PI * f64::from(k) / 24.0).sin()).collect();
+        for path in [sudden, slow] {
+            let exact = run(scene(bodies.clone(), zigzag(&path)));
+            let springs = run(Scene { springs: NonZeroUsize::new(count), ..scene(bodies.clone(), zigzag(&path)) });
+            let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
+            let most = exact.records.iter().map(radius).fold(0.0, f64::max);
+            let stated = springs.error_estimate.relative;
+            let asked = |record: &&Record| {
+                record.time > 0.05 && (10.0 * record.time - (10.0 * record.time).round()).abs() < 1e-7
+            };
+            for record in springs.records.iter().filter(asked) {
+                let same = |other: &&Record| (other.time - record.time).abs() < 1e-9;
+                let Some(right) = exact.records.iter().rfind(same) else { continue };
+                let off = (radius(record) - radius(right)).abs() / most;
+                prop_assert!(off <= stated, "{off:e} {stated:e} at {} s of {path:?}", record.time);
+            }
+        }
+    }
 }

@@ -32,7 +32,7 @@ pub fn shown(command: Command) -> Command {
 pub fn misplaced(line: &ArgMatches, command: &Command) -> Option<String> {
     let (name, given) = line.subcommand()?;
     let is_given = |flag: &&str| given.value_source(flag) == Some(ValueSource::CommandLine);
-    let flag = ALL.into_iter().filter(|flag| !of_command(name).0.contains(flag)).find(|flag| is_given(&flag))?;
+    let flag = ALL.into_iter().filter(|flag| !of_command(name).0.contains(flag)).find(|flag| is_given(flag))?;
     let names = command.get_subcommands().map(Command::get_name);
     let others: Vec<&str> = names.filter(|name| of_command(name).0.contains(&flag)).collect();
     Some(format!("--{flag} means nothing to `springbed {name}`: it goes with {}", others.join(", ")))

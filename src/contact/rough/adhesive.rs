@@ -394,7 +394,7 @@ impl ContactModel for AdhesiveRough {
 
     fn effort(&self) -> Effort {
         let springs = self.ground.gaps.len();
-        Effort { springs, bytes: springs * 3 * size_of::<f64>(), force_error: None }
+        Effort { springs, bytes: springs * 3 * size_of::<f64>(), force_error: None, radius_error: None }
     }
 
     fn press(&mut self, pull: &Pull) -> Option<Result<Vec<Event>, ContactError>> {

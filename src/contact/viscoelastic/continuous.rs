@@ -123,7 +123,7 @@ impl ContactModel for ContinuousContact {
     }
 
     fn effort(&self) -> Effort {
-        Effort { springs: 0, bytes: self.bed.bytes(), force_error: Some(self.bed.force_error()) }
+        Effort { springs: 0, bytes: self.bed.bytes(), force_error: Some(self.bed.force_error()), radius_error: None }
     }
 
     fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {

@@ -153,7 +153,11 @@ impl Direct {
     /// Contact radius [m], between two springs.
     #[must_use]
     pub fn radius(&self) -> f64 {
-        self.layout.edge(self.pressed, |j| self.line_load(j))
+        let sign = |j: usize| match self.spring(j) {
+            Spring::Pressed(_) => self.line_load(j),
+            Spring::Free(free) => self.depth - self.layout.height[j] - self.spectrum.recovered(&free, 0.0),
+        };
+        self.layout.edge(self.pressed, sign).place
     }
 
     /// Number of springs pressed.

@@ -18,7 +18,7 @@
 
 use super::Spectrum;
 use super::continuous::in_time;
-use super::layout::Layout;
+use super::layout::{Edge, Layout};
 use super::lazy::Lazy;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::creep::Creep;
@@ -92,13 +92,18 @@ impl GrowingBed {
         Ok(())
     }
 
-    /// Contact radius [m]: between two springs, but where g is the largest depth so far at the farthest, and
+    /// Where the contact ends: between two springs, but where g is the largest depth so far at the farthest, and
     /// there if the bed is as deep as that.
-    fn radius(&self) -> f64 {
-        let (radius, depth) = (self.bed.radius(), self.bed.indentation());
-        let Some(reach) = self.profile.edge(self.deepest.max(depth)) else { return radius };
-        let grows = depth >= self.deepest;
-        if radius <= 0.0 || (!grows && radius <= reach) { radius } else { reach }
+    fn edge(&self) -> Edge {
+        let (edge, depth) = (self.bed.edge(), self.bed.indentation());
+        let Some(reach) = self.profile.edge(self.deepest.max(depth)) else { return edge };
+        if edge.place <= 0.0 {
+            edge
+        } else if depth >= self.deepest {
+            Edge { place: reach, doubt: 0.0 }
+        } else {
+            Edge { place: edge.place.min(reach), ..edge }
+        }
     }
 }
 
@@ -143,7 +148,7 @@ impl ContactModel for GrowingBed {
     }
 
     fn state(&self) -> Normal {
-        let (ledger, contact_radius) = (self.bed.ledger(), self.radius());
+        let (ledger, contact_radius) = (self.bed.ledger(), self.edge().place);
         Normal {
             indentation: Some(self.bed.indentation()),
             force: self.bed.force(),
@@ -191,7 +196,7 @@ impl ContactModel for GrowingBed {
     }
 
     fn effort(&self) -> Effort {
-        self.bed.effort()
+        Effort { radius_error: Some(self.edge().doubt), ..self.bed.effort() }
     }
 
     fn creep(&self) -> Option<Creep> {

@@ -87,18 +87,71 @@ impl Layout {
         self.place.is_empty()
     }
 
-    /// Contact radius [m]: where the load of the last springs, `loads(j)`, goes through zero.
+    /// Where the contact ends: the load of the last springs goes through zero between the last of the `pressed` springs
+    /// and the next one, and there the gap under the free ones ends. `signs(j)` is the load [N/m] of a pressed spring,
+    /// and of a free one the gap below the indenter [m], below zero.
     ///
-    /// Between the last of the `pressed` springs and the next one, to which it is limited.
-    pub fn edge(&self, pressed: usize, loads: impl Fn(usize) -> f64) -> f64 {
-        let Some(last) = pressed.checked_sub(1) else { return 0.0 };
-        let border = |j: usize| self.place[j] + 0.25 * self.weight[j];
-        let Some(inner) = last.checked_sub(1) else { return border(last) };
-        let (q, fall) = (loads(last), loads(inner) - loads(last));
-        let reach = q * (self.place[last] - self.place[inner]) / fall;
-        let limit = self.place.get(pressed).map_or(border(last), |&x| x) - self.place[last];
-        self.place[last] + if reach >= 0.0 { reach.min(limit) } else { 0.0 }
+    /// A contact that has just turned back has a load q(x) like √(a₀ − x) − c there, for the front came slower and
+    /// slower; x as a function of q is smooth all the same, as both are smooth in the time of touch. So x(q) is led on
+    /// to q = 0 by a polynomial through four springs, to h⁴. The doubt is what the third or the fourth of them changes,
+    /// and how far off the free springs tell the edge, for only those of one past go on smoothly; it never exceeds the
+    /// way to the next spring.
+    pub fn edge(&self, pressed: usize, signs: impl Fn(usize) -> f64) -> Edge {
+        let Some(last) = pressed.checked_sub(1) else {
+            // What touches within the first spring presses none.
+            let touches = self.height.first().is_some_and(|height| signs(0) + height > 0.0);
+            let within = self.place.first().filter(|_| touches);
+            return Edge { place: 0.0, doubt: within.map_or(0.0, |&first| first) };
+        };
+        let inner = self.place[last];
+        let outer = self.place.get(pressed).map_or(inner + 0.25 * self.weight[last], |&x| x);
+        let spring = |j: usize| (signs(j), self.place[j]);
+        let loads = rising((0..pressed).rev().map(spring));
+        let [.., _, _] = loads[..] else { return Edge { place: inner, doubt: outer - inner } };
+        let gaps = rising((pressed..self.len()).map(|j| (-signs(j), self.place[j])));
+        let place = led_to_zero(&loads).clamp(inner, outer);
+        let fewer = (2..loads.len()).map(|count| led_to_zero(&loads[..count]));
+        let from_outside = (gaps.len() > 1).then(|| led_to_zero(&gaps).clamp(inner, outer));
+        let doubt = fewer.chain(from_outside).map(|other| (place - other).abs()).fold(0.0, f64::max);
+        let few = loads.len() < NODES || from_outside.is_none();
+        Edge { place, doubt: if few { outer - inner } else { doubt.min(outer - inner) } }
     }
+}
+
+/// The springs nearest to an edge, as long as the value rises away from it.
+fn rising(springs: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+    let mut kept: Vec<(f64, f64)> = Vec::with_capacity(NODES);
+    for spring in springs.take(NODES) {
+        if kept.last().is_some_and(|before| before.0 >= spring.0) {
+            break;
+        }
+        kept.push(spring);
+    }
+    kept
+}
+
+/// Where a contact ends, as its springs tell.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Edge {
+    /// Its distance from the axis [m].
+    pub place: f64,
+    /// By how much that may be off [m].
+    pub doubt: f64,
+}
+
+/// Springs at the edge by whose loads it is found.
+const NODES: usize = 4;
+
+/// The polynomial x(q) through the points (q, x), at q = 0 (Neville).
+fn led_to_zero(points: &[(f64, f64)]) -> f64 {
+    let mut values: Vec<f64> = points.iter().map(|&(_, x)| x).collect();
+    for order in 1..points.len() {
+        for k in 0..points.len() - order {
+            let (near, far) = (points[k].0, points[k + order].0);
+            values[k] += near * (values[k] - values[k + 1]) / (far - near);
+        }
+    }
+    values.first().copied().unwrap_or(0.0)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "the number of springs is far below 2^53")]

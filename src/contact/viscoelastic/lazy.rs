@@ -26,7 +26,7 @@
 //! ```
 
 use super::Spectrum;
-use super::layout::Layout;
+use super::layout::{Edge, Layout};
 use super::ledger::{Ledger, impulse};
 use super::spring::{Free, Motion, Piece, Spring};
 use super::totals::Totals;
@@ -214,7 +214,7 @@ impl Lazy {
     /// Springs and bytes.
     #[must_use]
     pub fn effort(&self) -> Effort {
-        Effort { springs: self.layout.len(), bytes: self.bytes(), force_error: None }
+        Effort { springs: self.layout.len(), bytes: self.bytes(), force_error: None, radius_error: None }
     }
 
     /// The springs' material.
@@ -425,7 +425,15 @@ impl Lazy {
     /// Contact radius [m], between two springs.
     #[must_use]
     pub fn radius(&self) -> f64 {
-        self.layout.edge(self.now.pressed, |j| self.line_load(j))
+        self.edge().place
+    }
+
+    /// Where the contact ends.
+    pub(super) fn edge(&self) -> Edge {
+        self.layout.edge(self.now.pressed, |j| match self.spring(j) {
+            Spring::Pressed(_) => self.line_load(j),
+            Spring::Free(_) => self.now.depth - self.layout.height[j] - self.displacement(j),
+        })
     }
 
     /// Number of springs pressed.

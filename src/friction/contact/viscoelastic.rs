@@ -58,7 +58,7 @@ impl TangentialContact for ViscoelasticFriction {
     }
 
     fn effort(&self) -> Effort {
-        Effort { bytes: self.bed.bytes(), springs: self.bed.springs(), force_error: None }
+        Effort { bytes: self.bed.bytes(), springs: self.bed.springs(), force_error: None, radius_error: None }
     }
 }
 

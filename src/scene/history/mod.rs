@@ -239,12 +239,6 @@ impl EntryTraits<'_> {
         self.stages.iter().any(|stage| stage.control == Some(Control::Indentation))
     }
 
-    /// Whether depth or slide is a curve in time: under a prescribed force, and in a wave.
-    #[must_use]
-    pub fn is_curved(&self) -> bool {
-        self.stages.iter().any(Stage::is_curved)
-    }
-
     /// Whether it parts the bodies.
     #[must_use]
     pub fn parts(&self) -> bool {

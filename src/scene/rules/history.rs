@@ -73,20 +73,6 @@ pub(super) fn oblique_on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Op
     )
 }
 
-/// Friction of bodies that relax is exact where depth and slide are straight in time.
-pub(super) fn curve_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let friction = draft.friction(Look::Kind)?;
-    let (true, Slip::Local(_), true) = (draft.pair_relaxes()?, friction.slip(), entry.is_curved()) else { return None };
-    let name = if entry.table.is_some() { format!("{} with force_n", entry.name) } else { entry.name.to_owned() };
-    refused(
-        entry,
-        format!(
-            "{name} with {} friction of a Viscoelastic body cannot be computed, for depth or slide is a curve in time: expected Indent, Hold, Slide, Retract or a Table with indentation_m",
-            friction.name()
-        ),
-    )
-}
-
 pub(super) fn oblique_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     oblique(entry)?;
     draft.pair_relaxes()?.then_some(())?;

@@ -71,6 +71,7 @@ impl ContactModel for GlidingBed {
             springs: self.springs.len(),
             bytes: self.springs.len() * numbers * size_of::<f64>(),
             force_error: None,
+            radius_error: None,
         }
     }
 }
