@@ -107,7 +107,11 @@ impl Layout {
         let outer = self.place.get(pressed).map_or(inner + 0.25 * self.weight[last], |&x| x);
         let spring = |j: usize| (signs(j), self.place[j]);
         let loads = rising((0..pressed).rev().map(spring));
-        let [.., _, _] = loads[..] else { return Edge { place: inner, doubt: outer - inner } };
+        let [.., _, _] = loads[..] else {
+            // Under a wall all springs are pressed alike up to it.
+            let wall = pressed > 1 && pressed == self.len();
+            return if wall { Edge { place: outer, doubt: 0.0 } } else { Edge { place: inner, doubt: outer - inner } };
+        };
         let gaps = rising((pressed..self.len()).map(|j| (-signs(j), self.place[j])));
         let place = led_to_zero(&loads).clamp(inner, outer);
         let fewer = (2..loads.len()).map(|count| led_to_zero(&loads[..count]));
