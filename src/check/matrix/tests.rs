@@ -152,8 +152,8 @@ fn springs_under_a_lying_body_state_the_error_of_its_half_width() {
     let ((coarse, said), (fine, _)) = (run(1e-3), run(1e-6));
     let largest = fine.iter().copied().fold(0.0, f64::max);
     let off = coarse.iter().zip(&fine).map(|(one, two)| (one - two).abs() / largest).fold(0.0, f64::max);
-    // More than what is missed of the place itself, 1e-3, and less than is said.
-    assert!(coarse.len() == fine.len() && off > 1.1e-3 && off < said && said < 0.05, "{off:e} {said:e}");
+    // Seen at all, though the loads of four springs tell the place, and less than is said.
+    assert!(coarse.len() == fine.len() && off > 3e-4 && off < said && said < 0.05, "{off:e} {said:e}");
 }
 
 /// Laws that cells do not keep, each with its own numbers and with works of other orders.
