@@ -563,6 +563,18 @@ impl Driver {
         self.corrected(contact, contact.sheared())
     }
 
+    /// By what part of itself the contact radius may be off at present because a prescribed force is met to the accuracy
+    /// asked for only: F grows as a² at least where nothing attracts, so by half the part of the force that is missed, and
+    /// by all of it where the force is next to none.
+    #[must_use]
+    pub fn missed(&self, contact: &dyn ContactModel) -> f64 {
+        let Remainder::Force(force) = &self.stage.remainder else { return 0.0 };
+        let (told, state) = (force.prescribed(self.stage.now), contact.state());
+        let missed = (state.force - told).abs();
+        let is_met = self.parted || force.exact(self.stage.now).is_some() || missed <= 0.0;
+        if is_met || state.stored.surface < 0.0 { 0.0 } else { (0.5 * missed / told.abs()).min(1.0) }
+    }
+
     fn corrected(&self, contact: &dyn ContactModel, state: Normal) -> Normal {
         let state = Normal { dissipated: state.dissipated + self.lost, ..state };
         if self.parted {

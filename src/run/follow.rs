@@ -213,7 +213,9 @@ impl Run {
         let state = self.driver.state(self.contact.as_ref());
         let tangential = self.contact.tangential();
         self.push(state, tangential, self.time);
-        self.radius_error = self.radius_error.max(self.contact.effort().radius_error.unwrap_or(0.0));
+        let doubt = self.contact.effort().radius_error.unwrap_or(0.0);
+        let missed = self.driver.missed(self.contact.as_ref()) * state.contact_radius.unwrap_or(0.0);
+        self.radius_error = self.radius_error.max(doubt).max(missed);
         if self.wanted.fields && self.contact.memory().is_some() {
             self.look_at_force(state.force);
         }

@@ -96,7 +96,8 @@ pub(super) fn history(lead: Lead, slides: bool, scales: &Scales, turns: &[Turn])
         }
         Lead::Impact | Lead::Oblique => {
             let angle = if lead == Lead::Oblique { ", angle: \"30 deg\"" } else { "" };
-            let (mass, speed) = (1e-3 * scales.mass, 0.05 * scales.pace * scales.speed);
+            // A faster one presses a wave flat.
+            let (mass, speed) = (1e-3 * scales.mass, 0.05 * scales.pace.min(1.0) * scales.speed);
             vec![Leg::Whole(format!("Impact(mass: {mass:e}, speed: {speed:e}{angle})"))]
         }
         Lead::Glide => pressed(format!("Glide(speed: {:e})", 1e2 * scales.pace * depth / over)),
