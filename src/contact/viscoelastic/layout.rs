@@ -113,10 +113,17 @@ impl Layout {
             return if wall { Edge { place: outer, doubt: 0.0 } } else { Edge { place: inner, doubt: outer - inner } };
         };
         let gaps = rising((pressed..self.len()).map(|j| (-signs(j), self.place[j])));
-        let place = led_to_zero(&loads).clamp(inner, outer);
-        let fewer = (2..loads.len()).map(|count| led_to_zero(&loads[..count]));
         let from_outside = (gaps.len() > 1).then(|| led_to_zero(&gaps).clamp(inner, outer));
-        let doubt = fewer.chain(from_outside).map(|other| (place - other).abs()).fold(0.0, f64::max);
+        let led: Vec<f64> = (2..=loads.len()).map(|count| led_to_zero(&loads[..count])).collect();
+        // Springs of one past agree the better the more they are; beside a border of two pasts fewer are right.
+        let change = |k: usize| (led[k] - led[k - 1]).abs();
+        let best = (1..led.len()).rev().min_by(|&j, &k| change(j).total_cmp(&change(k))).unwrap_or(0);
+        let between = |place: f64| place.clamp(inner, outer);
+        let agree = best > 0 && change(best) < AGREE * (outer - inner);
+        let is_one_past = agree && led[best] > inner && led[best] < outer;
+        let place = between(if is_one_past { led[best] } else { led[0] });
+        let others = led.iter().map(|&other| between(other)).chain(from_outside);
+        let doubt = others.map(|other| (place - other).abs()).fold(0.0, f64::max);
         let few = loads.len() < NODES || from_outside.is_none();
         Edge { place, doubt: if few { outer - inner } else { doubt.min(outer - inner) } }
     }
@@ -143,6 +150,8 @@ pub struct Edge {
     pub doubt: f64,
 }
 
+/// Part of the way to the next spring to which springs of one past agree where the contact ends.
+const AGREE: f64 = 0.1;
 /// Springs at the edge by whose loads it is found.
 const NODES: usize = 4;
 
