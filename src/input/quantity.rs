@@ -283,10 +283,11 @@ impl<D: Dimension, R: Domain> Quantity<D, R> {
     /// # Errors
     /// The value is not finite or outside the range.
     pub fn new(si: f64) -> Result<Self, QuantityError> {
-        Self::checked(si, &shown(si, D::UNITS[0].0))
+        Self::checked(si, || shown(si, D::UNITS[0].0))
     }
 
-    fn checked(si: f64, given: &str) -> Result<Self, QuantityError> {
+    /// `given` is how a value that cannot be is named.
+    fn checked(si: f64, given: impl FnOnce() -> String) -> Result<Self, QuantityError> {
         if si.is_finite() && R::holds(si) {
             return Ok(Self(si, PhantomData));
         }
@@ -297,7 +298,7 @@ impl<D: Dimension, R: Domain> Quantity<D, R> {
         } else {
             "is out of range"
         };
-        Err(QuantityError(format!("{given} {fault}: expected {}, {}", D::NAME, R::RIGHT)))
+        Err(QuantityError(format!("{} {fault}: expected {}, {}", given(), D::NAME, R::RIGHT)))
     }
 }
 
@@ -358,7 +359,7 @@ impl<D: Dimension, R: Domain> FromStr for Quantity<D, R> {
             return Err(QuantityError(format!("\"{text}\" {fault}: expected {} in one of {}", D::NAME, known())));
         };
         let zero = D::ZEROS.iter().find(|zero| zero.0 == known_unit).map_or(0.0, |zero| zero.1);
-        Self::checked(value * up / down + zero, &format!("\"{text}\""))
+        Self::checked(value * up / down + zero, || format!("\"{text}\""))
     }
 }
 
