@@ -93,8 +93,8 @@ impl Layout {
     ///
     /// A contact that has just turned back has a load q(x) like √(a₀ − x) − c there, for the front came slower and
     /// slower; x as a function of q is smooth all the same, as both are smooth in the time of touch. So x(q) is led on
-    /// to q = 0 by a polynomial through four springs, to h⁴. The doubt is what the third or the fourth of them changes,
-    /// and how far off the free springs tell the edge, for only those of one past go on smoothly; it never exceeds the
+    /// to q = 0 by a polynomial through up to four springs, to h⁴, as many as agree with one fewer: beside a border of two
+    /// pasts two are left. The doubt is what another number of them changes, and how far off the free springs tell the edge, for only those of one past go on smoothly; it never exceeds the
     /// way to the next spring.
     pub fn edge(&self, pressed: usize, signs: impl Fn(usize) -> f64) -> Edge {
         let Some(last) = pressed.checked_sub(1) else {
