@@ -188,9 +188,14 @@ impl Sketch {
     /// Pixels of a half-space along a side, in the place of springs.
     #[must_use]
     pub fn pixels(self, grid: usize) -> Self {
+        self.half_space(HalfSpace { grid: NonZeroUsize::new(grid), ..HalfSpace::default() })
+    }
+
+    /// A half-space as described, in the place of springs.
+    #[must_use]
+    pub fn half_space(self, described: HalfSpace) -> Self {
         self.with(|scene| {
-            let grid = NonZeroUsize::new(grid);
-            scene.solver = Some(SolverChoice::HalfSpace(HalfSpace { grid, ..HalfSpace::default() }));
+            scene.solver = Some(SolverChoice::HalfSpace(described));
             Ok(())
         })
     }

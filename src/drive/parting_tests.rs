@@ -2,6 +2,7 @@
 
 use super::course::{Course, Extent, Path};
 use super::*;
+use crate::contact::error::BedError;
 use crate::contact::viscoelastic::attraction::Attraction;
 use crate::contact::viscoelastic::continuous::ContinuousContact;
 use crate::contact::viscoelastic::memory::Memory;

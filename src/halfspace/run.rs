@@ -134,10 +134,7 @@ impl Task<'_> {
             self.whole.unwrap_or_else(|| made.get_or_init(|| Operators::new(grid, grid.size, self.law, self.beneath)))
         };
         loop {
-            let small = (window != grid.whole()).then(|| match self.kept {
-                Some(kept) => Operators::free(window.size, Influence::Kept(kept)),
-                None => Operators::new(grid, window.size, self.law, self.beneath),
-            });
+            let small = self.of_window(window);
             let operators = match &small {
                 Some(small) => small,
                 None => whole(),
@@ -165,6 +162,14 @@ impl Task<'_> {
                 |index: usize| pressure[index] > 0.0 || displacement[index] + grid.heights[index] < outcome.approach;
             window = if self.law.is_periodic() { window } else { grid.window(MARGIN, overlap).unwrap_or(window) };
         }
+    }
+
+    /// The operators of a part of the finest grid; none of the whole, whose own are kept.
+    fn of_window(&self, window: Window) -> Option<Operators> {
+        (window != self.grid.whole()).then(|| match self.kept {
+            Some(kept) => Operators::free(window.size, Influence::Kept(kept)),
+            None => Operators::new(&self.grid, window.size, self.law, self.beneath),
+        })
     }
 
     /// Largest gap in contact or overlap out of it, relative to the largest displacement in contact.

@@ -21,42 +21,60 @@ pub(super) fn under_force(
         let wanted = "less than the hardness times the area of the window";
         return Err(HalfSpaceError::Parameter { name: "force", value: force, wanted });
     }
-    let mut last = elastic;
-    let at = |depth: f64, last: &mut Solution| -> Result<f64, HalfSpaceError> {
-        let control = Prescribed::Indentation(depth);
-        *last = solved(
-            &PressedMap { control, ..*problem },
-            Start::Pressure(last.pressure.view()),
-            (settings, Some(response)),
-        )?;
-        Ok(last.force() / force - 1.0)
-    };
-    let low = last.indentation;
+    let low = elastic.indentation;
     let lowest = problem.heights.iter().copied().fold(f64::INFINITY, f64::min);
-    let (mut beneath, mut step) = (low, 0.25 * (low - lowest).max(f64::MIN_POSITIVE));
-    let mut high = low + step;
-    for _ in 0..DOUBLINGS {
-        if at(high, &mut last)? >= 0.0 {
-            break;
-        }
-        beneath = high;
-        step *= 2.0;
-        high += step;
-    }
+    let mut pressed = Pressed {
+        last: elastic,
+        at: |depth, start: &Solution| {
+            let mut deep = *problem;
+            deep.control = Prescribed::Indentation(depth);
+            solved(&deep, Start::Pressure(start.pressure.view()), (settings, Some(response)))
+        },
+        force,
+    };
+    let bracket = pressed.bracket(low, 0.25 * (low - lowest).max(f64::MIN_POSITIVE))?;
     let mut failed = None;
     let depth = root::within(
-        |depth| match at(depth, &mut last) {
-            Ok(misfit) => misfit,
-            Err(error) => {
+        |depth| {
+            pressed.misfit(depth).unwrap_or_else(|error| {
                 failed.get_or_insert(error);
                 0.0
-            }
+            })
         },
-        beneath,
-        high,
+        bracket[0],
+        bracket[1],
     );
     match failed {
         Some(error) => Err(error),
-        None => at(depth, &mut last).map(|_| last),
+        None => pressed.misfit(depth).map(|_| pressed.last),
+    }
+}
+
+/// The surface at depths that are tried one after another: each starts from the pressures of the one before.
+struct Pressed<At> {
+    at: At,
+    force: f64,
+    last: Solution,
+}
+
+impl<At: Fn(f64, &Solution) -> Result<Solution, HalfSpaceError>> Pressed<At> {
+    /// What the force at a depth \[m\] is too large by, relative.
+    fn misfit(&mut self, depth: f64) -> Result<f64, HalfSpaceError> {
+        self.last = (self.at)(depth, &self.last)?;
+        Ok(self.last.force() / self.force - 1.0)
+    }
+
+    /// Two depths \[m\] with the wanted one between them, from one that is too shallow on.
+    fn bracket(&mut self, low: f64, step: f64) -> Result<[f64; 2], HalfSpaceError> {
+        let (mut beneath, mut step, mut high) = (low, step, low + step);
+        for _ in 0..DOUBLINGS {
+            if self.misfit(high)? >= 0.0 {
+                break;
+            }
+            beneath = high;
+            step *= 2.0;
+            high += step;
+        }
+        Ok([beneath, high])
     }
 }

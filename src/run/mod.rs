@@ -62,6 +62,7 @@ use crate::scene::parts::Parts;
 use crate::scene::plan::{Plan, RoundPlan};
 use curves::sliding;
 use follow::{Run, follow};
+use named::Named;
 use results::Pressures;
 use rolling::Rolled;
 use stresses::Carried;
@@ -244,13 +245,10 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     let rolled = rolling::steady(plan, &run.records)?;
     let pressures = Pressures { fields: &run.fields, on_axis: run.pressure_at_largest_force() };
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
-    results.extend(results::of_friction(plan, &run.records));
-    results.extend(viscoelastic::results(plan, &run));
-    results.extend(plastic::results(plan, &run.records));
-    results.extend(unloading::results(plan, &run.records));
-    results.extend(wave::results(plan, &run.records));
+    results.extend(own_results(plan, &run));
     results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
     results.extend(rolled.iter().flat_map(Rolled::results));
+    let warnings = own_warnings(plan, &run).chain(rolled.iter().filter_map(Rolled::remark)).collect();
     let estimate = gliding::at_least(error::estimate(plan, &run), &glides, gliding::OF_CHORDS);
     let outcome = Outcome {
         map: None,
@@ -267,21 +265,25 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
             .chain(rolled.iter().flat_map(Rolled::tables))
             .collect(),
         results,
-        warnings: run
-            .notes
-            .iter()
-            .cloned()
-            .chain(viscoelastic::remark(&run))
-            .chain(sliding::short_slides(plan, &run.records))
-            .chain(wave::remark(plan, &run.records))
-            .chain(unloading::remark(plan, &run.records))
-            .chain(gliding::remark(plan))
-            .chain(rolled.iter().filter_map(Rolled::remark))
-            .collect(),
+        warnings,
         records: run.records,
         fields: run.fields,
     };
     Ok(Solved { outcome, carried: run.carried })
+}
+
+/// What the parts of a round contact say of its records.
+fn own_results(plan: &RoundPlan, run: &Run) -> impl Iterator<Item = Named> {
+    let of_past = viscoelastic::results(plan, run).into_iter().chain(plastic::results(plan, &run.records));
+    let of_shape = unloading::results(plan, &run.records).into_iter().chain(wave::results(plan, &run.records));
+    results::of_friction(plan, &run.records).into_iter().chain(of_past).chain(of_shape)
+}
+
+/// What a reader of its records should know.
+fn own_warnings(plan: &RoundPlan, run: &Run) -> impl Iterator<Item = String> {
+    let of_past = run.notes.iter().cloned().chain(viscoelastic::remark(run));
+    let of_shape = wave::remark(plan, &run.records).into_iter().chain(unloading::remark(plan, &run.records));
+    of_past.chain(sliding::short_slides(plan, &run.records)).chain(of_shape).chain(gliding::remark(plan))
 }
 
 /// Where the far end of a spring of the stiffness `stiffness` [N/m] is that carries a contact [m], and its energy [J].

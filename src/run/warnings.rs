@@ -307,7 +307,7 @@ pub(super) fn dissimilar(plan: &Shared) -> Option<String> {
     let beta = plan.pair.coupling;
     (beta.abs() > 1e-9).then(|| {
         format!(
-            "the pair breaks elastic similarity (Dundurs' β = {beta:.3}): normal and tangential contact are treated as independent, expect errors of this order in friction"
+            "the pair breaks elastic similarity (Dundurs' β = {beta:.3}): normal and tangential contact are treated as independent, expect errors of this order in friction; solver: HalfSpace(tractions: Coupled) finds both together under Coulomb(…)"
         )
     })
 }

@@ -106,6 +106,22 @@ impl Shared {
     pub fn is_curved(&self) -> bool {
         self.stages.iter().any(Stage::is_curved)
     }
+
+    /// How often a depth that is prescribed in straight pieces turns back.
+    #[must_use]
+    pub fn turns(&self) -> usize {
+        let depths = self.stages.iter().filter_map(|stage| match stage.normal {
+            Path::To(depth) => Some(depth),
+            Path::Stay | Path::Steady { .. } | Path::Wave(_) | Path::UntilParted { .. } => None,
+        });
+        let (mut before, mut way, mut turns) = (0.0, 0.0, 0);
+        for depth in depths {
+            let step: f64 = depth - before;
+            turns += usize::from(step * way < 0.0);
+            (before, way) = (depth, if step.abs() > 0.0 { step.signum() } else { way });
+        }
+        turns
+    }
 }
 
 /// A round contact led through a history.

@@ -320,11 +320,14 @@ fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
     }
 }
 
+/// Turns of the depth from which on springs cost less than the strips of the continuous bed, the square of which is paid.
+const MANY_TURNS: usize = 128;
+
 /// The continuous bed, unless springs are asked for or the depth goes in very many pieces without adhesion.
 fn viscoelastic(shared: &Shared, relaxation: Arc<Relaxation>, asked: Option<NonZeroUsize>) -> ContactLaw {
     let edge = held_edge(shared.scene.adhesion.as_ref());
-    let needed = (edge.is_none() && (shared.is_curved() || shared.scene.machine.is_some()))
-        .then(|| SpringCount::of_accuracy(shared.accuracy()));
+    let takes_many = shared.is_curved() || shared.scene.machine.is_some() || shared.turns() > MANY_TURNS;
+    let needed = (edge.is_none() && takes_many).then(|| SpringCount::of_accuracy(shared.accuracy()));
     match asked.map(SpringCount::Asked).or(needed) {
         Some(count) => ContactLaw::ViscoelasticSprings { relaxation, count },
         None => ContactLaw::Continuous { relaxation, edge },

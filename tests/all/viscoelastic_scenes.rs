@@ -2,12 +2,13 @@
 
 use proptest::prelude::*;
 use springbed::contact::adhesion::{Adhesion, EdgeRule, Jkr, Rate};
+use springbed::contact::viscoelastic::memory::Memory;
 use springbed::input::quantity::{
     Accuracy, Amplitude, Displacement, Duration, Force, Frequency, Length, Modulus, Poisson, Positive, Speed, Stress,
     Viscosity, WorkOfAdhesion,
 };
 use springbed::input::table::InMemory;
-use springbed::material::{Body, Elastic, Shear, Term, Terms, Viscoelastic};
+use springbed::material::{Body, Elastic, Relaxation, Shear, Spectrum, Term, Terms, Viscoelastic};
 use springbed::run::named::Named;
 use springbed::run::record::{Outcome, Record};
 use springbed::run::{self, Wanted};
@@ -16,6 +17,7 @@ use springbed::scene::history::{Entry, Hold, Indent, Oscillate, Press, Retract};
 use springbed::shape::{Cone, Paraboloid, Shape};
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 
 /// G∞ and pairs (Gᵢ, τᵢ) [Pa, s] of an incompressible body: E* = 4G.
 fn rubber(equilibrium: f64, terms: &[(f64, f64)], viscosity: f64) -> Body {
@@ -265,6 +267,43 @@ fn by_table(bodies: (Body, Body), times: &[f64], depths: &[f64]) -> Outcome {
     let tables = InMemory::default().with("h.csv", &[("time_s", times), ("indentation_m", depths)]);
     let scene = scene(bodies, vec![Entry::Table("h.csv".into())]);
     run::run(&scene.resolve(&tables).unwrap(), Wanted { fields: true, ..Wanted::NOTHING }).unwrap()
+}
+
+/// A depth that turns hundreds of times takes springs, which are what the continuous bed is, within what they state; one
+/// that goes to and fro a few times, or hundreds of rows that only rise, take none.
+#[test]
+fn rows_that_turn_often_take_springs() {
+    let terms = [(5e5, 0.1), (2e5, 3.0)];
+    let relaxation = Relaxation {
+        equilibrium: 4.0 * 3e5,
+        terms: terms.iter().map(|&(g, time)| (4.0 * g, time)).collect(),
+        viscosity: 0.0,
+    };
+    let rows: Vec<f64> = (0..=300).map(f64::from).collect();
+    let times: Vec<f64> = rows.iter().map(|k| 0.03 * k).collect();
+    let depths: Vec<f64> =
+        rows.iter().map(|k| if *k > 0.0 { 1e-3 + 3e-6 * k + 2e-4 * (37.0 * k * k).sin() } else { 0.0 }).collect();
+    let bodies = (rubber(3e5, &terms, 0.0), Body::Rigid);
+    let by_springs = by_table(bodies.clone(), &times, &depths);
+    assert!(by_springs.plan.springs > 0, "{:?}", by_springs.plan);
+    let ball = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
+    let mut bed = Memory::new(Arc::new(Spectrum::new(&relaxation)), ball);
+    let (stated, asked) = (by_springs.error_estimate.relative, by_springs.records.iter());
+    let largest = by_springs.records.iter().fold(0.0, |most: f64, record| most.max(record.normal.force));
+    let mut met = 0;
+    for record in asked.filter(|record| times.iter().skip(1).any(|time| (time - record.time).abs() < 1e-12)) {
+        let row = met + 1;
+        if (times[row] - record.time).abs() > 1e-12 {
+            continue;
+        }
+        bed.reach(depths[row], 0.03).unwrap();
+        met = row;
+        let off = (record.normal.force - bed.force()).abs() / largest;
+        assert!(off <= stated, "row {row}: {off:e} {stated:e}");
+    }
+    assert_eq!(met, 300);
+    let risen: Vec<f64> = rows.iter().map(|k| 1e-5 * k).collect();
+    assert_eq!(by_table(bodies, &times, &risen).plan.springs, 0);
 }
 
 /// A load that is there at once is one that grows in next to no time, and nothing is lost where the contact only grows.

@@ -81,14 +81,9 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
     for (name, value) in moduli(plan) {
         line(name, &with_prefix(value, "Pa"));
     }
-    if let Some(held) = plan.held_edge() {
-        line("edge", &held.edge.in_words());
-    }
-    if let Some(words) = attraction(plan) {
-        line("attraction", &words);
-    }
-    if let Some(words) = power_law(plan) {
-        line("power law", &words);
+    let edge = plan.held_edge().map(|held| held.edge.in_words());
+    for (name, words) in [("edge", edge), ("attraction", attraction(plan)), ("power law", power_law(plan))] {
+        words.iter().for_each(|words| line(name, words));
     }
     let parts = &outcome.plan;
     line("solver", &format!("{}: {}", parts.solver, parts.reason));
@@ -99,15 +94,9 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
     line("accuracy asked", &format!("{:e}", plan.accuracy()));
     let estimate = &outcome.error_estimate;
     line("error expected", &format!("{:.0e} ({})", estimate.relative, estimate.basis));
-    if let Some(words) = steady_sliding(plan, outcome) {
-        line("steady sliding", &words);
-    }
-    for words in one_piece::in_words(plan, outcome) {
-        line("connectivity", &words);
-    }
-    for words in theories(plan, outcome) {
-        line("theory", &words);
-    }
+    steady_sliding(plan, outcome).iter().for_each(|words| line("steady sliding", words));
+    one_piece::in_words(plan, outcome).iter().for_each(|words| line("connectivity", words));
+    theories(plan, outcome).iter().for_each(|words| line("theory", words));
     if outcome.warnings.is_empty() {
         line("warnings", "none");
     }

@@ -48,6 +48,8 @@ starters!(
     "ensemble",
     "height-map",
     "half-space",
+    "coupled",
+    "fading",
     "westergaard",
     "seal",
 );

@@ -5,13 +5,31 @@ use crate::check::sketch::{Sketch, ball, elastic, si};
 use crate::contact::elliptic::EllipticHertz;
 use crate::contact::state::Tangential;
 use crate::run::record::Record;
-use crate::shape::{Ellipsoid, Shape};
+use crate::scene::solver::{HalfSpace, Tractions};
+use crate::shape::{Ellipsoid, FlatPunch, Shape};
 use std::f64::consts::PI;
+use std::num::NonZeroUsize;
 
 pub(super) const CASES: &[Case] = &[
     Case::new("half-space/Cattaneo and Mindlin on 128²", Proof::Order, 1.0, "slid, let go and slid back: a turning point is two depths of which a force misses at most (Δ/a)²/8: 1.5 times that of the largest, stored and lost energy four times as much; printed as the part of the bound used").weak("one ball and history").by(cattaneo),
     Case::new("half-space/stick and slip under an ellipse", Proof::Order, 1.0, "Hertz' ellipse along both axes, T = μF(1 − (1 − u/u_s)^{3/2}) with Mindlin's compliances; to ((Δ/b)² + Δ/50b) of μF, for ⟨cos²φ⟩ feels the edge; printed as the part of the bound used").weak("radii 1 to 0.25 and one grid").by(slid_ellipse),
+    Case::new("half-space/a punch that sticks while it is pressed", Proof::Other, 5e-3, "F = 2aE*d ln(3 − 4ν)/(1 − 2ν), ν = 0 (Mossakovskii 1963), with the a of the pixels: half of what its edge misses on 20² (Spence 1968 has slip at the edge alone)").weak("one ν and grid").by(stuck_punch),
 ];
+
+/// A punch on a body of ν = 0, pressures and shear found together, μ = 5.
+fn stuck_punch() -> Attempt<Pairs> {
+    let solver = HalfSpace {
+        grid: NonZeroUsize::new(40),
+        window: Some(si(2.5)?),
+        tractions: Some(Tractions::Coupled),
+        ..HalfSpace::default()
+    };
+    let scene = Sketch::of(Ok(Shape::FlatPunch(FlatPunch { radius: si(1.0)? }))).body(elastic(1.0, 0.0));
+    let pressed = scene.coulomb(5.0).steps(2).half_space(solver).indent(0.01, 1.0).run()?;
+    let state = pressed.records.last().map(|record| record.normal).ok_or("no record")?;
+    let a = state.contact_radius.ok_or("no contact")?;
+    Ok(vec![(state.force / (2.0 * a * 0.01), 3.0_f64.ln())])
+}
 
 /// A ball, R = E* = 1, a = 0.1, pressed and slid to and fro, beside the bed.
 fn cattaneo() -> Attempt<Pairs> {

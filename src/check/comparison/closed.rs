@@ -80,20 +80,9 @@ fn axisymmetric(shape: &Shape, d: f64) -> Attempt<Option<ClosedForm>> {
     };
     match shape {
         Shape::Paraboloid(s) => Ok(Some(closed_forms::hertz(s.radius.si(), d))),
-        Shape::Sphere(s) => {
-            let of = |t: f64| closed_forms::sphere(s.radius.si(), t);
-            // t tanh t = d/R, between √(d/R) and d/R + √(d/R).
-            let low = (d / s.radius.si()).sqrt();
-            let rapidity = root::brent(|t| of(t).indentation - d, 0.5 * low, low + low * low)?;
-            Ok(Some(ClosedForm { indentation: d, ..of(rapidity) }))
-        }
+        Shape::Sphere(s) => sphere(s.radius.si(), d).map(Some),
         Shape::Cone(s) => Ok(Some(closed_forms::cone(s.slope.si(), d))),
-        Shape::Power(s) => {
-            let (coefficient, exponent) = (s.coefficient.si(), s.exponent.si());
-            let unit = closed_forms::power(coefficient, exponent, 1.0).indentation;
-            let contact = closed_forms::power(coefficient, exponent, (d / unit).powf(1.0 / exponent));
-            Ok(Some(ClosedForm { indentation: d, ..contact }))
-        }
+        Shape::Power(s) => Ok(Some(power(s.coefficient.si(), s.exponent.si(), d))),
         Shape::FlatPunch(s) => Ok(Some(closed_forms::flat_punch(s.radius.si(), d))),
         Shape::TruncatedCone(s) => {
             at_angle(&|angle| closed_forms::truncated_cone(s.flat_radius.si(), s.slope.si(), angle))
@@ -125,6 +114,21 @@ fn axisymmetric(shape: &Shape, d: f64) -> Attempt<Option<ClosedForm>> {
         | Shape::PlaneWavy(_)
         | Shape::Pad(_) => Ok(None),
     }
+}
+
+/// The rapidity t of a sphere: t tanh t = d/R, between √(d/R) and d/R + √(d/R).
+fn sphere(radius: f64, d: f64) -> Attempt<ClosedForm> {
+    let of = |t: f64| closed_forms::sphere(radius, t);
+    let low = (d / radius).sqrt();
+    let rapidity = root::brent(|t| of(t).indentation - d, 0.5 * low, low + low * low)?;
+    Ok(ClosedForm { indentation: d, ..of(rapidity) })
+}
+
+/// d grows as aⁿ.
+fn power(coefficient: f64, exponent: f64, d: f64) -> ClosedForm {
+    let unit = closed_forms::power(coefficient, exponent, 1.0).indentation;
+    let contact = closed_forms::power(coefficient, exponent, (d / unit).powf(1.0 / exponent));
+    ClosedForm { indentation: d, ..contact }
 }
 
 /// DMT ball at an indentation: Hertz's contact less 2πwR.

@@ -13,7 +13,7 @@ use crate::run::record::Record;
 use crate::run::{self, SimulationError, Wanted};
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{Plan, SceneSettings};
-use crate::scene::solver::{HalfSpace, SolverChoice};
+use crate::scene::solver::{HalfSpace, SolverChoice, Tractions};
 use crate::shape::Shape;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -33,6 +33,13 @@ struct Scenario {
     depth: Option<f64>,
     /// Where that state has its largest pressure [m]; `None` where it is singular or not known.
     peak_at: Option<f64>,
+}
+
+/// Largest differences of forces, of the largest of their kind, and the largest tangential force [N].
+struct Apart {
+    normal: f64,
+    tangential: f64,
+    largest: f64,
 }
 
 pub(super) fn contest(plan: Plan, most: &Record) -> Contest {
@@ -83,11 +90,10 @@ impl Scenario {
     fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
         if self.is_followed() {
-            notes.extend(self.on_pixels(super::PAST_GRIDS[0]).err().map(|why| format!("half-space: {why}")));
+            notes.extend(self.on_pixels(super::PAST_GRIDS[0], None).err().map(|why| format!("half-space: {why}")));
         }
         if self.plan.has_friction() {
-            notes.push("friction: rows compare the normal contact, which friction does not change here".to_owned());
-            notes.push(self.slid_on_pixels().unwrap_or_else(|why| format!("friction on the half-space: {why}")));
+            notes.extend(self.of_friction());
         }
         notes.extend(super::WITHOUT.map(str::to_owned));
         if self.depth.is_none() {
@@ -99,24 +105,46 @@ impl Scenario {
         notes
     }
 
-    /// How far the tangential forces of the history are from those of pixels that follow it.
-    fn slid_on_pixels(&self) -> Attempt<String> {
-        let grid = super::PAST_GRIDS[super::PAST_GRIDS.len() - 1];
-        let pixels = run::run(&self.on_pixels(grid)?, Wanted::NOTHING)?;
+    /// What friction is on pixels, and what it does to the normal contact where both are found together.
+    fn of_friction(&self) -> Vec<String> {
+        let why = |why| format!("friction on the half-space: {why}");
+        let similar = self.plan.pair.coupling.abs() <= 1e-9;
+        let left = if similar { "which friction does not change here" } else { "as it is without friction" };
+        let apart =
+            |tractions, grid| Ok::<_, Box<dyn std::error::Error + Send + Sync>>((grid, self.apart(tractions, grid)?));
+        let alone = apart(Tractions::Independent, super::PAST_GRIDS[2]).map(|(grid, Apart { tangential, largest, .. })| {
+            format!(
+                "friction on the half-space: followed through the history on {grid}² pixels, tangential forces are at most {tangential:.1e} of the largest, {largest:.4e} N, from those of the direct path"
+            )
+        });
+        let together = (!similar).then(|| {
+            apart(Tractions::Coupled, super::PAST_GRIDS[1]).map(|(grid, Apart { normal, tangential, .. })| {
+                format!(
+                    "pressures and shear found together on {grid}² pixels (β = {:.3}): normal forces are at most {normal:.1e}, tangential ones {tangential:.1e} of the largest from those of the direct path, which takes them for independent",
+                    self.plan.pair.coupling
+                )
+            })
+        });
+        let told = [Some(alone), together].into_iter().flatten().map(|told| told.unwrap_or_else(why));
+        std::iter::once(format!("friction: rows compare the normal contact, {left}")).chain(told).collect()
+    }
+
+    /// How far the forces of the history are from those of pixels that follow it.
+    fn apart(&self, tractions: Tractions, grid: usize) -> Attempt<Apart> {
+        let pixels = run::run(&self.on_pixels(grid, Some(tractions))?, Wanted::NOTHING)?;
         let own = run::run(&self.plan, Wanted::NOTHING)?;
-        let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
+        let (mut off, mut most) = ([0.0_f64; 2], [f64::MIN_POSITIVE; 2]);
         for record in &pixels.records {
             let same = own.records.iter().find(|own| (own.entry, own.time) == (record.entry, record.time));
-            let Some((one, other)) = same.and_then(Record::tangential_force).zip(record.tangential_force()) else {
-                continue;
-            };
-            apart = apart.max((one - other).abs());
-            largest = largest.max(one.abs()).max(other.abs());
+            let forces = |record: &Record| Some([record.normal.force, record.tangential_force()?]);
+            let Some((one, other)) = same.and_then(forces).zip(forces(record)) else { continue };
+            for k in 0..2 {
+                off[k] = off[k].max((one[k] - other[k]).abs());
+                most[k] = most[k].max(one[k].abs()).max(other[k].abs());
+            }
         }
-        let part = if largest > 0.0 { apart / largest } else { 0.0 };
-        Ok(format!(
-            "friction on the half-space: followed through the history on {grid}² pixels, tangential forces are at most {part:.1e} of the largest, {largest:.4e} N, from those of the direct path"
-        ))
+        let [normal, tangential] = [off[0] / most[0], off[1] / most[1]];
+        Ok(Apart { normal, tangential, largest: most[1] })
     }
 
     fn direct(&self) -> Attempt<Computed> {
@@ -173,19 +201,19 @@ impl Scenario {
     }
 
     /// The scene on the pixels of the half-space.
-    fn on_pixels(&self, grid: usize) -> Result<Plan, SimulationError> {
-        let asked = HalfSpace { grid: NonZeroUsize::new(grid), ..HalfSpace::default() };
+    fn on_pixels(&self, grid: usize, tractions: Option<Tractions>) -> Result<Plan, SimulationError> {
+        let asked = HalfSpace { grid: NonZeroUsize::new(grid), tractions, ..HalfSpace::default() };
         let solver = Some(SolverChoice::HalfSpace(asked));
         Ok(self.plan.with(SceneSettings { springs: None, solver, ..self.plan.settings() })?)
     }
 
     /// The history on the half-space, where pixels must follow it and can.
     fn histories(self: &Arc<Self>) -> Vec<Method> {
-        if !self.is_followed() || self.on_pixels(super::PAST_GRIDS[0]).is_err() {
+        if !self.is_followed() || self.on_pixels(super::PAST_GRIDS[0], None).is_err() {
             return Vec::new();
         }
         let history = |own: &Self, grid| {
-            let plan = own.on_pixels(grid)?;
+            let plan = own.on_pixels(grid, None)?;
             Ok(Computed { found: most_pressed(&plan)?, bytes: plan.parts().state_bytes, ..Computed::default() })
         };
         super::PAST_GRIDS

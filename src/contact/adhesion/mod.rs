@@ -12,6 +12,7 @@
 //! ```
 
 pub mod dmt;
+pub(super) mod elastic;
 pub mod equilibrium;
 pub mod line;
 pub mod neck;

@@ -26,12 +26,12 @@
 //! ```
 
 use super::Spectrum;
+use super::alike::Alike;
 use super::layout::{Edge, Layout};
-use super::ledger::{Ledger, impulse};
+use super::ledger::Ledger;
 use super::spring::{Free, Motion, Piece, Spring};
 use super::totals::Totals;
 use crate::contact::model::{Effort, Straight};
-use crate::numerics::exponential::decay;
 use crate::shape::Profile;
 use std::sync::Arc;
 
@@ -290,16 +290,13 @@ impl Lazy {
     fn evolve(&mut self, motion: &Motion) {
         let Self { spectrum, now, prefix, .. } = self;
         let [weight, first, _] = prefix.0[now.pressed];
-        let mut sum = 0.0;
-        for ((term, h), s) in spectrum.terms().iter().zip(&mut now.memory).zip(&now.totals.loads) {
-            let (keep, lost) = decay(motion.duration / term.time);
-            *h = keep * *h + term.modulus * motion.speed * term.time * lost;
-            sum += impulse(term, *s, motion.speed * weight, motion.duration);
-        }
+        let alike = Alike::new(spectrum, motion.speed, motion.duration);
+        let sum = alike.impulse(&now.totals.loads, weight);
+        alike.press(&mut now.memory);
         let mean = weight * (motion.start + 0.5 * motion.speed * motion.duration) - first;
         let steady = spectrum.equilibrium() * mean + spectrum.viscosity() * motion.speed * weight;
         now.impulse = sum + motion.duration * steady;
-        now.totals.evolve(spectrum, (weight, motion.speed), motion.duration);
+        now.totals.evolve(&alike, weight);
         now.instant = now.instant.after(motion.duration);
         (now.depth, now.speed) = (motion.end(), motion.speed);
     }

@@ -6,10 +6,9 @@
 //! tells, and a sum over the panel is the sum over its nodes.
 
 use super::Spectrum;
-use super::ledger::impulse;
-use super::spring::{Free, Motion, Spring};
+use super::alike::Alike;
+use super::spring::{Free, Spring};
 use super::totals::Totals;
-use crate::numerics::exponential::decay;
 use crate::numerics::quadrature;
 use std::sync::{Arc, LazyLock};
 
@@ -73,8 +72,6 @@ pub(super) struct Panel {
     pub held: bool,
     /// Node by node: element loads [N/m] of springs held; modes and rest [m] of free ones.
     states: Arc<[f64]>,
-    /// Time since then [s].
-    age: f64,
     /// Element loads [N/m] from the motion since then, alike for all springs held.
     memory: Vec<f64>,
     /// What is left of the states since then.
@@ -174,7 +171,6 @@ impl PanelDraft {
             inner: self.inner,
             outer: self.outer,
             held,
-            age: 0.0,
             memory: vec![0.0; dim],
             kept: vec![1.0; dim],
             totals,
@@ -195,30 +191,23 @@ fn impulse_and_tail(springs: &[Lived]) -> [f64; 2] {
 
 /// What the nodes have of the polynomial at −1 ≤ y ≤ 1.
 fn shares(y: f64) -> [f64; NODES] {
-    let away = RULE.nodes.map(|node| y - node);
-    if let Some(at) = away.iter().position(|away| away.abs() <= 0.0) {
-        return std::array::from_fn(|k| if k == at { 1.0 } else { 0.0 });
-    }
-    let weights: [f64; NODES] = std::array::from_fn(|k| RULE.barycentric[k] / away[k]);
+    let rule = &*RULE;
+    let weights: [f64; NODES] = std::array::from_fn(|k| rule.barycentric[k] / (y - rule.nodes[k]));
     let all = weights.iter().sum::<f64>();
-    weights.map(|weight| weight / all)
+    if all.is_finite() {
+        return weights.map(|weight| weight / all);
+    }
+    // At a node itself.
+    weights.map(|weight| if weight.is_finite() { 0.0 } else { 1.0 })
 }
 
 /// The states between the nodes, at −1 ≤ y ≤ 1.
 fn interpolated(states: &[f64], y: f64) -> Vec<f64> {
     let dim = states.len() / NODES;
-    let (mut sum, mut below) = (vec![0.0; dim], 0.0);
-    for (k, node) in RULE.nodes.iter().enumerate() {
-        let row = &states[k * dim..(k + 1) * dim];
-        let away = y - node;
-        if away.abs() <= 0.0 {
-            return row.to_vec();
-        }
-        let weight = RULE.barycentric[k] / away;
-        below += weight;
-        sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
+    let mut sum = vec![0.0; dim];
+    for (share, row) in shares(y).into_iter().zip(states.chunks_exact(dim.max(1))) {
+        sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += share * value);
     }
-    sum.iter_mut().for_each(|sum| *sum /= below);
     sum
 }
 
@@ -288,7 +277,7 @@ impl Panel {
     pub(super) fn unknown(spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let (totals, states) = (Totals::new(spectrum), Arc::new([]));
         let (memory, kept) = (Vec::new(), Vec::new());
-        Self { inner, outer, held: false, states, age: 0.0, memory, kept, totals, missed: 0.0, greatest: 0.0 }
+        Self { inner, outer, held: false, states, memory, kept, totals, missed: 0.0, greatest: 0.0 }
     }
 
     /// Panels side by side, all held or all free, as one of which only the sums are known; `None` of none.
@@ -364,25 +353,18 @@ impl Panel {
     }
 
     /// Work of the Maxwell elements [J] in a motion in which nothing happens to the springs.
-    pub(super) fn work(&self, spectrum: &Spectrum, motion: &Motion) -> f64 {
-        let done = |(term, s): (&super::Element, &f64)| {
-            motion.speed * impulse(term, *s, motion.speed * self.weight(), motion.duration)
-        };
-        spectrum.terms().iter().zip(&self.totals.loads).map(done).sum()
+    pub(super) fn work(&self, motion: &Alike) -> f64 {
+        motion.speed * motion.impulse(&self.totals.loads, self.weight())
     }
 
     /// A motion in which nothing happens to the springs.
-    pub(super) fn pass(&mut self, spectrum: &Spectrum, motion: &Motion) {
-        let weight = self.weight();
-        self.totals.evolve(spectrum, (weight, motion.speed), motion.duration);
-        self.age += motion.duration;
+    pub(super) fn pass(&mut self, motion: &Alike) {
+        self.totals.evolve(motion, self.weight());
         if self.held {
-            spectrum.press(&mut self.memory, motion.speed, motion.duration);
-            let kept = spectrum.terms().iter().map(|term| decay(self.age / term.time).0);
-            self.kept.iter_mut().zip(kept).for_each(|(k, kept)| *k = kept);
+            motion.press(&mut self.memory);
+            self.kept.iter_mut().zip(&motion.elements).for_each(|(kept, fading)| *kept *= fading.kept);
         } else {
-            let kept = spectrum.modes().iter().map(|mode| decay(self.age / mode.time).0);
-            self.kept.iter_mut().zip(kept).for_each(|(k, kept)| *k = kept);
+            self.kept.iter_mut().zip(&motion.modes).for_each(|(kept, mode)| *kept *= mode);
         }
     }
 

@@ -1,8 +1,8 @@
 //! Sums over a part of the bed, and how they change when all its springs move alike.
 
 use super::Spectrum;
+use super::alike::{Alike, Fading};
 use super::spring::Spring;
-use crate::numerics::exponential::decay;
 
 /// Σ w sᵢ and Σ w sᵢ² over pressed springs, Σ w zₘ² over free ones; w is the weight of a spring [m].
 #[derive(Debug, Clone, PartialEq)]
@@ -45,18 +45,15 @@ impl Totals {
         }
     }
 
-    /// A motion at the speed `v` in which no spring is touched or released; `weight` = Σ w of the pressed.
-    pub(super) fn evolve(&mut self, spectrum: &Spectrum, (weight, v): (f64, f64), duration: f64) {
-        for (i, term) in spectrum.terms().iter().enumerate() {
-            let (keep, lost) = decay(duration / term.time);
-            let gain = term.modulus * v * term.time * lost;
-            let sum = keep * self.loads[i];
-            self.squares[i] = keep * keep * self.squares[i] + gain * (2.0 * sum + weight * gain);
-            self.loads[i] = sum + weight * gain;
+    /// A motion in which no spring is touched or released; `weight` = Σ w of the pressed.
+    pub(super) fn evolve(&mut self, motion: &Alike, weight: f64) {
+        let sums = self.loads.iter_mut().zip(&mut self.squares);
+        for ((load, square), &Fading { kept, gain, .. }) in sums.zip(&motion.elements) {
+            let sum = kept * *load;
+            *square = kept * kept * *square + gain * (2.0 * sum + weight * gain);
+            *load = sum + weight * gain;
         }
-        for (mode, sum) in spectrum.modes().iter().zip(&mut self.modes) {
-            *sum *= decay(2.0 * duration / mode.time).0;
-        }
+        self.modes.iter_mut().zip(&motion.modes).for_each(|(sum, kept)| *sum *= kept * kept);
     }
 
     /// Σ of the energy in the Maxwell elements of the pressed springs and in the free ones [J].

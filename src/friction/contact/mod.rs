@@ -25,6 +25,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod held;
 mod memory;
 mod peeling;
 mod sliding;

@@ -134,27 +134,7 @@ impl<'p> Series<'p> {
             }
             let (mut reached, from) = (0.0, self.slide);
             for part in stage.parts() {
-                let slide = |part: f64| stage.tangential.at(from, part, way.over);
-                let goal = |part: f64, over| Goal {
-                    control,
-                    value: way.at(part),
-                    over,
-                    slide: slide(part),
-                    entry: stage.entry,
-                };
-                let steps = f64::from(self.steps);
-                for step in 1..self.steps {
-                    let between = reached + (part - reached) * f64::from(step) / steps;
-                    self.pass(goal(between, (part - reached) * way.over / steps))?;
-                }
-                let state = self.at(goal(part, (part - reached) * way.over / steps))?;
-                let stroke = Stroke {
-                    control,
-                    values: [way.at(reached), way.at(part)],
-                    slide: [self.slide, slide(part)],
-                    over: (part - reached) * way.over,
-                };
-                let state = self.rub(stage.entry, state, stroke)?;
+                let state = self.stretch((stage, control), (&way, from), [reached, part])?;
                 asked = (control == Control::Force && state.parted).then(|| way.at(part));
                 reached = part;
                 self.push(&mut records, (stage.entry, time + part * way.over), state);
@@ -164,6 +144,34 @@ impl<'p> Series<'p> {
             time += way.over;
         }
         Ok(records)
+    }
+
+    /// The state at the end of a part of a stage, come to in equal steps from where the last part ended.
+    ///
+    /// `from` is the slide \[m\] the stage began with, `part` the shares of it between which the way leads.
+    fn stretch(
+        &mut self,
+        (stage, control): (&Stage, Control),
+        (way, from): (&Way, f64),
+        part: [f64; 2],
+    ) -> Result<State, SimulationError> {
+        let over = (part[1] - part[0]) * way.over;
+        let slide = |part: f64| stage.tangential.at(from, part, way.over);
+        let steps = f64::from(self.steps);
+        let goal = |part: f64| Goal {
+            control,
+            value: way.at(part),
+            over: over / steps,
+            slide: slide(part),
+            entry: stage.entry,
+        };
+        for step in 1..self.steps {
+            self.pass(goal(part[0] + (part[1] - part[0]) * f64::from(step) / steps))?;
+        }
+        let state = self.at(goal(part[1]))?;
+        let stroke =
+            Stroke { control, values: part.map(|part| way.at(part)), slide: [self.slide, slide(part[1])], over };
+        self.rub(stage.entry, state, stroke)
     }
 
     /// The state at touch; bodies that attract each other have come there from out of reach.
@@ -186,7 +194,7 @@ impl<'p> Series<'p> {
         (stage, speed): (&Stage, f64),
         (start, from): (f64, f64),
     ) -> Result<f64, SimulationError> {
-        let range = self.pixels.attraction().map_or(0.0, super::attraction::Attraction::range);
+        let [range, reach] = self.pixels.attraction().map_or([0.0; 2], |pull| [pull.range(), pull.reach()]);
         let step = (from / stage.records as f64).max(range / EIGHTH);
         let mut time = start;
         for number in 1..=PULLED * stage.records {
@@ -196,7 +204,8 @@ impl<'p> Series<'p> {
             let goal = Goal { control, value: from - way, over: step / speed, slide, entry: stage.entry };
             let state = self.at(goal)?;
             self.push(records, (stage.entry, time), state);
-            if state.parted {
+            // What only fades has no end: out of the reach from which bodies come, nothing is left to tell.
+            if state.parted || (state.count == 0 && goal.value < -reach) {
                 break;
             }
         }

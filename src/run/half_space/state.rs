@@ -158,13 +158,7 @@ impl<'h> Pressing<'h> {
     pub(super) fn told(&self, pressed: &Pressed, stiffness: f64) -> State {
         let solution = &pressed.contact;
         let contact = solution.pressure.mapv(|pressure| pressure > 0.0);
-        let (patches, gap) =
-            (pieces(&contact, self.boundary), pieces(&contact.mapv(|touches| !touches), self.boundary));
         let count = solution.contact_pixels();
-        let full = count == contact.len();
-        let sides = self.heights.sides();
-        let area = if full { sides[0] * sides[1] } else { solution.corrected_area().max(0.0) };
-        let mean_gap = pressed.gap.mean().filter(|gap| gap.is_finite());
         let held = match &pressed.pull {
             Some(pull) => pull.mapv(|pull| pull > pressed.faint),
             None => contact.clone(),
@@ -178,23 +172,33 @@ impl<'h> Pressing<'h> {
                 stored: pressed.stored,
                 dissipated: pressed.dissipated,
             },
-            pixels: PixelContact {
-                area,
-                area_fraction: area / (sides[0] * sides[1]),
-                mean_gap,
-                peak_pressure: pressed.peak_pressure(),
-                patches: patches.count,
-                percolates: patches.percolates,
-                gap_percolates: gap.percolates,
-                leak: None,
-            },
+            pixels: self.touching(pressed, &contact),
             extent: self.extent(&held),
             meets_border: meets_border(&held),
             count,
-            full,
+            full: count == contact.len(),
             parted: pressed.parted(),
             leak_apart: 0.0,
             tangential: None,
+        }
+    }
+
+    /// Area, gap and pieces of the pixels that touch.
+    fn touching(&self, pressed: &Pressed, contact: &Array2<bool>) -> PixelContact {
+        let (patches, gap) = (pieces(contact, self.boundary), pieces(&contact.mapv(|touches| !touches), self.boundary));
+        let sides = self.heights.sides();
+        let whole = sides[0] * sides[1];
+        let full = contact.iter().all(|touches| *touches);
+        let area = if full { whole } else { pressed.contact.corrected_area().max(0.0) };
+        PixelContact {
+            area,
+            area_fraction: area / whole,
+            mean_gap: pressed.gap.mean().filter(|gap| gap.is_finite()),
+            peak_pressure: pressed.peak_pressure(),
+            patches: patches.count,
+            percolates: patches.percolates,
+            gap_percolates: gap.percolates,
+            leak: None,
         }
     }
 

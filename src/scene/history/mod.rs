@@ -109,56 +109,79 @@ impl Entry {
         motion: Option<&'e MotionTable>,
         steps: Option<usize>,
     ) -> EntryTraits<'e> {
-        let rest = Stage::rest(number, steps.unwrap_or(RECORDS_PER_RAMP));
-        let moves = |name, field, stage| EntryTraits {
-            number,
+        let at = Numbered { number, steps };
+        let rest = at.rest();
+        match self {
+            Self::Indent(indent) => at.moves("Indent", ".to", indent.stage(rest)),
+            Self::Press(press) => at.moves("Press", ".to", press.stage(rest)),
+            Self::Hold(hold) => at.moves("Hold", "", hold.stage(Control::Indentation, rest)),
+            Self::HoldForce(hold) => at.moves("HoldForce", "", hold.stage(Control::Force, rest)),
+            Self::Slide(slide) => at.moves("Slide", ".to", slide.stage(rest)),
+            Self::Oscillate(wave) => at.waves("Oscillate", wave, wave.deep(rest)),
+            Self::Shake(wave) => at.waves("Shake", wave, wave.along(rest)),
+            Self::Retract(retract) => at.moves("Retract", "", retract.stage(rest)),
+            Self::Glide(glide) => at.glides("Glide", glide, Motion::Glides),
+            Self::Roll(glide) => at.glides("Roll", glide, Motion::Rolls),
+            Self::Drive(drive) => at.driven("Drive", ".speed", drive.motion()),
+            Self::Ring(ring) => at.driven("Ring", ".amplitude", ring.motion()),
+            Self::Fall(fall) => at.driven("Fall", ".height", fall.motion()),
+            Self::Impact(impact) => EntryTraits { impact: Some(impact), ..at.moves("Impact", "", None) },
+            Self::Table(path) | Self::DepthTable(path) | Self::ForceTable(path) => EntryTraits {
+                stages: motion.map_or_else(Vec::new, |motion| motion.stages(number)),
+                table: motion.map(|motion| (path.as_path(), &motion.rows[..])),
+                least_records: motion.map_or(1, |motion| motion.time.len()),
+                ..at.moves("Table", "", None)
+            },
+        }
+    }
+}
+
+/// The place of an entry in its history, and how many records the scene asks for per entry: what all kinds start from.
+#[derive(Clone, Copy)]
+struct Numbered {
+    number: usize,
+    steps: Option<usize>,
+}
+
+impl Numbered {
+    fn rest(self) -> Stage {
+        Stage::rest(self.number, self.steps.unwrap_or(RECORDS_PER_RAMP))
+    }
+
+    /// An entry of one stage or of none, that does nothing else.
+    fn moves<'e>(self, name: &'static str, field: &'static str, stage: impl Into<Option<Stage>>) -> EntryTraits<'e> {
+        EntryTraits {
+            number: self.number,
             name,
-            stages: vec![stage],
+            stages: stage.into().into_iter().collect(),
             field,
             table: None,
             impact: None,
             glide: None,
             machine: None,
-            least_records: steps.unwrap_or(1),
-        };
-        let waves = |name, field, wave: &Oscillate, stage| EntryTraits {
-            least_records: wave.least_records(steps),
-            ..moves(name, field, Stage { records: steps.unwrap_or_else(|| wave.records()), ..stage })
-        };
-        let glides = |name, glide: &'e Glide, motion| EntryTraits {
-            stages: glide.stage(rest).into_iter().collect(),
-            glide: Some((glide, motion)),
-            ..moves(name, ".speed", rest)
-        };
-        let driven = |name, field, (motion, over)| {
-            let records = steps.unwrap_or(machine::RECORDS);
-            let machine = Some(MachineEntry { entry: number, motion, over, records });
-            EntryTraits { stages: Vec::new(), machine, ..moves(name, field, rest) }
-        };
-        match self {
-            Self::Indent(indent) => moves("Indent", ".to", indent.stage(rest)),
-            Self::Press(press) => moves("Press", ".to", press.stage(rest)),
-            Self::Hold(hold) => moves("Hold", "", hold.stage(Control::Indentation, rest)),
-            Self::HoldForce(hold) => moves("HoldForce", "", hold.stage(Control::Force, rest)),
-            Self::Slide(slide) => moves("Slide", ".to", slide.stage(rest)),
-            Self::Oscillate(wave) => waves("Oscillate", ".amplitude", wave, wave.deep(rest)),
-            Self::Shake(wave) => waves("Shake", ".amplitude", wave, wave.along(rest)),
-            Self::Retract(retract) => moves("Retract", "", retract.stage(rest)),
-            Self::Glide(glide) => glides("Glide", glide, Motion::Glides),
-            Self::Roll(glide) => glides("Roll", glide, Motion::Rolls),
-            Self::Drive(drive) => driven("Drive", ".speed", drive.motion()),
-            Self::Ring(ring) => driven("Ring", ".amplitude", ring.motion()),
-            Self::Fall(fall) => driven("Fall", ".height", fall.motion()),
-            Self::Impact(impact) => {
-                EntryTraits { stages: Vec::new(), impact: Some(impact), ..moves("Impact", "", rest) }
-            }
-            Self::Table(path) | Self::DepthTable(path) | Self::ForceTable(path) => EntryTraits {
-                stages: motion.map_or_else(Vec::new, |motion| motion.stages(number)),
-                table: motion.map(|motion| (path.as_path(), &motion.rows[..])),
-                least_records: motion.map_or(1, |motion| motion.time.len()),
-                ..moves("Table", "", rest)
-            },
+            least_records: self.steps.unwrap_or(1),
         }
+    }
+
+    fn waves<'e>(self, name: &'static str, wave: &Oscillate, stage: Stage) -> EntryTraits<'e> {
+        let records = self.steps.unwrap_or_else(|| wave.records());
+        let least_records = wave.least_records(self.steps);
+        EntryTraits { least_records, ..self.moves(name, ".amplitude", Stage { records, ..stage }) }
+    }
+
+    fn glides<'e>(self, name: &'static str, glide: &'e Glide, motion: Motion) -> EntryTraits<'e> {
+        EntryTraits { glide: Some((glide, motion)), ..self.moves(name, ".speed", glide.stage(self.rest())) }
+    }
+
+    fn driven<'e>(
+        self,
+        name: &'static str,
+        field: &'static str,
+        (motion, over): (MachineMotion, f64),
+    ) -> EntryTraits<'e> {
+        let records = self.steps.unwrap_or(machine::RECORDS);
+        let machine = Some(MachineEntry { entry: self.number, motion, over, records });
+        EntryTraits { machine, ..self.moves(name, field, None) }
     }
 }
 

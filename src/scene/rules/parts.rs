@@ -29,55 +29,32 @@ pub(super) fn adhesion_between_bodies(draft: &Draft<'_>) -> Option<Problem> {
         return None;
     }
     let on_pixels = draft.chooses_solver()?;
+    let cannot = |why: &str| refused("adhesion", format!("{} with {why}", adhesion.name));
     match (adhesion.range, relaxes) {
-        (Range::Vanishing(None), true) if on_pixels => refused(
-            "adhesion",
-            format!(
-                "{} with a Viscoelastic body and the solver HalfSpace cannot be computed, for how much a crack through such a body takes depends on the range of what holds it: expected Maugis(work: …, stress: …)",
-                adhesion.name
-            ),
-        ),
-        (Range::Finite(_) | Range::Fading(_), true) if on_pixels && adhesion.work > 0.0 => None,
-        (Range::Outside, _) if on_pixels => refused(
-            "adhesion",
-            format!(
-                "{} with the solver HalfSpace cannot be computed, for its pixels pull across the gap, by a stress: expected Maugis(work: …, stress: …), or no solver",
-                adhesion.name
-            ),
-        ),
-        (Range::Outside, true) => refused(
-            "adhesion",
-            format!(
-                "{} with a Viscoelastic body cannot be computed, for 2πwR is the attraction of a ball on a flat, and a body that relaxes is left with a dent that is not known to be flat: expected Jkr(work: …, edge: …), or Elastic bodies",
-                adhesion.name
-            ),
-        ),
+        (Range::Vanishing(None), true) if on_pixels => cannot(CRACK_ON_PIXELS),
+        (Range::Outside, _) if on_pixels => cannot(OUTSIDE_ON_PIXELS),
+        (Range::Outside, true) => cannot(OUTSIDE_A_DENT),
         (Range::Vanishing(None) | Range::Outside, false) => None,
         (Range::Vanishing(Some(_)), false) => {
             refused("adhesion.edge", "an edge is a matter of Viscoelastic bodies, and there is none: leave it out")
         }
-        (Range::Vanishing(None), true) => refused(
-            "adhesion",
-            format!(
-                "{} with a Viscoelastic body lacks what holds its edge: expected edge: Relaxed, Instantaneous or Rate(speed: …, exponent: …)",
-                adhesion.name
-            ),
-        ),
+        (Range::Vanishing(None), true) => cannot(NO_EDGE),
         (Range::Vanishing(Some(edge)), true) => edge_that_holds_nothing(edge, draft.relaxation()?),
         (Range::Finite(_) | Range::Fading(_), _) if adhesion.work <= 0.0 => refused(
             "adhesion.work",
             "a work of zero gives the attraction no range: expected one above zero, or no adhesion",
         ),
-        (Range::Finite(_) | Range::Fading(_), false) => None,
-        (Range::Finite(_) | Range::Fading(_), true) => refused(
-            "adhesion",
-            format!(
-                "{} with a Viscoelastic body cannot be computed on a bed, for the surfaces it draws together creep where no spring is in contact: expected Jkr(work: …, edge: …), or solver: HalfSpace(…)",
-                adhesion.name
-            ),
-        ),
+        (Range::Finite(_) | Range::Fading(_), true) if !on_pixels => cannot(GAP_THAT_CREEPS),
+        (Range::Finite(_) | Range::Fading(_), _) => None,
     }
 }
+
+// Why an attraction, told by its name before, does not go with a body that relaxes or with pixels.
+const CRACK_ON_PIXELS: &str = "a Viscoelastic body and the solver HalfSpace cannot be computed, for how much a crack through such a body takes depends on the range of what holds it: expected Maugis(work: …, stress: …)";
+const OUTSIDE_ON_PIXELS: &str = "the solver HalfSpace cannot be computed, for its pixels pull across the gap, by a stress: expected Maugis(work: …, stress: …), or no solver";
+const OUTSIDE_A_DENT: &str = "a Viscoelastic body cannot be computed, for 2πwR is the attraction of a ball on a flat, and a body that relaxes is left with a dent that is not known to be flat: expected Jkr(work: …, edge: …), or Elastic bodies";
+const NO_EDGE: &str = "a Viscoelastic body lacks what holds its edge: expected edge: Relaxed, Instantaneous or Rate(speed: …, exponent: …)";
+const GAP_THAT_CREEPS: &str = "a Viscoelastic body cannot be computed on a bed, for the surfaces it draws together creep where no spring is in contact: expected Jkr(work: …, edge: …), or solver: HalfSpace(…)";
 
 /// Opening an edge takes at least what closing it has given.
 pub(super) fn closing_beyond_opening(draft: &Draft<'_>) -> Option<Problem> {
@@ -206,19 +183,12 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
     let (friction, adhesion) = (draft.friction_of_history()?, draft.adhesion(Look::Kind)?.traits());
     let known = draft.friction(Look::Whole).is_some();
     let (one, other) = (friction.name(), adhesion.name);
+    let cannot = |why: &str| refused("friction", format!("{one} with {other} adhesion cannot be computed, for {why}"));
     match (adhesion.range, friction) {
-        (Range::Vanishing(_), Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::RateState(_)) => refused(
-            "friction",
-            format!(
-                "{one} with {other} adhesion cannot be computed, for the springs of an adhesive edge are pulled and have no limit μq: expected Stuck, Pressure(shear: …, slope: 0), Dmt(work: …) of hard bodies, or no adhesion"
-            ),
-        ),
-        (Range::Vanishing(_), Friction::CoulombOrowan(_)) => refused(
-            "friction",
-            format!(
-                "{one} with {other} adhesion cannot be computed, for how a stress that is not uniform peels an edge has no closed answer: expected Pressure(shear: …, slope: 0), or no adhesion"
-            ),
-        ),
+        (Range::Vanishing(_), Friction::Coulomb(_) | Friction::StaticKinetic(_) | Friction::RateState(_)) => {
+            cannot(PULLED_SPRINGS)
+        }
+        (Range::Vanishing(_), Friction::CoulombOrowan(_)) => cannot(UNEVEN_PEELING),
         (Range::Vanishing(_), Friction::Pressure(law)) if known && law.slope.si() > 0.0 => refused(
             "friction.slope",
             format!(
@@ -238,14 +208,14 @@ pub(super) fn friction_under_adhesion(draft: &Draft<'_>) -> Option<Problem> {
             | Friction::RateState(_)
             | Friction::CoulombOrowan(_)
             | Friction::Pressure(_),
-        ) => refused(
-            "friction",
-            format!(
-                "{one} with {other} adhesion cannot be computed, for how shear weakens what pulls across the gap around a contact is known of a vanishing range only: expected Jkr(…) with Pressure(shear: …, slope: 0), or no adhesion"
-            ),
-        ),
+        ) => cannot(SHEARED_GAP),
     }
 }
+
+// Why shear is not known beside an attraction.
+const PULLED_SPRINGS: &str = "the springs of an adhesive edge are pulled and have no limit μq: expected Stuck, Pressure(shear: …, slope: 0), Dmt(work: …) of hard bodies, or no adhesion";
+const UNEVEN_PEELING: &str = "how a stress that is not uniform peels an edge has no closed answer: expected Pressure(shear: …, slope: 0), or no adhesion";
+const SHEARED_GAP: &str = "how shear weakens what pulls across the gap around a contact is known of a vanishing range only: expected Jkr(…) with Pressure(shear: …, slope: 0), or no adhesion";
 
 /// What sticks everywhere gives way at an edge that adheres.
 pub(super) fn stuck_without_edge(draft: &Draft<'_>) -> Option<Problem> {

@@ -34,26 +34,27 @@ pub(super) fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
             "the surface beside a body that yields is not known: expected Force, Radius or Pressure, or Elastic bodies",
         );
     }
-    if draft.speeds()? > 0 {
-        return Some(
-            "it shows a contact led by a history, not an impact: expected Force or Pressure, or a history of Indent or Press",
-        );
-    }
-    if draft.wears()? {
-        return Some(
-            "it is not computed of a profile that wears: expected Wear, Friction, Stick or Pressure, or no wear",
-        );
-    }
-    if draft.is_driven()? {
-        return Some("it is not computed of a contact in a machine: expected Machine, Force, Friction or Energy");
-    }
-    if draft.moves_along()? {
-        return Some(
-            "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance",
-        );
-    }
-    if bed { of_bed(draft) } else { of_surface(draft, shape) }
+    let why = if draft.speeds()? > 0 {
+        IMPACT
+    } else if draft.wears()? {
+        WEARS
+    } else if draft.is_driven()? {
+        DRIVEN
+    } else if draft.moves_along()? {
+        ALONG
+    } else {
+        return if bed { of_bed(draft) } else { of_surface(draft, shape) };
+    };
+    Some(why)
 }
+
+// What is lacked where the bodies do more than press at rest.
+const IMPACT: &str =
+    "it shows a contact led by a history, not an impact: expected Force or Pressure, or a history of Indent or Press";
+const WEARS: &str =
+    "it is not computed of a profile that wears: expected Wear, Friction, Stick or Pressure, or no wear";
+const DRIVEN: &str = "it is not computed of a contact in a machine: expected Machine, Force, Friction or Energy";
+const ALONG: &str = "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance";
 
 /// What the bed itself lacks.
 fn of_bed(draft: &Draft<'_>) -> Option<&'static str> {

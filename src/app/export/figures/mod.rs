@@ -121,15 +121,7 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
         Plot::Contact => pixels::contact(outcome).into_iter().collect(),
         Plot::Distribution => pixels::distribution(outcome),
         Plot::Leak => pixels::leak(outcome).into_iter().collect(),
-        Plot::Area => match plan {
-            Plan::HalfSpace(pixels) => vec![pixels::area(plan, pixels, outcome)],
-            Plan::Round(_)
-            | Plan::Impact(_)
-            | Plan::Plane(_)
-            | Plan::Rough(_)
-            | Plan::RoughImpact(_)
-            | Plan::Pad(_) => friction::area(plan, outcome).into_iter().collect(),
-        },
+        Plot::Area => area(plan, outcome).into_iter().collect(),
         Plot::Moduli => {
             plan.relaxation().map(|relaxation| shape::moduli(relaxation, plan, outcome)).into_iter().collect()
         }
@@ -140,6 +132,16 @@ fn panels(plot: Plot, plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             .and_then(|round| round.machine.as_ref())
             .map_or_else(Vec::new, |law| machine::panels(law, outcome)),
         Plot::Restitution => outcome.table("impacts").and_then(impacts::restitution).into_iter().collect(),
+    }
+}
+
+/// The area that touches: that of the pixels, or that of a round contact.
+fn area(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
+    match plan {
+        Plan::HalfSpace(pixels) => Some(pixels::area(plan, pixels, outcome)),
+        Plan::Round(_) | Plan::Impact(_) | Plan::Plane(_) | Plan::Rough(_) | Plan::RoughImpact(_) | Plan::Pad(_) => {
+            friction::area(plan, outcome)
+        }
     }
 }
 

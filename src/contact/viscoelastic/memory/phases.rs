@@ -2,6 +2,7 @@
 
 use super::Memory;
 use crate::contact::error::BedError;
+use crate::contact::viscoelastic::alike::Alike;
 use crate::contact::viscoelastic::front::{EdgePhase, Front, SightedSpring, Way, instants};
 use crate::contact::viscoelastic::panel::{Grain, Lived, Panel, panels};
 use crate::contact::viscoelastic::spring::{Motion, Piece, Spring};
@@ -253,12 +254,13 @@ impl Memory {
         self.cut(change.outer);
         let first = self.panels.partition_point(|panel| panel.outer <= change.inner);
         let last = self.panels.partition_point(|panel| panel.inner < change.outer).max(first);
+        let alike = Alike::new(&self.spectrum, motion.speed, motion.duration);
         for (k, panel) in self.panels.iter_mut().enumerate() {
             if k < first || k >= last {
                 if self.counts {
-                    self.work += panel.work(&self.spectrum, motion);
+                    self.work += panel.work(&alike);
                 }
-                panel.pass(&self.spectrum, motion);
+                panel.pass(&alike);
             }
         }
         let count = change.panels.len();

@@ -16,20 +16,21 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod friction;
+mod motion;
+
+pub use crate::friction::contact::Interface;
+pub use friction::{FrictionLaw, PixelFriction};
+pub use motion::{MachineLaw, WearLaw};
+
 use super::parts::{Component, Solver};
 use crate::contact::adhesion::EdgeRule;
 use crate::contact::direct::QuasiStatic;
 use crate::contact::plastic::YieldingBall;
-use crate::contact::state::Tangential;
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::attraction::Attraction;
-use crate::drive::machine::RatedMass;
-use crate::drive::machine::Suspension;
-pub use crate::friction::contact::Interface;
-use crate::friction::peeling::ShearedAdhesion;
-use crate::friction::{CoulombBed, RateState, TangentialMemory};
 use crate::material::Relaxation;
-use crate::scene::history::{MachineEntry, MachineMotion, Motion};
+use crate::scene::history::Motion;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -163,7 +164,7 @@ pub enum SpringCount {
 impl SpringCount {
     /// −1/4 ≤ error·(a/Δx)² ≤ 1/8 and Δx/a = arsinh(1/[`GRADE`])/N: N for half the accuracy.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped before")]
-    pub(super) fn of_accuracy(accuracy: f64) -> Self {
+    pub(in crate::scene) fn of_accuracy(accuracy: f64) -> Self {
         let needed = GRADE.recip().asinh() / (2.0 * accuracy).sqrt();
         Self::Needed(needed.ceil().clamp(256.0, 262_144.0) as usize)
     }
@@ -238,7 +239,7 @@ impl<'l> Bodies<'l> {
     }
 
     /// What they use.
-    pub(super) fn pieces(self) -> Vec<Component> {
+    pub(in crate::scene) fn pieces(self) -> Vec<Component> {
         match self {
             Self::Elastic(adhesion) => adhesion.pieces(),
             Self::Viscoelastic(_, edge) => {
@@ -299,7 +300,7 @@ impl ContactLaw {
             }),
             Self::ViscoelasticSprings { count, .. } => Solver::new("viscoelastic springs", match count {
                 SpringCount::Asked(count) => format!("`springs: {count}` asks for the classical bed; exact in time, work is done only for springs touched or released"),
-                SpringCount::Needed(_) => "a prescribed force or an oscillation takes hundreds of straight pieces of the depth: springs as fine as the accuracy asks for; exact in time, work is done only for springs touched or released".to_owned(),
+                SpringCount::Needed(_) => "a prescribed force, an oscillation or a depth that turns back hundreds of times takes hundreds of straight pieces of the depth: springs as fine as the accuracy asks for; exact in time, work is done only for springs touched or released".to_owned(),
             }),
         }
     }
@@ -316,12 +317,12 @@ impl ContactLaw {
     }
 
     /// Bytes of state, as far as they are known before the run.
-    pub(super) fn bytes(&self) -> usize {
+    pub(in crate::scene) fn bytes(&self) -> usize {
         size_of::<QuasiStatic>() + 16 * self.springs()
     }
 
     /// The attraction of elastic bodies on the direct path.
-    pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
+    pub(in crate::scene) fn direct(&self) -> Option<ElasticAdhesion> {
         match self {
             Self::Direct(adhesion) => Some(*adhesion),
             Self::Springs { .. }
@@ -348,7 +349,7 @@ impl ContactLaw {
     }
 
     /// What it uses.
-    pub(super) fn pieces(&self) -> Vec<Component> {
+    pub(in crate::scene) fn pieces(&self) -> Vec<Component> {
         let springs = (self.springs() > 0).then_some(Component::Springs);
         self.bodies().pieces().into_iter().chain(springs).collect()
     }
@@ -400,7 +401,7 @@ impl ImpactLaw {
     }
 
     /// The attraction of elastic bodies on the direct path.
-    pub(super) fn direct(&self) -> Option<ElasticAdhesion> {
+    pub(in crate::scene) fn direct(&self) -> Option<ElasticAdhesion> {
         match self {
             Self::Elastic(adhesion) => Some(*adhesion),
             Self::Viscoelastic { .. } | Self::Held { .. } | Self::Plastic(_) => None,
@@ -415,192 +416,6 @@ impl ImpactLaw {
             Self::Viscoelastic { relaxation } => Bodies::Viscoelastic(relaxation, None),
             Self::Held { relaxation, edge } => Bodies::Viscoelastic(relaxation, Some(edge)),
             Self::Plastic(ball) => Bodies::Plastic(ball),
-        }
-    }
-}
-
-/// The machine of a contact, and what it does behind the rest of the history.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MachineLaw {
-    /// Mass, spring and damper.
-    pub suspension: Suspension,
-    /// What is left of the friction of a contact that is about to slide once it slides as a whole, μ_k/μ_s.
-    pub left: f64,
-    /// Its motions, in order.
-    pub motions: Vec<MachineEntry>,
-}
-
-impl MachineLaw {
-    /// What it adds to the reason for a solver.
-    pub(super) fn in_words(&self, friction: Option<&FrictionLaw>) -> &'static str {
-        if self.is_along() && friction.and_then(FrictionLaw::rate_state).is_some() {
-            "; the mass of the machine is led by its spring and a contact that gives with the stiffness 2G*a and slips as a whole, with one state: extrapolated implicit steps in the logarithms of speed and state, without events"
-        } else if self.is_along() {
-            "; the mass of the machine is led by its spring and the memory of friction: extrapolated steps while the contact sticks, in closed form while it slides as a whole, each end of a slip to rounding"
-        } else {
-            "; the mass of the machine swings on the contact in extrapolated steps, which end where it touches, parts or turns"
-        }
-    }
-
-    /// Whether its mass falls.
-    #[must_use]
-    pub fn falls(&self) -> bool {
-        self.motions.iter().any(|motion| matches!(motion.motion, MachineMotion::Fall { .. }))
-    }
-
-    /// Whether it moves the mass along the surface.
-    #[must_use]
-    pub fn is_along(&self) -> bool {
-        self.motions.iter().any(|motion| motion.motion.is_along())
-    }
-}
-
-/// How the indenter wears.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WearLaw {
-    /// Volume worn per path and normal force, k_w [m²/N].
-    pub coefficient: f64,
-    /// Cells per contact radius.
-    pub cells: usize,
-}
-
-impl WearLaw {
-    /// Cells of the width h err by (h/a)² times 0.1 or less, but for the edge.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped before")]
-    pub(super) fn new(coefficient: f64, accuracy: f64) -> Self {
-        Self { coefficient, cells: (0.1 / accuracy.sqrt()).ceil().clamp(24.0, 256.0) as usize }
-    }
-
-    /// What it adds to the reason for a solver.
-    pub(super) fn in_words(self) -> String {
-        format!(
-            "; from the first slide on the profile wears: {} cells per contact radius and as many rings of the surface, joined by one matrix, in stable explicit steps chosen by their error, each of which costs the square of the cells",
-            self.cells
-        )
-    }
-}
-
-/// Friction on the pixels of a half-space.
-#[derive(Debug, Clone, PartialEq)]
-pub enum PixelFriction {
-    /// Stick and slip under Coulomb's law, by the memory of turning points.
-    Partial {
-        /// Coefficient of friction μ.
-        coefficient: f64,
-    },
-    /// Stick and slip under Coulomb's law on every pixel, together with its pressures.
-    Coupled {
-        /// Coefficient of friction μ.
-        coefficient: f64,
-    },
-    /// Gross sliding under a law that acts on the pressure.
-    Gross(Interface),
-}
-
-/// Who computes the tangential contact.
-#[derive(Debug, Clone, PartialEq)]
-pub enum FrictionLaw {
-    /// Coulomb friction by the memory of turning points.
-    Memory {
-        /// Coefficient of friction μ.
-        coefficient: f64,
-    },
-    /// Coulomb friction by springs.
-    Springs {
-        /// Coefficient of friction μ.
-        coefficient: f64,
-        /// Number of springs.
-        count: NonZeroUsize,
-    },
-    /// Coulomb friction of viscoelastic bodies, by springs.
-    Viscoelastic {
-        /// Coefficient of friction μ.
-        coefficient: f64,
-        /// Number of springs.
-        count: NonZeroUsize,
-        /// E*(t).
-        relaxation: Arc<Relaxation>,
-    },
-    /// Friction of rate and state of the contact as a whole, in a machine.
-    RateState(RateState),
-    /// Gross sliding under a law that acts on the pressure.
-    Sliding(Interface),
-    /// An adhesive contact that sticks until its edge gives way.
-    Stuck {
-        /// Work of adhesion w [J/m²].
-        work: f64,
-    },
-    /// Sliding of an adhesive contact.
-    Peeling {
-        /// What slides on what.
-        interface: Interface,
-        /// Work of adhesion w [J/m²].
-        work: f64,
-    },
-}
-
-impl FrictionLaw {
-    pub(super) fn piece(&self) -> Component {
-        match self {
-            Self::Memory { .. } => Component::TurningPoints,
-            Self::Springs { .. } => Component::FrictionSprings,
-            Self::Viscoelastic { .. } => Component::ViscoelasticFriction,
-            Self::RateState(_) => Component::RateState,
-            Self::Sliding(_) => Component::Sliding,
-            Self::Stuck { .. } | Self::Peeling { .. } => Component::Peeling,
-        }
-    }
-
-    /// Bytes of state, as far as they are known before the run.
-    pub(super) fn bytes(&self) -> usize {
-        match self {
-            // With as many turning points as fit into the first growths of the list.
-            Self::Memory { .. } => size_of::<TangentialMemory>() + 8 * TangentialMemory::BYTES_PER_TURN,
-            // Depth and slip in the bed; place, depth, slip, loss and way in the map.
-            Self::Springs { count, .. } => size_of::<CoulombBed>() + (16 + 40) * count.get(),
-            // Known from the run.
-            Self::Viscoelastic { .. } => 0,
-            Self::RateState(_) => size_of::<RatedMass>(),
-            Self::Sliding(_) => size_of::<Tangential>(),
-            Self::Stuck { .. } | Self::Peeling { .. } => size_of::<ShearedAdhesion>() + size_of::<Tangential>(),
-        }
-    }
-
-    /// Coefficient of Coulomb friction.
-    #[must_use]
-    pub fn coulomb(&self) -> Option<f64> {
-        match self {
-            Self::Memory { coefficient }
-            | Self::Springs { coefficient, .. }
-            | Self::Viscoelastic { coefficient, .. } => Some(*coefficient),
-            Self::RateState(_) | Self::Sliding(_) | Self::Stuck { .. } | Self::Peeling { .. } => None,
-        }
-    }
-
-    /// Rate and state of the contact, if they matter.
-    #[must_use]
-    pub fn rate_state(&self) -> Option<&RateState> {
-        match self {
-            Self::RateState(law) => Some(law),
-            Self::Memory { .. }
-            | Self::Springs { .. }
-            | Self::Viscoelastic { .. }
-            | Self::Sliding(_)
-            | Self::Stuck { .. }
-            | Self::Peeling { .. } => None,
-        }
-    }
-
-    /// What slides as a whole.
-    #[must_use]
-    pub fn interface(&self) -> Option<&Interface> {
-        match self {
-            Self::Memory { .. }
-            | Self::Springs { .. }
-            | Self::Viscoelastic { .. }
-            | Self::RateState(_)
-            | Self::Stuck { .. } => None,
-            Self::Sliding(interface) | Self::Peeling { interface, .. } => Some(interface),
         }
     }
 }

@@ -19,7 +19,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::numerics::{extremum, root};
+mod turning;
+
+use crate::numerics::root;
+use turning::{Kind, Turning, TurningPoints};
 
 /// What the machine prescribes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,21 +90,6 @@ pub enum Search {
     Spaced(f64),
 }
 
-/// Whether a turning point is the lower or the upper end of a stable branch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Minimum,
-    Maximum,
-}
-
-/// A point where dQ/ds changes its sign.
-#[derive(Debug, Clone, Copy)]
-struct Turning {
-    s: f64,
-    value: f64,
-    kind: Kind,
-}
-
 /// A jump from one stable branch to another, or out of contact (`to` at the start of the curve).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leap {
@@ -138,19 +126,11 @@ pub enum BranchError {
 /// Most of Newton's steps to a root nearby, and the part of the parameter below which one is followed by less than rounding.
 const STEPS_NEARBY: usize = 8;
 const MET: f64 = 1e-10;
-/// Points at which the slope is looked at per wave.
-const POINTS_PER_WAVE: f64 = 24.0;
-/// The most waves that are followed.
-const MOST_WAVES: usize = 200_000;
-/// Points per decade in the search over decades.
-const POINTS_PER_DECADE: f64 = 24.0;
-
 /// The stable branches of an equilibrium curve under one kind of control.
 #[derive(Debug, Clone)]
 pub struct Branches {
     control: Control,
-    turning: Vec<Turning>,
-    scanned: f64,
+    turning: TurningPoints,
 }
 
 impl Branches {
@@ -159,22 +139,7 @@ impl Branches {
     /// # Errors
     /// The equilibrium has no value somewhere.
     pub fn new(curve: &impl Equilibrium, control: Control) -> Result<Self, BranchError> {
-        let mut branches = Self { control, turning: Vec::new(), scanned: f64::INFINITY };
-        branches.mark_start(curve);
-        match curve.search() {
-            Search::Nowhere => {}
-            Search::Once => branches.find_single(curve, curve.end())?,
-            Search::Decades(below, above) => branches.find_in_decades(curve, (below, above))?,
-            Search::About(kink) => branches.find_about(curve, kink)?,
-            Search::Spaced(length) => {
-                let first = length / POINTS_PER_WAVE;
-                branches.scanned = first.min(curve.end());
-                if curve.slope(control, first) > 0.0 {
-                    branches.find_single(curve, first)?;
-                }
-            }
-        }
-        Ok(branches)
+        Ok(Self { control, turning: TurningPoints::of(curve, control)? })
     }
 
     /// Follows the stable branch from `s` while the prescribed quantity goes to `target`.
@@ -187,7 +152,7 @@ impl Branches {
     pub fn follow(&mut self, curve: &impl Equilibrium, s: f64, target: f64) -> Result<(f64, Vec<Leap>), BranchError> {
         let mut leaps = Vec::new();
         // Another control may have led here, past waves this one has not seen.
-        self.scan_to(curve, s)?;
+        self.turning.scan_to(curve, s)?;
         let upwards = s <= curve.start() || curve.value(self.control, s) <= target;
         let end =
             if upwards { self.climb(curve, s, target, &mut leaps)? } else { self.sink(curve, s, target, &mut leaps)? };
@@ -198,7 +163,16 @@ impl Branches {
     /// `None` where it has none.
     #[must_use]
     pub fn ends(&self, s: f64) -> [Option<(f64, f64)>; 2] {
-        [self.minimum_below(s), self.next_maximum(s)].map(|turning| turning.map(|turning| (turning.s, turning.value)))
+        [self.turning.minimum_below(s), self.turning.next_maximum(s)]
+            .map(|turning| turning.map(|turning| (turning.s, turning.value)))
+    }
+
+    /// Parameters strictly between `low` and `high` at which Q turns, ascending.
+    ///
+    /// # Errors
+    /// A wavy contact covers too many waves.
+    pub fn turns_between(&mut self, curve: &impl Equilibrium, low: f64, high: f64) -> Result<Vec<f64>, BranchError> {
+        self.turning.between(curve, low, high)
     }
 
     fn climb(
@@ -213,14 +187,14 @@ impl Branches {
             if target < curve.value(self.control, curve.start()) {
                 return Ok(curve.start());
             }
-            if let Some(first) = self.turning.first().copied().filter(|first| first.kind == Kind::Maximum) {
+            if let Some(first) = self.turning.first().filter(|first| first.kind == Kind::Maximum) {
                 let to = self.landing_above(curve, first)?;
                 leaps.push(Leap { at: first.value, from: first.s, to });
                 at = to;
             }
         }
-        self.scan_until(curve, target)?;
-        while let Some(top) = self.next_maximum(at) {
+        self.turning.scan_until(curve, target)?;
+        while let Some(top) = self.turning.next_maximum(at) {
             if top.value >= target {
                 return self.root_between(curve, (at, top.s), target);
             }
@@ -234,7 +208,7 @@ impl Branches {
     fn sink(&self, curve: &impl Equilibrium, s: f64, target: f64, leaps: &mut Vec<Leap>) -> Result<f64, BranchError> {
         let mut at = s;
         loop {
-            let Some(bottom) = self.minimum_below(at) else { return Ok(curve.start()) };
+            let Some(bottom) = self.turning.minimum_below(at) else { return Ok(curve.start()) };
             if bottom.value <= target {
                 return self.root_between(curve, (bottom.s, at), target);
             }
@@ -252,13 +226,13 @@ impl Branches {
 
     /// First stable state above a maximum at the same prescribed value.
     fn landing_above(&mut self, curve: &impl Equilibrium, top: Turning) -> Result<f64, BranchError> {
-        self.scan_until(curve, top.value)?;
-        let mut from = self.next_minimum(top.s).map_or(top.s, |bottom| bottom.s);
-        while let Some(next) = self.next_maximum(from) {
+        self.turning.scan_until(curve, top.value)?;
+        let mut from = self.turning.next_minimum(top.s).map_or(top.s, |bottom| bottom.s);
+        while let Some(next) = self.turning.next_maximum(from) {
             if next.value > top.value {
                 return self.root_between(curve, (from, next.s), top.value);
             }
-            from = self.next_minimum(next.s).map_or(next.s, |bottom| bottom.s);
+            from = self.turning.next_minimum(next.s).map_or(next.s, |bottom| bottom.s);
         }
         self.root_above(curve, from, top.value)
     }
@@ -266,45 +240,14 @@ impl Branches {
     /// First stable state below a minimum at the same prescribed value; the start if there is none.
     fn landing_below(&self, curve: &impl Equilibrium, bottom: Turning) -> Result<f64, BranchError> {
         let mut below = bottom.s;
-        while let Some(top) = self.maximum_below(below) {
-            let Some(low) = self.minimum_below(top.s) else { break };
+        while let Some(top) = self.turning.maximum_below(below) {
+            let Some(low) = self.turning.minimum_below(top.s) else { break };
             if low.value < bottom.value {
                 return self.root_between(curve, (low.s, top.s), bottom.value);
             }
             below = low.s;
         }
         Ok(curve.start())
-    }
-
-    fn next_maximum(&self, s: f64) -> Option<Turning> {
-        let from = self.turning.partition_point(|turning| turning.s <= s);
-        self.turning[from..].iter().find(|turning| turning.kind == Kind::Maximum).copied()
-    }
-
-    fn next_minimum(&self, s: f64) -> Option<Turning> {
-        let from = self.turning.partition_point(|turning| turning.s <= s);
-        self.turning[from..].iter().find(|turning| turning.kind == Kind::Minimum).copied()
-    }
-
-    /// Parameters strictly between `low` and `high` at which Q turns, ascending.
-    ///
-    /// # Errors
-    /// A wavy contact covers too many waves.
-    pub fn turns_between(&mut self, curve: &impl Equilibrium, low: f64, high: f64) -> Result<Vec<f64>, BranchError> {
-        self.scan_to(curve, high)?;
-        let inside = |turning: &&Turning| turning.s > low && turning.s < high && turning.s > curve.start();
-        Ok(self.turning.iter().filter(inside).map(|turning| turning.s).collect())
-    }
-
-    /// The minimum at or below `s`.
-    fn minimum_below(&self, s: f64) -> Option<Turning> {
-        let to = self.turning.partition_point(|turning| turning.s <= s);
-        self.turning[..to].iter().rev().find(|turning| turning.kind == Kind::Minimum).copied()
-    }
-
-    fn maximum_below(&self, s: f64) -> Option<Turning> {
-        let to = self.turning.partition_point(|turning| turning.s < s);
-        self.turning[..to].iter().rev().find(|turning| turning.kind == Kind::Maximum).copied()
     }
 
     fn root_between(&self, curve: &impl Equilibrium, (low, high): (f64, f64), target: f64) -> Result<f64, BranchError> {
@@ -329,7 +272,7 @@ impl Branches {
         if let Some(found) = self.nearby(curve, s, target) {
             return Ok(found);
         }
-        let (end, searched) = (curve.end(), self.scanned);
+        let (end, searched) = (curve.end(), self.turning.scanned());
         let residual = |s: f64| curve.value(self.control, s) - target;
         let from = self.turning.last().map_or(s, |turning| turning.s.max(s));
         if searched.is_finite() && residual(searched) > 0.0 {
@@ -380,161 +323,4 @@ impl Branches {
         }
         Some((low, high))
     }
-
-    fn mark_start(&mut self, curve: &impl Equilibrium) {
-        let s = curve.start();
-        let kind = if curve.search() == Search::Nowhere { Kind::Minimum } else { Kind::Maximum };
-        self.turning.push(Turning { s, value: curve.value(self.control, s), kind });
-    }
-
-    fn push(&mut self, curve: &impl Equilibrium, s: f64, kind: Kind) {
-        self.turning.push(Turning { s, value: curve.value(self.control, s), kind });
-    }
-
-    /// The single minimum below `limit`, bracketed in factors of four about the scale.
-    fn find_single(&mut self, curve: &impl Equilibrium, limit: f64) -> Result<(), BranchError> {
-        let slope = |s: f64| curve.slope(self.control, s);
-        let mut high = curve.scale().min(limit);
-        while slope(high) < 0.0 {
-            if high >= limit || high > 1e300 {
-                self.push(curve, high, Kind::Minimum);
-                return Ok(());
-            }
-            high = (4.0 * high).min(limit);
-        }
-        let mut low = 0.25 * high;
-        while slope(low) > 0.0 && low > 1e-300 {
-            (low, high) = (0.25 * low, low);
-        }
-        let s = root::brent(slope, low, high)?;
-        self.push(curve, s, Kind::Minimum);
-        Ok(())
-    }
-
-    /// Turning points below a kink, at it and closely above it, and the last one far above.
-    ///
-    /// The edge of a flat holds the contact over a range of Q in a sliver as thin as 1e-13 of it.
-    fn find_about(&mut self, curve: &impl Equilibrium, kink: f64) -> Result<(), BranchError> {
-        let mut at = kink * (1.0 - f64::EPSILON);
-        if curve.slope(self.control, at) > 0.0 {
-            self.find_single(curve, at)?;
-        }
-        let closing_in = (0..=14).rev().map(|k| kink * (1.0 + 8f64.powi(-k)));
-        let beyond = std::iter::successors(Some(2.0 * kink), |s| Some(1.1 * s));
-        for next in closing_in.chain(beyond) {
-            // Beyond a few times the kink Q grows for good once it grows.
-            if at > 8.0 * kink && curve.slope(self.control, at) > 0.0 || at > 1e300 {
-                return Ok(());
-            }
-            if next > at {
-                self.find_between(curve, (at, next))?;
-                at = next;
-            }
-        }
-        Ok(())
-    }
-
-    fn find_in_decades(&mut self, curve: &impl Equilibrium, (below, above): (f64, f64)) -> Result<(), BranchError> {
-        let mut s = curve.scale() * 10f64.powf(-below);
-        let top = (curve.scale() * 10f64.powf(above)).min(curve.end());
-        let factor = 10f64.powf(1.0 / POINTS_PER_DECADE);
-        self.turning.clear();
-        let kind = if curve.slope(self.control, s) < 0.0 { Kind::Maximum } else { Kind::Minimum };
-        self.push(curve, curve.start(), kind);
-        while s < top {
-            let next = (s * factor).min(top);
-            self.find_between(curve, (s, next))?;
-            s = next;
-        }
-        self.close_at_wall(curve, top);
-        Ok(())
-    }
-
-    /// At a wall the prescribed quantity can grow at once, so a falling end is a minimum.
-    fn close_at_wall(&mut self, curve: &impl Equilibrium, top: f64) {
-        if top >= curve.end() && curve.slope(self.control, top) < 0.0 {
-            self.push(curve, top, Kind::Minimum);
-        }
-    }
-
-    /// Searches a wavy curve until it has risen above `target` for good.
-    fn scan_until(&mut self, curve: &impl Equilibrium, target: f64) -> Result<(), BranchError> {
-        self.scan_while(curve, |own| own.scanned < curve.end() && !own.has_passed(curve, target))
-    }
-
-    /// Searches a wavy curve out to the parameter `s`.
-    fn scan_to(&mut self, curve: &impl Equilibrium, s: f64) -> Result<(), BranchError> {
-        self.scan_while(curve, |own| own.scanned < s.min(curve.end()))
-    }
-
-    fn scan_while(&mut self, curve: &impl Equilibrium, open: impl Fn(&Self) -> bool) -> Result<(), BranchError> {
-        let Search::Spaced(length) = curve.search() else { return Ok(()) };
-        while open(self) {
-            self.scan_step(curve, length)?;
-        }
-        Ok(())
-    }
-
-    fn scan_step(&mut self, curve: &impl Equilibrium, length: f64) -> Result<(), BranchError> {
-        let next = (self.scanned + length / POINTS_PER_WAVE).min(curve.end());
-        if next / length > MOST_WAVES as f64 {
-            return Err(BranchError::TooManyWaves { most: MOST_WAVES });
-        }
-        self.find_between(curve, (self.scanned, next))?;
-        self.scanned = next;
-        if next >= curve.end() {
-            self.close_at_wall(curve, next);
-        }
-        Ok(())
-    }
-
-    fn has_passed(&self, curve: &impl Equilibrium, target: f64) -> bool {
-        curve.value(self.control, self.scanned) > target
-            && self.turning.last().is_none_or(|turning| turning.kind == Kind::Minimum)
-    }
-
-    /// Turning points between two neighbouring points of a search, a close pair included.
-    fn find_between(&mut self, curve: &impl Equilibrium, (low, high): (f64, f64)) -> Result<(), BranchError> {
-        let slope = |s: f64| curve.slope(self.control, s);
-        let (at_low, at_high) = (slope(low), slope(high));
-        if (at_low > 0.0) != (at_high > 0.0) {
-            let s = root::brent(slope, low, high)?;
-            let kind = if at_high > 0.0 { Kind::Minimum } else { Kind::Maximum };
-            self.push(curve, s, kind);
-            return Ok(());
-        }
-        let Some(between) = nearest_to_zero((low, at_low), slope, (high, at_high)) else { return Ok(()) };
-        if (slope(between) > 0.0) != (at_low > 0.0) {
-            let pair = [root::brent(slope, low, between)?, root::brent(slope, between, high)?];
-            let kinds = if at_low > 0.0 { [Kind::Maximum, Kind::Minimum] } else { [Kind::Minimum, Kind::Maximum] };
-            for (s, kind) in pair.into_iter().zip(kinds) {
-                self.push(curve, s, kind);
-            }
-        }
-        Ok(())
-    }
 }
-
-/// Where a function that has the same sign at both ends comes nearest to zero between them, if it may change its sign
-/// there: a parabola through both ends and the middle tells whether to look.
-fn nearest_to_zero((low, a): (f64, f64), f: impl Fn(f64) -> f64, (high, c): (f64, f64)) -> Option<f64> {
-    let middle = 0.5 * (low + high);
-    let b = f(middle);
-    if (b > 0.0) != (a > 0.0) {
-        return Some(middle);
-    }
-    let (bend, tilt) = (a - 2.0 * b + c, 0.5 * (a - c));
-    let towards = if a > 0.0 { bend > 0.0 } else { bend < 0.0 };
-    // Beyond an end, in halves of the way, it belongs to the neighbours; a pair at their border to both.
-    if !towards || tilt.abs() > BORDER * bend.abs() {
-        return None;
-    }
-    let nearest = b - 0.5 * tilt * tilt / bend;
-    let away = (nearest > 0.0) == (a > 0.0) && nearest.abs() > BLUR * bend.abs();
-    (!away).then(|| extremum::greatest(|s| if a > 0.0 { -f(s) } else { f(s) }, low, high).place)
-}
-
-/// Halves of the way from the middle up to which the nearest place by a parabola may be inside.
-const BORDER: f64 = 1.25;
-/// Part of its bend by which a parabola over a step of a search may be wrong.
-const BLUR: f64 = 0.25;
