@@ -204,10 +204,18 @@ fn shares(y: f64) -> [f64; NODES] {
 /// The states between the nodes, at −1 ≤ y ≤ 1.
 fn interpolated(states: &[f64], y: f64) -> Vec<f64> {
     let dim = states.len() / NODES;
-    let mut sum = vec![0.0; dim];
-    for (share, row) in shares(y).into_iter().zip(states.chunks_exact(dim.max(1))) {
-        sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += share * value);
+    let (mut sum, mut below) = (vec![0.0; dim], 0.0);
+    for (k, node) in RULE.nodes.iter().enumerate() {
+        let row = &states[k * dim..(k + 1) * dim];
+        let away = y - node;
+        if away.abs() <= 0.0 {
+            return row.to_vec();
+        }
+        let weight = RULE.barycentric[k] / away;
+        below += weight;
+        sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
     }
+    sum.iter_mut().for_each(|sum| *sum /= below);
     sum
 }
 
