@@ -6,13 +6,12 @@
 //! z(k + dF/dd) of all that it moves, and the curve is made straight by it until nothing is left of it (Gauss & Newton).
 
 use super::answer::Fit;
-use super::curve::Curve;
+use super::curve::{Curve, Readings};
 use super::frame::VIRTUAL;
 use super::given::Doubt;
 use super::{FitError, Options, Question};
-use crate::contact::adhesion::equilibrium::Control;
 use crate::input::table::Tables;
-use crate::scene::fit::{Baseline, FirstTouch};
+use crate::scene::fit::{Baseline, Drive, FirstTouch};
 
 /// The most times a curve is made straight.
 const ROUNDS: usize = 8;
@@ -20,15 +19,15 @@ const ROUNDS: usize = 8;
 const CLOSE: (f64, f64) = (1e-3, 1e-12);
 
 /// Whether there is a cantilever, and first touch is free, where a virtual deflection is asked for.
-pub(super) fn checked(options: &Options, control: Control) -> Result<(), FitError> {
+pub(super) fn checked(options: &Options, led: Drive) -> Result<(), FitError> {
     if options.baseline != Baseline::Virtual {
         return Ok(());
     }
-    let lacks = match (options.spring, control, options.contact) {
+    let lacks = match (options.spring, led, options.contact) {
         (None, ..) => "the stiffness of the cantilever: expected --spring \"0.05 N/m\" too",
-        (_, Control::Force, _) => "a depth that drives: expected drive: Depth",
+        (_, Drive::Force | Drive::Speed | Drive::Slide, _) => "a depth that drives: expected drive: Depth",
         (.., FirstTouch::Zero) => "a first touch that is free: expected contact: Free",
-        (Some(_), Control::Indentation, FirstTouch::Free) => return Ok(()),
+        (Some(_), Drive::Depth, FirstTouch::Free) => return Ok(()),
     };
     Err(FitError::Free(format!("a virtual deflection needs {lacks}")))
 }
@@ -36,14 +35,17 @@ pub(super) fn checked(options: &Options, control: Control) -> Result<(), FitErro
 impl Curve {
     /// Way of the piezo [m] at each point.
     fn piezo(&self, spring: f64) -> Vec<f64> {
-        self.depth.iter().zip(&self.force).map(|(depth, force)| depth + force / spring).collect()
+        let [depth, force] = self.readings.both();
+        depth.iter().zip(force).map(|(depth, force)| depth + force / spring).collect()
     }
 
     /// The curve without the virtual deflection `part` of the way of the piezo.
     fn straight(&self, spring: f64, part: f64) -> Self {
         let piezo = self.piezo(spring);
         let moved = |column: &[f64], by: f64| column.iter().zip(&piezo).map(|(value, z)| value + by * z).collect();
-        Self { depth: moved(&self.depth, part), force: moved(&self.force, -spring * part), ..self.clone() }
+        let [depth, force] = self.readings.both();
+        let readings = Readings::Indentation { depth: moved(depth, part), force: moved(force, -spring * part) };
+        Self { readings, ..self.clone() }
     }
 }
 

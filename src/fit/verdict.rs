@@ -86,8 +86,36 @@ impl Verdict {
     /// Whether chance is no answer.
     #[must_use]
     pub fn rejects(&self) -> bool {
-        self.size > SURE || self.shape > SURE
+        is_no_chance(self.size) || is_no_chance(self.shape)
     }
+}
+
+/// Whether so many standard deviations are more than chance has.
+#[must_use]
+pub fn is_no_chance(deviations: f64) -> bool {
+    deviations > SURE
+}
+
+/// How many standard deviations the smooth part of the residual `rest` over what drives is beyond what scatters from point to
+/// point, for points that were measured each by itself: F = (S/ν)/(R/μ) of the sums of squares S of the smooth part and R of
+/// the others, by its cube root (Paulson 1942, Ann. Math. Stat. 13, 233).
+#[must_use]
+pub fn shape_of_scatter((drive, weights): (&[f64], &[f64]), columns: &[Vec<f64>], rest: &[f64]) -> f64 {
+    let mut order: Vec<usize> = (0..rest.len()).collect();
+    order.sort_by(|&a, &b| drive[a].total_cmp(&drive[b]));
+    let chosen = |column: &[f64]| order.iter().map(|&number| weights[number] * column[number]).collect::<Vec<f64>>();
+    let left = chosen(rest);
+    let fitted = columns.iter().map(|column| chosen(column)).collect();
+    let weighed = |column: Vec<f64>| order.iter().zip(&column).map(|(&number, x)| weights[number] * x).collect();
+    let (smooth, freedom) = smooth_part(fitted, polynomials(left.len()).into_iter().map(weighed), &left);
+    let others = left.len() as f64 - columns.len() as f64 - freedom;
+    let rough = dot(&left, &left) - smooth;
+    if freedom < 1.0 || others < 1.0 || rough <= 0.0 {
+        return 0.0;
+    }
+    let root = (smooth / freedom / (rough / others)).cbrt();
+    let (mine, theirs) = (2.0 / (9.0 * freedom), 2.0 / (9.0 * others));
+    (root * (1.0 - theirs) - (1.0 - mine)) / (mine + theirs * root * root).sqrt()
 }
 
 /// Legendre polynomials over the order of `count` points, by Bonnet's rule.

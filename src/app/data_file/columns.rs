@@ -1,7 +1,8 @@
 //! Which column holds what, and in which unit.
 
 use super::grid::Grid;
-use crate::input::quantity::{Hertz, Metre, Newton, Pascal, RadianPerSecond, Second, size_of};
+use crate::input::quantity::{Hertz, Metre, MetrePerSecond, Newton, Pascal, RadianPerSecond, Second, size_of};
+use crate::scene::fit::Drive;
 use crate::text::advice;
 use std::f64::consts::TAU;
 
@@ -26,13 +27,21 @@ pub enum Quantity {
     Loss,
     /// Temperature [K].
     Temperature,
+    /// Speed before an impact [m/s].
+    Speed,
+    /// Restitution of an impact.
+    Restitution,
+    /// Tangential displacement [m].
+    Slide,
+    /// Tangential force [N].
+    Tangential,
 }
 
 /// Size of a unit: numerator and denominator.
 type Size = (f64, f64);
 
 impl Quantity {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 13] = [
         Self::Time,
         Self::Depth,
         Self::Force,
@@ -42,7 +51,30 @@ impl Quantity {
         Self::Storage,
         Self::Loss,
         Self::Temperature,
+        Self::Speed,
+        Self::Restitution,
+        Self::Slide,
+        Self::Tangential,
     ];
+
+    /// What is looked for by its name in data of what `led` drives; moduli beside depth and force if that is `None`.
+    fn wanted(led: Option<Drive>) -> &'static [Self] {
+        match led {
+            None | Some(Drive::Depth | Drive::Force) => &[
+                Self::Time,
+                Self::Depth,
+                Self::Force,
+                Self::Piezo,
+                Self::Deflection,
+                Self::Frequency,
+                Self::Storage,
+                Self::Loss,
+                Self::Temperature,
+            ],
+            Some(Drive::Speed) => &[Self::Speed, Self::Restitution],
+            Some(Drive::Slide) => &[Self::Time, Self::Slide, Self::Tangential],
+        }
+    }
 
     /// Its name in `--columns`.
     #[must_use]
@@ -76,6 +108,20 @@ impl Quantity {
             Self::Storage => &["storage", "storagemodulus", "g'", "e'", "g′", "e′"],
             Self::Loss => &["loss", "lossmodulus", "g''", "e''", "g″", "e″", "g\"", "e\""],
             Self::Temperature => &["temperature", "temp", "temperatur"],
+            Self::Speed => &["speed", "velocity", "v", "impactspeed", "impactvelocity", "geschwindigkeit"],
+            Self::Restitution => &["restitution", "e", "cor", "coefficientofrestitution", "stoßzahl"],
+            Self::Slide => &["slide", "x", "u", "ux", "displacement", "tangentialdisplacement", "stroke", "weg"],
+            Self::Tangential => &[
+                "tangential",
+                "tangentialforce",
+                "friction",
+                "frictionforce",
+                "lateralforce",
+                "fx",
+                "ft",
+                "reibkraft",
+                "reibungskraft",
+            ],
         }
     }
 
@@ -84,8 +130,10 @@ impl Quantity {
         let unit = unit.trim();
         match self {
             Self::Time => size_of::<Second>(unit),
-            Self::Depth | Self::Piezo | Self::Deflection => size_of::<Metre>(unit),
-            Self::Force => size_of::<Newton>(unit),
+            Self::Depth | Self::Piezo | Self::Deflection | Self::Slide => size_of::<Metre>(unit),
+            Self::Force | Self::Tangential => size_of::<Newton>(unit),
+            Self::Speed => size_of::<MetrePerSecond>(unit),
+            Self::Restitution => (unit == "%").then_some((1.0, 100.0)),
             Self::Frequency if size_of::<Hertz>(unit).is_none() => {
                 size_of::<RadianPerSecond>(unit).map(|(up, down)| (up, down * TAU))
             }
@@ -101,6 +149,10 @@ impl Quantity {
             Self::Time => "s",
             Self::Depth | Self::Piezo | Self::Deflection => "nm",
             Self::Force => "nN",
+            Self::Speed => "mm/s",
+            Self::Restitution => "%",
+            Self::Slide => "um",
+            Self::Tangential => "mN",
             Self::Frequency => "Hz",
             Self::Storage | Self::Loss => "kPa",
             Self::Temperature => "degC",
@@ -125,6 +177,8 @@ pub struct Wanted {
     named: Vec<Named>,
     /// Stiffness of the cantilever [N/m].
     pub spring: Option<f64>,
+    /// What drives; `None` of moduli.
+    pub led: Option<Drive>,
 }
 
 /// A column named by the user.
@@ -144,7 +198,13 @@ impl Wanted {
     /// What is wrong with it, and what would be right.
     pub fn read(text: &str, spring: Option<f64>) -> Result<Self, String> {
         let named = text.split(',').map(str::trim).filter(|part| !part.is_empty()).map(Named::read);
-        Ok(Self { named: named.collect::<Result<Vec<_>, _>>()?, spring })
+        Ok(Self { named: named.collect::<Result<Vec<_>, _>>()?, spring, led: None })
+    }
+
+    /// The same of data of what `led` drives.
+    #[must_use]
+    pub fn led_by(self, led: Drive) -> Self {
+        Self { led: Some(led), ..self }
     }
 }
 
@@ -207,7 +267,7 @@ pub fn found(grid: &Grid, wanted: &Wanted) -> Result<(Vec<Found>, Vec<String>), 
         let unit = named.unit.clone().or_else(|| headed[at].unit.clone());
         all.push(sized(named.quantity, at, unit.as_deref(), &mut notes, (&headed[at], named.sign))?);
     }
-    for quantity in Quantity::ALL {
+    for &quantity in Quantity::wanted(wanted.led) {
         let taken = |at: &usize| all.iter().any(|found: &Found| found.at == *at);
         if all.iter().any(|found| found.quantity == quantity) {
             continue;
@@ -240,6 +300,7 @@ fn sized(
         Some(unit) => quantity.size(unit).ok_or_else(|| {
             format!("{name}: {} has no unit \"{unit}\": expected one such as {}", quantity.name(), quantity.example())
         })?,
+        None if quantity == Quantity::Restitution => (1.0, 1.0),
         None => {
             notes.push(format!(
                 "{name} has no unit: taken as SI; else say --columns \"{}={name} [{}]\"",
@@ -310,12 +371,21 @@ fn split(head: &str) -> Headed {
     });
     let marked =
         || ['/', ','].into_iter().find_map(|mark| head.rsplit_once(mark)).filter(|(_, unit)| is_unit(unit.trim()));
-    let tailed = || head.rsplit_once('_').and_then(|(name, tail)| Some((name, spelt(tail)?)));
+    let tailed = || {
+        let small = head.trim().to_lowercase();
+        let speed =
+            SPEEDS.iter().find_map(|(tail, unit)| Some((head.trim().get(..small.strip_suffix(tail)?.len())?, *unit)));
+        speed.or_else(|| head.rsplit_once('_').and_then(|(name, tail)| Some((name, spelt(tail)?))))
+    };
     match bracketed.or_else(marked).or_else(tailed) {
         Some((name, unit)) => Headed { name: name.trim().to_owned(), unit: Some(unit.trim().to_owned()) },
         None => Headed { name: head.trim().to_owned(), unit: None },
     }
 }
+
+/// Units of speeds as they end names of columns, in small letters.
+const SPEEDS: [(&str, &str); 4] =
+    [("_mm_per_s", "mm/s"), ("_um_per_s", "um/s"), ("_cm_per_s", "cm/s"), ("_m_per_s", "m/s")];
 
 /// Units as they end names of columns, in small letters.
 fn spelt(tail: &str) -> Option<&'static str> {
