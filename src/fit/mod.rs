@@ -78,6 +78,7 @@ use interval::huber;
 use model::{Last, Model};
 use noise::Moments;
 use solve::{Found, Task};
+use straight::Bent;
 
 /// Why there is no fit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -278,18 +279,18 @@ impl Question {
     /// As of [`fit`](Self::fit).
     pub fn fit_in_doubt(&self, (curve, doubts): (&Curve, &[Doubt]), tables: &dyn Tables) -> Result<Fit, FitError> {
         curve.checked(self.led).map_err(FitError::Data)?;
-        match self.options.spring.filter(|_| self.options.baseline == Baseline::Virtual) {
-            Some(spring) => self.straightened((curve, doubts), tables, spring),
+        match self.options.spring.filter(|_| self.led == Drive::Depth) {
+            Some(spring) => self.on_cantilever((curve, doubts), tables, spring),
             None => Ok(self.fit_along((curve, doubts), tables, None)?.0),
         }
     }
 
-    /// The same with the second column of the baseline given, and then with the slopes of the response in first touch.
+    /// The same on a cantilever whose state is known so far, and then with the slopes of the response in first touch.
     fn fit_along(
         &self,
         (curve, doubts): (&Curve, &[Doubt]),
         tables: &dyn Tables,
-        column: Option<&[f64]>,
+        bent: Option<&Bent>,
     ) -> Result<(Fit, Vec<f64>), FitError> {
         let touch_is_free = self.touches();
         let used = self.used(curve);
@@ -301,8 +302,11 @@ impl Question {
         let last = Last::default();
         let model = Model { places: &self.places, free: &self.free, tables, curve, led: self.led, last: &last };
         let frame = Frame::new(curve.driven(self.led), used, self.options.baseline);
-        let frame = match column {
-            Some(column) => frame.along(column),
+        let frame = match bent {
+            Some(bent) if self.options.baseline == Baseline::Virtual => {
+                frame.along(&bent.column).weighing(&bent.weights)
+            }
+            Some(bent) => frame.weighing(&bent.weights),
             None => frame,
         };
         // Slopes by differences: half of the digits of what the scene is computed to.
@@ -314,8 +318,8 @@ impl Question {
         let (frame, found) = self.weighed(Task { frame: &frame, ..task }, found)?;
         let weighed = Task { frame: &frame, ..task };
         let carried = self.carried(&weighed, &found, doubts).map_err(FitError::Scene)?;
-        let touch = match column {
-            Some(_) => weighed.slopes(&found.place, &found.answer).map_err(FitError::Scene)?.pop().unwrap_or_default(),
+        let touch = match bent {
+            Some(_) => weighed.slope_of_touch(&found.place, &found.answer).map_err(FitError::Scene)?,
             None => Vec::new(),
         };
         let mut fit = answer::told(self, weighed, found)?.widened(&self.free, carried);

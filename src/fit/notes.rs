@@ -7,7 +7,7 @@ use super::noise::Moments;
 use super::solve::{Found, Task};
 use super::sure::{Left, Sure};
 use super::verdict::{self, Noise, Verdict};
-use crate::scene::fit::{Baseline, Drive};
+use crate::scene::fit::Drive;
 
 /// What the data say of the scene.
 pub struct Heard {
@@ -33,9 +33,7 @@ impl Heard {
         // Only before a touch there is nothing but noise.
         let pressed = matches!(question.led, Drive::Depth | Drive::Force);
         let noise = Noise::before(task.frame, off, &apart).filter(|_| pressed).map(|noise| noise.not_below(floor));
-        // A depth made of a deflection has the noise of the force in it: what is left has a shape by itself.
         let verdict = noise
-            .filter(|_| question.options.baseline != Baseline::Virtual)
             .filter(|_| touching.len() > columns.len() + 10)
             .map(|noise| Verdict::of(task.frame, (columns, off), &touching, noise));
         let coarse = deviation > floor;

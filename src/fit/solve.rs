@@ -135,7 +135,11 @@ impl Task<'_> {
         Ok(beside.response.iter().zip(&answer.response).map(|(beside, here)| (beside - here) / step).collect())
     }
 
-    fn slope_of_touch(&self, place: &Place, answer: &Answer) -> Result<Vec<f64>, String> {
+    /// Slope of the answer in first touch at all points, by a difference.
+    ///
+    /// # Errors
+    /// The scene cannot be computed beside the place.
+    pub fn slope_of_touch(&self, place: &Place, answer: &Answer) -> Result<Vec<f64>, String> {
         let step = self.step * self.span();
         let beside = self.answer(&Place { contact: place.contact + step, ..place.clone() })?;
         Ok(beside.response.iter().zip(&answer.response).map(|(beside, here)| (beside - here) / step).collect())

@@ -25,6 +25,10 @@ pub const ENOUGH: usize = 30;
 const DEGREES: usize = 8;
 /// Part of a column that is left where little of it is taken away.
 const LITTLE: f64 = 0.7;
+/// Part of a fitted column below which it is a sum of those before.
+const ALIKE: f64 = 1e-6;
+/// The same of a polynomial: a shape is looked for in no rest that is next to none.
+const SHAPE: f64 = 1e-3;
 /// Standard deviations beyond which chance is no answer: one in two million.
 const SURE: f64 = 5.0;
 
@@ -134,7 +138,7 @@ fn polynomials(count: usize) -> Vec<Vec<f64>> {
 /// Square of the part of `white` in the columns `smooth` that is not in `fitted`, and its degrees of freedom.
 fn smooth_part(fitted: Vec<Vec<f64>>, smooth: impl Iterator<Item = Vec<f64>>, white: &[f64]) -> (f64, f64) {
     let mut basis: Vec<Vec<f64>> = Vec::new();
-    let mut add = |mut column: Vec<f64>| {
+    let mut add = |mut column: Vec<f64>, least: f64| {
         let whole = dot(&column, &column).sqrt();
         let mut size = whole;
         // Twice is enough, and once where little is taken away (Daniel et al. 1976; Giraud et al. 2005).
@@ -149,15 +153,16 @@ fn smooth_part(fitted: Vec<Vec<f64>>, smooth: impl Iterator<Item = Vec<f64>>, wh
                 break;
             }
         }
-        let new = size > 1e-6 * whole;
+        let new = size > least * whole;
         if new {
             column.iter_mut().for_each(|value| *value /= size);
             basis.push(column.clone());
         }
         new.then_some(column)
     };
-    fitted.into_iter().for_each(|column| drop(add(column)));
-    let parts: Vec<f64> = smooth.filter_map(&mut add).map(|column| dot(&column, white).powi(2)).collect();
+    fitted.into_iter().for_each(|column| drop(add(column, ALIKE)));
+    let parts: Vec<f64> =
+        smooth.filter_map(|column| add(column, SHAPE)).map(|column| dot(&column, white).powi(2)).collect();
     (parts.iter().sum(), parts.len() as f64)
 }
 

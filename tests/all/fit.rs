@@ -129,10 +129,49 @@ fn a_virtual_deflection_is_recovered() {
         let (off, error) = ((one.value - truth).abs(), one.standard_error.unwrap());
         assert!(off < 4.0 * error && error < 0.2 * truth, "{path} {one:?}");
     }
-    assert_eq!(noisy.chi2, None);
+    assert!(noisy.chi2.is_some_and(|chi2| (chi2 - 1.0).abs() < 0.5) && !noisy.rejected, "{:?}", noisy.notes);
     let alone = fit(&scene(BALL), &free, &clean, Options { spring: None, ..options }).unwrap_err();
     assert!(alone.to_string().contains("--spring"), "{alone}");
 }
+
+/// A cantilever 27 times as stiff as the contact at its deepest, and one 2.7 times: the depths have the noise of the force in
+/// them, n/k, so that in contact it counts 1.04 and 1.37 times. Good fits stand, with their intervals; a cone is told from a
+/// ball. Of 60 draws 95 % hold the truth 57 times; four standard deviations of the binomial law are 7.
+#[test]
+fn depths_made_of_a_deflection_are_judged_by_their_own_noise() {
+    let clean = hertz(400, 0.0, Noise::new(3, 0.0));
+    let [depths, forces] = clean.readings.both();
+    let drawn = |(spring, part): (f64, f64), noise: &mut Noise| {
+        let piezo: Vec<f64> = depths.iter().zip(forces).map(|(d, force)| d + force / spring).collect();
+        let measured = |(force, z): (&f64, &f64)| force + spring * part * z + 20e-12 * noise.next();
+        let force: Vec<f64> = forces.iter().zip(&piezo).map(measured).collect();
+        let depth = piezo.iter().zip(&force).map(|(z, force)| z - force / spring).collect();
+        curve(None, depth, force)
+    };
+    let free = ["bodies.0.young=10 Pa..1 MPa"];
+    for (spring, baseline, rho) in [
+        (0.5, Baseline::Virtual, 0.0),
+        (0.05, Baseline::Virtual, 0.0),
+        (0.05, Baseline::Virtual, 0.8),
+        (0.05, Baseline::Constant, 0.0),
+    ] {
+        let part = if baseline == Baseline::Virtual { 0.01 } else { 0.0 };
+        let options = Options { baseline, spring: Some(spring), ..Options::default() };
+        let (mut held, mut rejected, mut noise) = (0, 0, Noise::new(31, rho));
+        for _ in 0..60 {
+            let found = fit(&scene(BALL), &free, &drawn((spring, part), &mut noise), options).unwrap();
+            let one = found.parameter(PATH).unwrap();
+            held += u32::from(one.low.is_some_and(|low| low <= 2.4e3) && one.high.is_some_and(|high| 2.4e3 <= high));
+            rejected += u32::from(found.rejected);
+        }
+        assert!(rejected == 0 && (50..=60).contains(&held), "{spring} {rho}: {held} held, {rejected} rejected");
+        let cone = BALL.replace(r#"Paraboloid(radius: "5 um")"#, "Cone(slope: 0.5)");
+        let wrong = fit(&scene(&cone), &free, &drawn((spring, part), &mut noise), options).unwrap();
+        assert!(wrong.rejected, "{spring} {rho}: {:?}", wrong.notes);
+    }
+}
+
+const PATH: &str = "bodies.0.young";
 
 /// What the scene `text` answers at the rows of a table, through a whole run.
 pub fn answered(text: &str, names: [&str; 2], time: &[f64], drive: &[f64]) -> Vec<f64> {
@@ -579,7 +618,8 @@ fn read(text: &str, columns: &str) -> Result<Curve, String> {
 fn data_are_read_as_they_come() {
     let right = |text: &str, columns: &str| {
         let curve = read(text, columns).unwrap();
-        assert_eq!(curve.readings.both().map(|column| column[1]), [1.5e-7, 2.5e-9], "{text}");
+        let [depth, force] = curve.readings.both();
+        assert_eq!((depth[1], force[1]), (1.5e-7, 2.5e-9), "{text}");
         curve
     };
     right("z [nm],F [nN]\n0,0\n150,2.5\n", "");

@@ -218,7 +218,8 @@ fn tables_of_impacts_and_slides_are_read() {
         ("V (m/s);COR (%)\n0,1;90\n0,2;80\n", ""),
         ("a b\n0.1 90\n0.2 80\n", "speed=a [m/s], restitution=b [%]"),
     ] {
-        assert_eq!(second(text, columns, Drive::Speed), [0.2, 0.8], "{text}");
+        let [speed, restitution] = second(text, columns, Drive::Speed);
+        assert_eq!((speed, restitution), (0.2, 0.8), "{text}");
     }
     for (text, columns) in [
         ("x [um],Fx [mN]\n0,0\n2,3\n", ""),
