@@ -85,9 +85,8 @@ pub fn columns(task: &Task<'_>, found: &Found) -> Result<Vec<Vec<f64>>, String> 
 
 /// The answer of a question.
 pub fn told(question: &Question, task: Task<'_>, found: Found) -> Result<Fit, FitError> {
-    let (frame, free) = (task.frame, task.model.free);
+    let (frame, free, rest) = (task.frame, task.model.free, task.rest(&found.answer));
     let columns = columns(&task, &found).map_err(FitError::Scene)?;
-    let rest = task.rest(&found.answer);
     let baseline = frame.baseline(&rest);
     let off = without(frame, &rest, &baseline);
     let left = Left { task, found: &found, columns: &columns, off: &off, names: &names(question, &task) };
@@ -168,7 +167,7 @@ fn names(question: &Question, task: &Task<'_>) -> Vec<String> {
 /// Estimate number `at`, with its standard error and half of its interval on the natural scale.
 fn estimate(valley: &Valley<'_>, at: usize, sure: Option<(f64, f64)>, path: &str, baseline: &[f64]) -> Estimate {
     let Task { model, frame, .. } = valley.task;
-    let (drive, response, per) = units(model.led);
+    let units = units(model.led);
     if let Some(free) = model.free.get(at) {
         let value = valley.found.place.values[at];
         let end = |sign: f64| {
@@ -188,20 +187,19 @@ fn estimate(valley: &Valley<'_>, at: usize, sure: Option<(f64, f64)>, path: &str
     }
     let beyond = at - model.free.len();
     let (value, scale, unit) = match (valley.task.touch, beyond) {
-        (true, 0) => (valley.found.place.contact, 1.0, drive),
+        (true, 0) => (valley.found.place.contact, 1.0, units.0),
         (touch, beyond) => {
             let column = beyond - usize::from(touch);
             let scale = if column == 0 { 1.0 } else { 1.0 / frame.largest };
-            let per = if path == VIRTUAL { "" } else { per };
-            (baseline[column] * scale, scale, if column == 0 { response } else { per })
+            let per = if path == VIRTUAL { "" } else { units.2 };
+            (baseline[column] * scale, scale, if column == 0 { units.1 } else { per })
         }
     };
-    let standard_error = sure.map(|(error, _)| error * scale);
     let reach = sure.map(|(_, reach)| reach * scale);
     Estimate {
         path: path.to_owned(),
         value,
-        standard_error,
+        standard_error: sure.map(|(error, _)| error * scale),
         low: reach.map(|reach| value - reach),
         high: reach.map(|reach| value + reach),
         unit,

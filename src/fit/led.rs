@@ -1,5 +1,6 @@
 //! A scene led through the rows of a measured curve by a run of its own.
 
+use super::FitError;
 use super::adhesive::Jump;
 use super::curve::Curve;
 use super::drive::{DRIVE, Prescribed};
@@ -10,10 +11,48 @@ use crate::input::table::Tables;
 use crate::run::record::{Outcome, Record};
 use crate::run::{Wanted, run};
 use crate::scene::Scene;
-use crate::scene::fit::Drive;
+use crate::scene::fit::{Baseline, Drive};
 use crate::scene::history::{Entry, Impact};
 use crate::scene::plan::Plan;
 use crate::scene::stage::{Path, Stage};
+
+/// What drives a scene: what is asked for, or else what its history says.
+///
+/// # Errors
+/// It cannot be driven so.
+pub fn led_by(scene: &Scene, asked: Option<Drive>) -> Result<Drive, FitError> {
+    let strikes = matches!(scene.history.first(), Some(Entry::Impact(_)));
+    let slides = matches!(scene.history.last(), Some(Entry::Slide(_) | Entry::Shake(_)));
+    let by_scene = match scene.history.first() {
+        _ if strikes => Drive::Speed,
+        _ if slides => Drive::Slide,
+        Some(Entry::Press(_) | Entry::HoldForce(_)) => Drive::Force,
+        _ => Drive::Depth,
+    };
+    let led = asked.unwrap_or(by_scene);
+    if strikes == (led == Drive::Speed) {
+        return Ok(led);
+    }
+    Err(FitError::Scene(if strikes { OF_IMPACTS } else { OF_SPEEDS }.to_owned()))
+}
+
+/// The line under what answers to `led`: a restitution has none.
+///
+/// # Errors
+/// Another one is asked for.
+pub fn baseline(asked: Baseline, led: Drive) -> Result<Baseline, FitError> {
+    match (led, asked) {
+        (Drive::Speed, Baseline::Absent | Baseline::Constant) => Ok(Baseline::Absent),
+        (Drive::Speed, Baseline::Linear | Baseline::Virtual) => {
+            Err(FitError::Free("a restitution has no baseline: expected baseline: Absent".to_owned()))
+        }
+        (Drive::Depth | Drive::Force | Drive::Slide, _) => Ok(asked),
+    }
+}
+
+const OF_IMPACTS: &str =
+    "an impact has no curve of depths and forces: expected drive: Speed, and speeds with restitutions";
+const OF_SPEEDS: &str = "speeds drive an impact: expected history: [Impact(…)]";
 
 /// A curve and the tables of the scene.
 pub type Data<'d> = (&'d Curve, &'d dyn Tables);

@@ -71,7 +71,6 @@ use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::scene::Scene;
 use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Way};
-use crate::scene::history::Entry;
 use crate::text::place::{Places, Value};
 use frame::Frame;
 use interval::huber;
@@ -145,38 +144,6 @@ pub struct Question {
     floor: f64,
 }
 
-/// What drives a scene: what is asked for, or else what its history says.
-fn led_by(scene: &Scene, asked: Option<Drive>) -> Result<Drive, FitError> {
-    let strikes = matches!(scene.history.first(), Some(Entry::Impact(_)));
-    let slides = matches!(scene.history.last(), Some(Entry::Slide(_) | Entry::Shake(_)));
-    let by_scene = match scene.history.first() {
-        _ if strikes => Drive::Speed,
-        _ if slides => Drive::Slide,
-        Some(Entry::Press(_) | Entry::HoldForce(_)) => Drive::Force,
-        _ => Drive::Depth,
-    };
-    let led = asked.unwrap_or(by_scene);
-    if strikes == (led == Drive::Speed) {
-        return Ok(led);
-    }
-    Err(FitError::Scene(if strikes { OF_IMPACTS } else { OF_SPEEDS }.to_owned()))
-}
-
-/// The line under what answers to `led`: a restitution has none.
-fn baseline(asked: Baseline, led: Drive) -> Result<Baseline, FitError> {
-    match (led, asked) {
-        (Drive::Speed, Baseline::Absent | Baseline::Constant) => Ok(Baseline::Absent),
-        (Drive::Speed, Baseline::Linear | Baseline::Virtual) => {
-            Err(FitError::Free("a restitution has no baseline: expected baseline: Absent".to_owned()))
-        }
-        (Drive::Depth | Drive::Force | Drive::Slide, _) => Ok(asked),
-    }
-}
-
-const OF_IMPACTS: &str =
-    "an impact has no curve of depths and forces: expected drive: Speed, and speeds with restitutions";
-const OF_SPEEDS: &str = "speeds drive an impact: expected history: [Impact(…)]";
-
 /// Points more than parameters that a fit needs.
 const SPARE: usize = 3;
 /// The most points a start is searched from with, where an answer is cheap.
@@ -210,8 +177,8 @@ impl Question {
                 return Err(FitError::Free(format!("{} is free twice: expected it once", one.path)));
             }
         }
-        let led = led_by(scene, options.drive)?;
-        let options = Options { baseline: baseline(options.baseline, led)?, ..options };
+        let led = led::led_by(scene, options.drive)?;
+        let options = Options { baseline: led::baseline(options.baseline, led)?, ..options };
         straight::checked(&options, led)?;
         let steps = led == Drive::Force || led != Drive::Depth && scene.relaxes();
         let floor = if steps { scene.accuracy.map_or(1e-6, |accuracy| accuracy.si()) } else { SHARP };
@@ -318,10 +285,8 @@ impl Question {
         let (frame, found) = self.weighed(Task { frame: &frame, ..task }, found)?;
         let weighed = Task { frame: &frame, ..task };
         let carried = self.carried(&weighed, &found, doubts).map_err(FitError::Scene)?;
-        let touch = match bent {
-            Some(_) => weighed.slope_of_touch(&found.place, &found.answer).map_err(FitError::Scene)?,
-            None => Vec::new(),
-        };
+        let touch = bent.map(|_| weighed.slope_of_touch(&found.place, &found.answer));
+        let touch = touch.transpose().map_err(FitError::Scene)?.unwrap_or_default();
         let mut fit = answer::told(self, weighed, found)?.widened(&self.free, carried);
         fit.on_jumps = task.frame.used.iter().copied().filter(|at| fit.used.binary_search(at).is_err()).collect();
         fit.notes.extend(jumps::told(curve, &fit.on_jumps));

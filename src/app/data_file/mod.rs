@@ -14,9 +14,11 @@
 
 mod columns;
 mod grid;
+mod quantity;
 mod spelt;
 
-pub use columns::{Quantity, Wanted};
+pub use columns::Wanted;
+pub use quantity::Quantity;
 pub use spelt::Spelt;
 
 use super::fault::Fault;
