@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 use springbed::check::power_law::PowerTriangle;
 use springbed::fit::prony::Moduli;
-use springbed::fit::{Curve, Options, Question};
+use springbed::fit::{Curve, Options, Question, Readings};
 use springbed::prelude::*;
 use springbed::run::record::FORCE;
 use springbed::scene::Scene;
@@ -29,7 +29,7 @@ fn noise(count: usize) -> Vec<f64> {
 fn curve(time: Option<Vec<f64>>, depth: Vec<f64>, force: &[f64]) -> Curve {
     let largest = force.iter().fold(0.0, |largest: f64, force| largest.max(force.abs()));
     let force = force.iter().zip(noise(depth.len())).map(|(force, noise)| force + 0.01 * largest * noise).collect();
-    Curve { rows: (2..depth.len() + 2).collect(), time, depth, force }
+    Curve { rows: (2..depth.len() + 2).collect(), time, readings: Readings::Indentation { depth, force } }
 }
 
 fn triangle(start: f64, deepest: f64, end: f64, half: usize) -> Vec<f64> {

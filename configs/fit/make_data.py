@@ -235,6 +235,47 @@ def polymer_temperatures():
     save("polymer_temperatures.csv", "temperature [degC];frequency [Hz];G' [MPa];G'' [MPa]", columns, "%.6e", ";")
 
 
+def steel_restitution():
+    """Restitution of a steel ball that yields on a hard anvil: R = 5 mm, 7800 kg/m^3, E = 210 GPa, nu = 0.3, Y = 1.1 GPa; tungsten carbide 650 GPa and 0.22.
+
+    Thornton (1997), J. Appl. Mech. 64, 383: with s = v_y/v, e = (6 sqrt(3)/5)^(1/2) (1 - s^2/6)^(1/2) (s/(s + 2 sqrt(6/5 - s^2/5)))^(1/4),
+    v_y = (pi/2E*)^2 sqrt(8 pi R^3/15m) (1.6 Y)^(5/2); noise 0.01.
+    """
+    rng = np.random.default_rng(14)
+    radius, mass = 5e-3, 4 / 3 * np.pi * 5e-3**3 * 7800
+    modulus = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.22**2) / 650e9)
+    yields = (np.pi / 2 / modulus) ** 2 * np.sqrt(8 * np.pi * radius**3 / 15 / mass) * (1.6 * 1.1e9) ** 2.5
+    speed = np.geomspace(0.05, 8.0, 40)
+    s = np.minimum(yields / speed, 1.0)
+    e = np.sqrt(6 * np.sqrt(3) / 5 * (1 - s**2 / 6)) * (s / (s + 2 * np.sqrt(6 / 5 - s**2 / 5))) ** 0.25
+    e = np.where(s < 1.0, e, 1.0) + correlated(rng, speed.size, 0.01, 0.0)
+    save("steel_restitution.csv", "v [m/s],e", (speed, e), "%.5f")
+
+
+def friction_loop():
+    """Loop of a PDMS lens on glass under 50 mN: R = 5 mm, E = 2.2 MPa, nu = 1/2, mu = 0.8; noise 0.2 mN, correlated 0.5, on 1 mN.
+
+    Cattaneo and Mindlin: with u* = mu (2 - nu)/(2 (1 - nu)) d all slips; F = mu P (1 - (1 - u/u*)^(3/2)) at first, and from
+    each turn F_t on F = F_t -+ 2 mu P (1 - (1 - |u - u_t|/2u*)^(3/2)).
+    """
+    rng = np.random.default_rng(15)
+    load, coefficient = 50e-3, 0.8
+    depth = (0.75 * load / (2.2e6 / 0.75 * np.sqrt(5e-3))) ** (2 / 3)
+    all_slips, most = coefficient * 1.5 * depth, coefficient * load
+
+    def branch(way, scale):
+        return scale * most * (1 - np.clip(1 - way / (scale * all_slips), 0.0, None) ** 1.5)
+
+    top = 0.7 * all_slips
+    first, back = np.linspace(0.0, top, 120), np.linspace(top, -top, 241)[1:]
+    force = branch(first, 1.0)
+    out = force[-1] - branch(top - back, 2.0)
+    again = out[-1] + branch(back[::-1] + top, 2.0)
+    slide = np.concatenate([first, back, back[::-1]])
+    force = np.concatenate([force, out, again]) + 1e-3 + correlated(rng, slide.size, 0.2e-3, 0.5)
+    save("friction_loop.csv", "x [um];Fx [mN]", (slide * 1e6, force * 1e3), "%.5f", ";")
+
+
 if __name__ == "__main__":
-    for make in (gel_sphere, cell_on_glass, fused_silica, jkr_lens, ting, power_law, creep, rubber_moduli, polymer_temperatures):
+    for make in (gel_sphere, cell_on_glass, fused_silica, jkr_lens, ting, power_law, creep, rubber_moduli, polymer_temperatures, steel_restitution, friction_loop):
         make()

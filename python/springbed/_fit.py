@@ -44,7 +44,8 @@ class Fit:
     notes: list[str]
     """What a user must know."""
     points: dict[str, np.ndarray]
-    """The curve, row by row: ``indentation_m``, ``force_n``, ``model`` (of what answers) and whether the row ``counts``."""
+    """The curve, row by row: ``indentation_m`` and ``force_n`` (``speed_m_per_s`` and ``restitution`` of impacts, ``slide_m`` and
+    ``tangential_force_n`` of slides), ``model`` (of what answers) and whether the row ``counts``."""
 
     def __init__(self, parts: dict[str, Any]) -> None:
         summary = json.loads(parts["summary"])
@@ -55,7 +56,7 @@ class Fit:
         self.chi2 = summary["chi2"]
         self.rejected = summary["rejected"]
         self.notes = summary["notes"]
-        self.points = {name: parts[name] for name in ("indentation_m", "force_n", "model", "counts")}
+        self.points = {name: parts[name] for name in parts if name not in ("summary", "figure")}
 
     def __getitem__(self, path: str) -> float:
         """The value of a parameter."""
@@ -109,13 +110,14 @@ def fit(
     data
         The path of a file in any shape (CSV, TSV, decimal commas, lines above the table), or a dict of arrays in SI units:
         ``depth`` or ``indentation_m``, ``force`` or ``force_n`` and, for bodies that relax, ``time`` or ``time_s``
-        (``Result.records`` is one). A list of these gives a list of fits.
+        (``Result.records`` is one); ``speed`` and ``restitution`` of impacts, ``slide`` and ``tangential`` (a force) of
+        what is moved along. A list of these gives a list of fits.
     free
         Free parameters: ``{"bodies.0.young": (1e3, 1e6)}``, ``{"bodies.0.young": ("1 kPa", "1 MPa")}``, ``None`` in the
         place of a range for none, or texts ``"bodies.0.young=1 kPa..1 MPa"``.
     **options
         ``columns="depth=z [nm], force=F [nN]"``, ``spring="0.05 N/m"`` (deflection and piezo), ``baseline`` ("absent",
-        "constant", "linear", "virtual"), ``contact`` ("free", "zero"), ``drive`` ("depth", "force"), ``way`` ("both", "in", "out"),
+        "constant", "linear", "virtual"), ``contact`` ("free", "zero"), ``drive`` ("depth", "force", "speed", "slide"), ``way`` ("both", "in", "out"),
         ``range="-1 um..300 nm"``, ``robust=True``; ``given={"shape.radius": "2 %"}`` for what is known with a standard error
         only (``spring`` is the cantilever), ``models=["hertz", "jkr", "layered"]`` to compare (``Fit.models``).
 
@@ -161,11 +163,27 @@ def measured(data: Data) -> Any:
     """The path of a file, or the arrays of a curve."""
     if not isinstance(data, Mapping):
         return os.path.abspath(os.fspath(data))
-    columns = [column(data, names) for names in (("depth", "indentation_m"), ("force", "force_n"), ("time", "time_s"))]
-    if columns[0] is None or columns[1] is None:
+    pairs = ((SPEED, RESTITUTION), (SLIDE, TANGENTIAL), (DEPTH, FORCE))
+    there = (both(data, pair) for pair in pairs)
+    columns = next((pair for pair in there if all(one is not None for one in pair)), None)
+    if columns is None:
         found = ", ".join(map(str, data)) or "none"
-        raise ValueError(f"a curve needs depth and force (found: {found}): expected arrays by these names")
-    return tuple(one for one in columns if one is not None)
+        raise ValueError(
+            f"a curve needs depth and force, speed and restitution, or slide and tangential (found: {found}): "
+            "expected arrays by these names"
+        )
+    time = column(data, ("time", "time_s"))
+    return tuple(columns if time is None else [*columns, time])
+
+
+DEPTH, FORCE = ("depth", "indentation_m"), ("force", "force_n")
+SPEED, RESTITUTION = ("speed", "speed_m_per_s"), ("restitution",)
+SLIDE, TANGENTIAL = ("slide", "slide_m"), ("tangential", "tangential_force", "tangential_force_n")
+
+
+def both(data: Mapping[str, Any], names: tuple[tuple[str, ...], tuple[str, ...]]) -> list[Optional[np.ndarray]]:
+    """Two columns, each by the first of its names that is there."""
+    return [column(data, one) for one in names]
 
 
 def column(data: Mapping[str, Any], names: tuple[str, ...]) -> Optional[np.ndarray]:

@@ -8,13 +8,13 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use springbed::app::export::{self, Fitted};
 use springbed::app::fitting::Fitting;
-use springbed::fit::Curve;
+use springbed::fit::Readings;
 use springbed::input::problem::Problem;
 use springbed::scene::fit::Measured;
 use std::path::PathBuf;
 
-/// A curve as the package hands it over: the path of its file, or arrays of depth [m], force [N] and, if it was
-/// measured, time [s].
+/// A curve as the package hands it over: the path of its file, or arrays of depth [m] and force [N], of speed [m/s] and
+/// restitution or of slide [m] and tangential force [N], and, if it was measured, time [s].
 #[derive(FromPyObject)]
 pub enum Measurement<'py> {
     File(PathBuf),
@@ -25,18 +25,18 @@ pub enum Measurement<'py> {
 /// A curve that is the interpreter's no more.
 enum Owned {
     File(PathBuf),
-    Curve(Curve),
+    Curve([Vec<f64>; 2], Option<Vec<f64>>),
 }
 
 impl Measurement<'_> {
     fn owned(self) -> Owned {
         let numbers = |array: PyReadonlyArray1<'_, f64>| array.as_array().to_vec();
-        let (depth, force, time) = match self {
+        let (first, second, time) = match self {
             Self::File(path) => return Owned::File(path),
             Self::Timed(depth, force, time) => (numbers(depth), numbers(force), Some(numbers(time))),
             Self::Untimed(depth, force) => (numbers(depth), numbers(force), None),
         };
-        Owned::Curve(Curve { rows: (0..depth.len()).collect(), depth, force, time })
+        Owned::Curve([first, second], time)
     }
 }
 
@@ -57,7 +57,9 @@ fn fitted(source: &Source, options: &str, curve: Owned) -> Result<Fitted, Wrong>
     let fitting = Fitting::new(&measured, &scene, &source.folder).map_err(asked)?;
     let found = match curve {
         Owned::File(path) => fitting.of_file(&path, &source.tables()),
-        Owned::Curve(curve) => fitting.of_curve("arrays", curve, &source.tables()),
+        Owned::Curve(columns, time) => {
+            fitting.of_curve("arrays", fitting.curve(columns, time), &source.tables())
+        }
     };
     found.map_err(Wrong::Failed)
 }
@@ -76,13 +78,24 @@ pub fn fit<'py>(
     parts.set_item("summary", export::fit_json(&fitted).map_err(|error| failed(py, error))?)?;
     parts.set_item("figure", export::fit_figure(&fitted).svg())?;
     let Fitted { curve, fit, .. } = fitted;
-    let mut counts = vec![false; curve.depth.len()];
+    let mut counts = vec![false; curve.len()];
     for &at in &fit.used {
         counts.get_mut(at).into_iter().for_each(|one| *one = true);
     }
-    parts.set_item("indentation_m", curve.depth.into_pyarray(py))?;
-    parts.set_item("force_n", curve.force.into_pyarray(py))?;
+    let (names, columns) = named(curve.readings);
+    for (name, column) in names.into_iter().zip(columns) {
+        parts.set_item(name, column.into_pyarray(py))?;
+    }
     parts.set_item("model", fit.model.into_pyarray(py))?;
     parts.set_item("counts", counts.into_pyarray(py))?;
     Ok(parts)
+}
+
+/// The two columns and what they are called.
+fn named(readings: Readings) -> ([&'static str; 2], [Vec<f64>; 2]) {
+    match readings {
+        Readings::Indentation { depth, force } => (["indentation_m", "force_n"], [depth, force]),
+        Readings::Impacts { speed, restitution } => (["speed_m_per_s", "restitution"], [speed, restitution]),
+        Readings::Slides { slide, force } => (["slide_m", "tangential_force_n"], [slide, force]),
+    }
 }

@@ -10,7 +10,7 @@
 //! // F = (4/3)E*√R d^{3/2} with E* = 4/3 kPa and R = 1 mm.
 //! let depth: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-7).collect();
 //! let force = depth.iter().map(|d| 4.0 / 3.0 * 4e3 / 3.0 * (1e-3 * d.powi(3)).sqrt()).collect();
-//! let curve = Curve { rows: (0..50).collect(), depth, force, time: None };
+//! let curve = Curve::of_depths(depth, force);
 //! let scene = Scene::from_ron(r#"(shape: Paraboloid(radius: "1 mm"), bodies: (Elastic(young: "5 kPa", poisson: 0.5), Rigid),
 //!     history: [Indent(to: "10 um", over: 1)])"#)?;
 //! let measured = Measured { free: vec!["bodies.0.young=100 Pa..1 MPa".to_owned()], ..Measured::default() };
@@ -23,13 +23,12 @@ use super::data_file::{Data, Wanted};
 use super::export::{Answered, Fitted, Tried};
 use super::fault::Fault;
 use super::scene_file::SceneFile;
-use crate::contact::adhesion::equilibrium::Control;
-use crate::fit::{Candidate, Curve, Doubt, Fit, FitError, Given, Options, Question, compared, percent};
-use crate::input::quantity::{Displacement, Force, SpringStiffness};
+use crate::fit::{Candidate, Curve, Doubt, Fit, FitError, Given, Options, Question, Readings, compared, percent};
+use crate::input::quantity::{Displacement, Force, Speed, SpringStiffness};
 use crate::input::table::Tables;
 use crate::run::tabor_parameter;
 use crate::scene::Scene;
-use crate::scene::fit::Measured;
+use crate::scene::fit::{Drive, Measured};
 use std::path::Path;
 
 /// Questions to curves, one for each model, and the columns in which their files have it.
@@ -66,7 +65,17 @@ impl Fitting {
             names => names.iter().map(|name| candidate(name, &plain, folder)).collect::<Result<_, _>>()?,
         };
         let asked = |one: Candidate| Ok((one.name.clone(), question(measured, &one)?));
-        Ok(Self { models: candidates.into_iter().map(asked).collect::<Result<_, String>>()?, wanted, spring })
+        let models = candidates.into_iter().map(asked).collect::<Result<Vec<(String, Question)>, String>>()?;
+        let led = models.first().map_or(Drive::Depth, |(_, question)| question.led());
+        Ok(Self { models, wanted: wanted.led_by(led), spring })
+    }
+
+    /// A curve of two columns in SI units, depth and force, speed and restitution, or slide and tangential force, whichever
+    /// the scene is led by, and the times if they were measured.
+    #[must_use]
+    pub fn curve(&self, columns: [Vec<f64>; 2], time: Option<Vec<f64>>) -> Curve {
+        let rows = (0..columns[0].len()).collect();
+        Curve { readings: Readings::of(self.wanted.led.unwrap_or(Drive::Depth), columns), time, rows }
     }
 
     /// The answer for the file at `path`; `tables` are those of the scene.
@@ -132,8 +141,8 @@ fn question(measured: &Measured, model: &Candidate) -> Result<Question, String> 
         |error: FitError| if model.name.is_empty() { error.to_string() } else { format!("{}: {error}", model.name) };
     let asked = |options| Question::new(&model.scene, &model.free, options).map_err(told);
     if !measured.range.is_empty() {
-        let control = asked(options)?.control();
-        options.range = range(&measured.range, control).map_err(|what| format!("range: {what}"))?;
+        let led = asked(options)?.led();
+        options.range = range(&measured.range, led).map_err(|what| format!("range: {what}"))?;
     }
     let asked = asked(options)?.given(&model.given).map_err(told)?;
     // A model that has not both of them has no map.
@@ -183,12 +192,13 @@ fn spring(text: &str, stiffness: Option<f64>) -> Result<Given, String> {
     given.checked(text).map_err(|error| format!("given: {error}"))
 }
 
-fn range(text: &str, control: Control) -> Result<(f64, f64), String> {
+fn range(text: &str, led: Drive) -> Result<(f64, f64), String> {
     let (low, high) = text.split_once("..").ok_or_else(|| format!("\"{text}\" is no range: expected LO..HI"))?;
-    let end = |text: &str, open: f64| match control {
+    let end = |text: &str, open: f64| match led {
         _ if text.trim().is_empty() => Ok(open),
-        Control::Indentation => text.parse().map(Displacement::si).map_err(|error| error.to_string()),
-        Control::Force => text.parse().map(Force::si).map_err(|error| error.to_string()),
+        Drive::Depth | Drive::Slide => text.parse().map(Displacement::si).map_err(|error| error.to_string()),
+        Drive::Speed => text.parse().map(Speed::si).map_err(|error| error.to_string()),
+        Drive::Force => text.parse().map(Force::si).map_err(|error| error.to_string()),
     };
     let (low, high) = (end(low, f64::NEG_INFINITY)?, end(high, f64::INFINITY)?);
     if low < high { Ok((low, high)) } else { Err(format!("\"{text}\" is empty: expected the smaller end first")) }

@@ -58,7 +58,7 @@ mod tests {
             if d >= 0.0 { hertz - 2.0 * PI * work * radius } else { 0.0 }
         };
         let force = depth.iter().map(force).collect();
-        let curve = Curve { rows: (2..202).collect(), depth, force, time: None };
+        let curve = Curve::of_depths(depth, force);
         let scene = Scene::from_ron(
             r#"(shape: Paraboloid(radius: "10 nm"), bodies: (Elastic(young: "60 GPa", poisson: 0), Rigid),
                 adhesion: Dmt(work: "20 mJ/m^2"), history: [Indent(to: "1 nm", over: 1), Retract(speed: 1e-9)])"#,

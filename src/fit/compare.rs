@@ -30,9 +30,9 @@ pub fn compared(curve: &Curve, fits: &[&Fit]) -> Vec<Standing> {
     let shared = |at: &usize| fits.iter().all(|fit| fit.used.binary_search(at).is_ok());
     let used: Vec<usize> = first.used.iter().copied().filter(shared).collect();
     let points = used.len();
-    let frame = Frame::new(curve.driven(first.control), used, Baseline::Absent);
+    let frame = Frame::new(curve.driven(first.led), used, Baseline::Absent);
     let criterion = |fit: &&Fit| {
-        let measured = curve.answered(fit.control);
+        let measured = curve.answered(fit.led);
         let rest: Vec<f64> = frame.used.iter().map(|&at| measured[at] - fit.model[at]).collect();
         let counted = fit.parameters.len() + fit.jumping;
         deviance(&frame, &rest) + counted as f64 * (points as f64).ln()

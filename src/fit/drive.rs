@@ -1,7 +1,6 @@
 //! A measured curve as the history of a scene.
 
 use super::curve::Curve;
-use crate::contact::adhesion::equilibrium::Control;
 use crate::input::table::{Columns, RawMap, TableError, Tables};
 use ndarray::Array2;
 use std::path::Path;
@@ -12,22 +11,20 @@ const SOON: f64 = 1e-9;
 pub const DRIVE: &str = "measured drive";
 
 /// The curve as a table that drives a scene, beside the tables of the scene itself.
-pub struct Drive<'d> {
+pub struct Prescribed<'d> {
     tables: &'d dyn Tables,
-    name: &'static str,
-    time: Vec<f64>,
-    values: Vec<f64>,
+    columns: Vec<(&'static str, Vec<f64>)>,
     rows: &'d [usize],
 }
 
-impl<'d> Drive<'d> {
-    /// Of a curve whose `control` drives bodies that relax or not, first touch at `contact`; beside other `tables`.
+impl<'d> Prescribed<'d> {
+    /// Of a curve that gives these columns beside the time, for bodies that relax or not; beside other `tables`.
     ///
     /// # Errors
     /// The bodies relax and there are no times.
     pub fn of(
         (curve, tables): (&'d Curve, &'d dyn Tables),
-        (control, contact): (Control, f64),
+        columns: Vec<(&'static str, Vec<f64>)>,
         relaxes: bool,
     ) -> Result<Self, String> {
         let time = match &curve.time {
@@ -40,24 +37,27 @@ impl<'d> Drive<'d> {
             // The order alone matters.
             None => (0..curve.len()).map(|row| row as f64).collect(),
         };
-        let values = curve.driven(control).iter().map(|value| value - contact).collect();
-        let name = if control == Control::Force { "force_n" } else { "indentation_m" };
-        Ok(Self { tables, name, time, values, rows: &curve.rows })
+        let columns = std::iter::once(("time_s", time)).chain(columns).collect();
+        Ok(Self { tables, columns, rows: &curve.rows })
+    }
+
+    fn column(&self, name: &str) -> Vec<f64> {
+        self.columns.iter().find(|(known, _)| *known == name).map(|(_, values)| values.clone()).unwrap_or_default()
     }
 }
 
-impl Tables for Drive<'_> {
+impl Tables for Prescribed<'_> {
     fn names(&self, path: &Path) -> Result<Vec<String>, TableError> {
         if path == Path::new(DRIVE) {
-            return Ok(vec!["time_s".to_owned(), self.name.to_owned()]);
+            return Ok(self.columns.iter().map(|(name, _)| (*name).to_owned()).collect());
         }
         self.tables.names(path)
     }
 
     fn columns(&self, path: &Path, names: &[&str]) -> Result<Columns, TableError> {
         if path == Path::new(DRIVE) {
-            let of = |name: &&str| if *name == "time_s" { self.time.clone() } else { self.values.clone() };
-            return Ok(Columns { values: names.iter().map(of).collect(), rows: self.rows.to_vec() });
+            let values = names.iter().map(|name| self.column(name)).collect();
+            return Ok(Columns { values, rows: self.rows.to_vec() });
         }
         self.tables.columns(path, names)
     }

@@ -49,6 +49,12 @@ impl Frame {
         Self { weights, correlation, ..self.clone() }.projected()
     }
 
+    /// The same with the weights of points, given by their roots for all points of the curve.
+    #[must_use]
+    pub fn weighing(&self, roots: &[f64]) -> Self {
+        self.with(self.chosen(roots), self.correlation)
+    }
+
     /// The same with another second column of the baseline, given for all points of the curve.
     #[must_use]
     pub fn along(self, column: &[f64]) -> Self {

@@ -95,18 +95,20 @@ impl Valley<'_> {
     }
 }
 
-/// Weights of points far off, by their distance in standard deviations (Huber 1964): their roots.
+/// Weights of points far off, by their distance in standard deviations (Huber 1964), times those they have: their roots.
 #[must_use]
 pub fn huber(frame: &Frame, rest: &[f64], baseline: &[f64]) -> Vec<f64> {
     /// 95 % efficiency on normal noise.
     const FAR: f64 = 1.345;
     /// Median of the size of normal noise to its standard deviation.
     const MEDIAN: f64 = 1.4826;
-    let off = without(frame, rest, baseline);
+    let off: Vec<f64> =
+        without(frame, rest, baseline).iter().zip(&frame.weights).map(|(off, weight)| off * weight).collect();
     let mut sizes: Vec<f64> = off.iter().map(|x| x.abs()).collect();
     sizes.sort_by(f64::total_cmp);
     let deviation = (MEDIAN * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0)).max(f64::MIN_POSITIVE);
-    off.iter().map(|x| (FAR * deviation / x.abs().max(f64::MIN_POSITIVE)).min(1.0).sqrt()).collect()
+    let near = |x: f64| (FAR * deviation / x.abs().max(f64::MIN_POSITIVE)).min(1.0).sqrt();
+    off.iter().zip(&frame.weights).map(|(x, weight)| weight * near(*x)).collect()
 }
 
 /// The residual without the baseline of the coefficients `baseline`.

@@ -60,8 +60,8 @@ pub fn told(curve: &Curve, on_jumps: &[usize]) -> Option<String> {
 
 /// The rows on jumps of an answer, in order.
 fn on_jumps(task: &Task<'_>, found: &Found) -> Result<Vec<usize>, String> {
-    let drive = task.model.curve.driven(task.model.control);
-    let measured = task.model.curve.answered(task.model.control);
+    let drive = task.model.curve.driven(task.model.led);
+    let measured = task.model.curve.answered(task.model.led);
     let baseline = task.frame.baseline(&task.rest(&found.answer));
     let response = &found.answer.response;
     let usual = usual_step(drive);

@@ -14,7 +14,7 @@
 //! // F = (4/3)E*√R d^{3/2} with E* = 4/3 kPa and R = 1 mm, touched at 2 µm of the drive.
 //! let depth: Vec<f64> = (0..200).map(|k| f64::from(k) * 1e-7).collect();
 //! let force = depth.iter().map(|d| 4.0 / 3.0 * 4e3 / 3.0 * (1e-3 * (d - 2e-6f64).max(0.0).powi(3)).sqrt()).collect();
-//! let curve = Curve { rows: (2..202).collect(), depth, force, time: None };
+//! let curve = Curve::of_depths(depth, force);
 //! let scene = Scene::from_ron(r#"(shape: Paraboloid(radius: "1 mm"), bodies: (Elastic(young: "5 kPa", poisson: 0.5), Rigid),
 //!     history: [Indent(to: "10 um", over: 1)])"#)?;
 //! let question = Question::new(&scene, &["bodies.0.young=100 Pa..1 MPa"], Options::default())?;
@@ -38,10 +38,12 @@ mod free;
 mod given;
 mod interval;
 mod jumps;
+mod led;
 mod map;
 mod master;
 mod model;
 mod noise;
+mod notes;
 pub mod prony;
 mod ranged;
 mod remembering;
@@ -49,6 +51,7 @@ mod slopes;
 mod solve;
 mod start;
 mod straight;
+mod sure;
 mod unsure;
 mod verdict;
 mod widened;
@@ -56,7 +59,7 @@ mod widened;
 pub use answer::{Estimate, Fit};
 pub use candidates::Candidate;
 pub use compare::{Standing, compared};
-pub use curve::Curve;
+pub use curve::{Curve, Readings};
 pub use few::Terms;
 pub use free::Free;
 pub use given::{Carried, Doubt, Given, percent};
@@ -64,18 +67,17 @@ pub use map::Map;
 pub use master::{Master, Sweeps};
 pub use verdict::Noise;
 
-use crate::contact::adhesion::equilibrium::Control;
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use crate::scene::Scene;
 use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Way};
-use crate::scene::history::Entry;
 use crate::text::place::{Places, Value};
 use frame::Frame;
 use interval::huber;
 use model::{Last, Model};
 use noise::Moments;
 use solve::{Found, Task};
+use straight::Bent;
 
 /// Why there is no fit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -137,9 +139,9 @@ pub struct Question {
     /// Numbers of the parameters of which a map is wanted.
     map: Option<[usize; 2]>,
     options: Options,
-    control: Control,
-    /// Relative error of the scene.
-    accuracy: f64,
+    led: Drive,
+    /// Relative error of what the scene answers.
+    floor: f64,
 }
 
 /// Points more than parameters that a fit needs.
@@ -154,6 +156,8 @@ const ROUNDS: usize = 3;
 const LEAVES: f64 = 4.0;
 /// Correlation up to which white noise sees what there is.
 const LIKE: f64 = 0.5;
+/// Relative error of what is answered in closed form or by sums of it.
+const SHARP: f64 = 1e-9;
 /// Relative change of parameters or sum of squares at which a search ends.
 const TOLERANCE: f64 = 1e-12;
 
@@ -173,22 +177,12 @@ impl Question {
                 return Err(FitError::Free(format!("{} is free twice: expected it once", one.path)));
             }
         }
-        let by_scene = match scene.history.first() {
-            Some(Entry::Impact(_)) => {
-                let what = "an impact has no curve of depths and forces: expected a scene that is led by a history";
-                return Err(FitError::Scene(what.to_owned()));
-            }
-            Some(Entry::Press(_) | Entry::HoldForce(_)) => Control::Force,
-            _ => Control::Indentation,
-        };
-        let control = match options.drive {
-            Some(Drive::Depth) => Control::Indentation,
-            Some(Drive::Force) => Control::Force,
-            None => by_scene,
-        };
-        let accuracy = scene.accuracy.map_or(1e-6, |accuracy| accuracy.si());
-        straight::checked(&options, control)?;
-        Ok(Self { places, free, given: Vec::new(), map: None, options, control, accuracy })
+        let led = led::led_by(scene, options.drive)?;
+        let options = Options { baseline: led::baseline(options.baseline, led)?, ..options };
+        straight::checked(&options, led)?;
+        let steps = led == Drive::Force || led != Drive::Depth && scene.relaxes();
+        let floor = if steps { scene.accuracy.map_or(1e-6, |accuracy| accuracy.si()) } else { SHARP };
+        Ok(Self { places, free, given: Vec::new(), map: None, options, led, floor })
     }
 
     /// The same question where some numbers of the scene, each `PATH=SPREAD`, are known with a standard error only.
@@ -214,13 +208,13 @@ impl Question {
 
     /// Whether first touch is free.
     fn touches(&self) -> bool {
-        self.options.contact == FirstTouch::Free && self.control == Control::Indentation
+        self.options.contact == FirstTouch::Free && self.led == Drive::Depth
     }
 
-    /// What drives: depth or force.
+    /// What drives.
     #[must_use]
-    pub fn control(&self) -> Control {
-        self.control
+    pub fn led(&self) -> Drive {
+        self.led
     }
 
     /// What is free.
@@ -251,19 +245,19 @@ impl Question {
     /// # Errors
     /// As of [`fit`](Self::fit).
     pub fn fit_in_doubt(&self, (curve, doubts): (&Curve, &[Doubt]), tables: &dyn Tables) -> Result<Fit, FitError> {
-        curve.checked().map_err(FitError::Data)?;
-        match self.options.spring.filter(|_| self.options.baseline == Baseline::Virtual) {
-            Some(spring) => self.straightened((curve, doubts), tables, spring),
+        curve.checked(self.led).map_err(FitError::Data)?;
+        match self.options.spring.filter(|_| self.led == Drive::Depth) {
+            Some(spring) => self.on_cantilever((curve, doubts), tables, spring),
             None => Ok(self.fit_along((curve, doubts), tables, None)?.0),
         }
     }
 
-    /// The same with the second column of the baseline given, and then with the slopes of the response in first touch.
+    /// The same on a cantilever whose state is known so far, and then with the slopes of the response in first touch.
     fn fit_along(
         &self,
         (curve, doubts): (&Curve, &[Doubt]),
         tables: &dyn Tables,
-        column: Option<&[f64]>,
+        bent: Option<&Bent>,
     ) -> Result<(Fit, Vec<f64>), FitError> {
         let touch_is_free = self.touches();
         let used = self.used(curve);
@@ -273,14 +267,17 @@ impl Question {
             return Err(FitError::Data(what));
         }
         let last = Last::default();
-        let model = Model { places: &self.places, free: &self.free, tables, curve, control: self.control, last: &last };
-        let frame = Frame::new(curve.driven(self.control), used, self.options.baseline);
-        let frame = match column {
-            Some(column) => frame.along(column),
+        let model = Model { places: &self.places, free: &self.free, tables, curve, led: self.led, last: &last };
+        let frame = Frame::new(curve.driven(self.led), used, self.options.baseline);
+        let frame = match bent {
+            Some(bent) if self.options.baseline == Baseline::Virtual => {
+                frame.along(&bent.column).weighing(&bent.weights)
+            }
+            Some(bent) => frame.weighing(&bent.weights),
             None => frame,
         };
         // Slopes by differences: half of the digits of what the scene is computed to.
-        let step = if self.control == Control::Indentation || model.is_cheap() { 1e-7 } else { self.accuracy.sqrt() };
+        let step = if self.floor <= SHARP || model.is_cheap() { 1e-7 } else { self.floor.sqrt() };
         let task = Task { model, frame: &frame, touch: touch_is_free, step, kept: [None; 2], scaling: None };
         let (found, scaling) = self.nearest(task)?;
         let task = Task { scaling, ..task };
@@ -288,10 +285,8 @@ impl Question {
         let (frame, found) = self.weighed(Task { frame: &frame, ..task }, found)?;
         let weighed = Task { frame: &frame, ..task };
         let carried = self.carried(&weighed, &found, doubts).map_err(FitError::Scene)?;
-        let touch = match column {
-            Some(_) => weighed.slopes(&found.place, &found.answer).map_err(FitError::Scene)?.pop().unwrap_or_default(),
-            None => Vec::new(),
-        };
+        let touch = bent.map(|_| weighed.slope_of_touch(&found.place, &found.answer));
+        let touch = touch.transpose().map_err(FitError::Scene)?.unwrap_or_default();
         let mut fit = answer::told(self, weighed, found)?.widened(&self.free, carried);
         fit.on_jumps = task.frame.used.iter().copied().filter(|at| fit.used.binary_search(at).is_err()).collect();
         fit.notes.extend(jumps::told(curve, &fit.on_jumps));
@@ -300,7 +295,7 @@ impl Question {
 
     /// The points that count.
     fn used(&self, curve: &Curve) -> Vec<usize> {
-        let drive = curve.driven(self.control);
+        let drive = curve.driven(self.led);
         let turn = (0..drive.len()).max_by(|&a, &b| drive[a].total_cmp(&drive[b])).unwrap_or(0);
         let way = |at: &usize| match self.options.way {
             Way::Both => true,
@@ -316,8 +311,8 @@ impl Question {
     fn nearest(&self, task: Task<'_>) -> Result<(Found, Option<usize>), FitError> {
         let cheap = task.model.is_cheap();
         let thinned = |most: usize| {
-            let few = task.model.curve.thinned(&task.frame.used, self.control, most);
-            let frame = Frame::new(few.driven(self.control), (0..few.len()).collect(), self.options.baseline);
+            let few = task.model.curve.thinned(&task.frame.used, self.led, most);
+            let frame = Frame::new(few.driven(self.led), (0..few.len()).collect(), self.options.baseline);
             (few, frame, Last::default())
         };
         let (few, frame, last) = thinned(FEWEST);
@@ -336,7 +331,7 @@ impl Question {
     /// What is wrong with the scene at its own values.
     fn why_not(&self, task: &Task<'_>) -> String {
         let values = self.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
-        let drive = task.model.curve.driven(self.control);
+        let drive = task.model.curve.driven(self.led);
         let contact = if task.touch { drive.iter().copied().fold(f64::MAX, f64::min) } else { 0.0 };
         let error = task.answer(&solve::Place { values, contact }).err();
         error.unwrap_or_else(|| "the scene cannot be computed anywhere in the ranges".to_owned())
@@ -352,7 +347,9 @@ impl Question {
                 found = Task { frame: &frame, ..task }.solved(&found.place, TOLERANCE).map_err(FitError::Scene)?;
             }
         }
-        for _ in 0..ROUNDS {
+        // Impacts are shots, each by itself: their noise is white.
+        let rounds = if self.led == Drive::Speed { 0 } else { ROUNDS };
+        for _ in 0..rounds {
             let columns = answer::columns(&Task { frame: &frame, ..task }, &found).map_err(FitError::Scene)?;
             let rho = Moments::of(&frame, &columns, &task.rest(&found.answer)).most_likely().correlation;
             if (rho - frame.correlation).abs() <= 1e-3 * (1.0 - rho.abs()) || self.is_exact(&task, &found) {
@@ -393,11 +390,6 @@ impl Question {
         let largest = found.answer.response.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let rest = task.rest(&found.answer);
         let rest = interval::without(task.frame, &rest, &task.frame.baseline(&rest));
-        rest.iter().all(|x| x.abs() <= self.floor() * largest)
-    }
-
-    /// Relative error of what the scene answers.
-    fn floor(&self) -> f64 {
-        if self.control == Control::Force { self.accuracy } else { 1e-9 }
+        rest.iter().all(|x| x.abs() <= self.floor * largest)
     }
 }

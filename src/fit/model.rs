@@ -3,13 +3,12 @@
 use super::adhesive::{Branch, Followed, Jump};
 use super::attracted::Attracted;
 use super::curve::Curve;
-use super::drive::{DRIVE, Drive};
 use super::free::Free;
+use super::led;
 use super::ranged::Ranged;
 use super::remembering::{Remembering, goes_in_once};
 use super::slopes::Slopes;
 use crate::contact::adhesion::dmt::DmtBall;
-use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::adhesion::range::RangeDisc;
 use crate::contact::adhesion::{Adhesion, Range};
@@ -17,10 +16,8 @@ use crate::contact::creep::Creep;
 use crate::contact::foundation::Foundation;
 use crate::input::table::Tables;
 use crate::material::{Joined, Relaxation, Spectrum, Times, Under, joined};
-use crate::run::record::Record;
-use crate::run::{Wanted, run};
 use crate::scene::Scene;
-use crate::scene::history::Entry;
+use crate::scene::fit::Drive;
 use crate::scene::law::{ContactLaw, ElasticAdhesion};
 use crate::scene::plan::{Plan, RoundPlan};
 use crate::text::place::{Places, Value};
@@ -38,7 +35,7 @@ pub struct Model<'m> {
     /// The curve.
     pub curve: &'m Curve,
     /// What drives it.
-    pub control: Control,
+    pub led: Drive,
     /// What was decided last.
     pub last: &'m Last,
 }
@@ -69,6 +66,10 @@ impl Answer {
     /// A response of which no more is known.
     fn plain(response: Vec<f64>) -> Self {
         Self { response, ..Self::default() }
+    }
+
+    fn by_run((response, jumps): (Vec<f64>, Vec<Jump>)) -> Self {
+        Self { jumps, ..Self::plain(response) }
     }
 
     fn followed(followed: Followed) -> Self {
@@ -164,23 +165,26 @@ impl Model<'_> {
     pub fn answer(&self, values: &[f64], contact: f64) -> Result<Answer, String> {
         let decided = self.decided(values)?;
         let plan = &decided.plan;
-        if self.control == Control::Force {
+        let run = || led::answered(plan, (self.curve, self.tables), (self.led, contact)).map(Answer::by_run);
+        if self.led == Drive::Force {
             return match self.creeping(&decided) {
                 Some((creep, time)) => self.crept(creep, time).map(|mut depths| {
                     // A power law is infinitely stiff at once, its series is not.
                     depths.iter_mut().take(usize::from(plan.times().is_some())).for_each(|depth| *depth = 0.0);
                     Answer::plain(depths)
                 }),
-                None => self.by_run(plan.scene.clone(), contact),
+                None => run(),
             };
         }
         match self.way(&decided, contact) {
             Way::Elastic(ground) => self.pressed(&ground, contact),
-            Way::Adhesive(branch) => Ok(Answer::followed(branch.followed(&self.curve.depth, contact)?)),
-            Way::Outside(bodies) => Ok(Answer::followed(bodies.followed(&self.curve.depth, contact))),
-            Way::Ranged(bodies) => Ok(Answer::followed(bodies.followed(&self.curve.depth, contact)?)),
-            Way::Remembering(body, time) => Ok(Answer::plain(body.followed(time, &self.curve.depth, contact)?)),
-            Way::Run => self.by_run(plan.scene.clone(), contact),
+            Way::Adhesive(branch) => Ok(Answer::followed(branch.followed(self.curve.driven(Drive::Depth), contact)?)),
+            Way::Outside(bodies) => Ok(Answer::followed(bodies.followed(self.curve.driven(Drive::Depth), contact))),
+            Way::Ranged(bodies) => Ok(Answer::followed(bodies.followed(self.curve.driven(Drive::Depth), contact)?)),
+            Way::Remembering(body, time) => {
+                Ok(Answer::plain(body.followed(time, self.curve.driven(Drive::Depth), contact)?))
+            }
+            Way::Run => run(),
         }
     }
 
@@ -197,7 +201,7 @@ impl Model<'_> {
     }
 
     fn decide(&self, values: &[f64]) -> Result<Decided, String> {
-        let plan = self.scene(values)?.resolve(self.tables).map_err(|problems| told(&problems))?;
+        let plan = self.scene(values)?.resolve(self.tables).map_err(|problems| led::told(&problems))?;
         let relaxation = self.relaxation(&plan);
         Ok(Decided { plan, relaxation })
     }
@@ -208,11 +212,11 @@ impl Model<'_> {
     /// The scene cannot be computed.
     pub fn slopes(&self, (values, contact): (&[f64], f64), answer: &Answer) -> Result<Option<Sloped>, String> {
         let decided = self.decided(values)?;
-        let slopes = match (&answer.slopes, self.control) {
-            (_, Control::Force) => None,
-            (Some(slopes), Control::Indentation) => Some(slopes.clone()),
-            (None, Control::Indentation) => match self.way(&decided, contact) {
-                Way::Remembering(body, time) => Some(body.slopes(time, &self.curve.depth, contact)?),
+        let slopes = match (&answer.slopes, self.led) {
+            (_, Drive::Force | Drive::Speed | Drive::Slide) => None,
+            (Some(slopes), Drive::Depth) => Some(slopes.clone()),
+            (None, Drive::Depth) => match self.way(&decided, contact) {
+                Way::Remembering(body, time) => Some(body.slopes(time, self.curve.driven(Drive::Depth), contact)?),
                 Way::Elastic(_) | Way::Adhesive(_) | Way::Outside(_) | Way::Ranged(_) | Way::Run => None,
             },
         };
@@ -237,7 +241,7 @@ impl Model<'_> {
 
     /// The answer of an elastic ground.
     fn pressed(&self, ground: &Foundation, contact: f64) -> Result<Answer, String> {
-        let states = self.curve.depth.iter().map(|d| elastic(ground, d - contact));
+        let states = self.curve.driven(Drive::Depth).iter().map(|d| elastic(ground, d - contact));
         let (response, touch): (Vec<f64>, Vec<f64>) = states.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
         let by_modulus = response.iter().map(|force| force / ground.modulus()).collect();
         let slopes = Slopes { numbers: vec![by_modulus], touch };
@@ -248,9 +252,10 @@ impl Model<'_> {
     #[must_use]
     pub fn is_cheap(&self) -> bool {
         let values: Vec<f64> = self.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
-        self.decided(&values).is_ok_and(|decided| match self.control {
-            Control::Indentation => !matches!(self.way(&decided, f64::NEG_INFINITY), Way::Run),
-            Control::Force => self.creeping(&decided).is_some(),
+        self.decided(&values).is_ok_and(|decided| match self.led {
+            Drive::Depth => !matches!(self.way(&decided, f64::NEG_INFINITY), Way::Run),
+            Drive::Force => self.creeping(&decided).is_some(),
+            Drive::Speed | Drive::Slide => false,
         })
     }
 
@@ -268,7 +273,7 @@ impl Model<'_> {
             | ContactLaw::Plastic(_)
             | ContactLaw::Springs { .. } => return None,
         };
-        let force = &self.curve.force;
+        let force = self.curve.driven(Drive::Force);
         let grows = force.first().is_some_and(|first| *first >= 0.0) && force.windows(2).all(|pair| pair[1] >= pair[0]);
         let time = self.curve.time.as_deref().filter(|_| grows)?;
         let relaxation = decided.relaxation.as_ref().unwrap_or(relaxation);
@@ -299,12 +304,13 @@ impl Model<'_> {
             before = t;
             creep.indentation().ok_or_else(|| format!("under {force:e} N the contact outgrows its profile"))
         };
-        self.curve.force.iter().zip(time).map(&mut depth).collect()
+        self.curve.driven(Drive::Force).iter().zip(time).map(&mut depth).collect()
     }
 
     /// Who computes a plan under the drive.
     fn way<'w>(&'w self, decided: &'w Decided, contact: f64) -> Way<'w> {
-        let simple = |round: &&RoundPlan| round.friction.is_none() && !round.profile.is_plane();
+        let by_depth = self.led == Drive::Depth;
+        let simple = |round: &&RoundPlan| by_depth && round.friction.is_none() && !round.profile.is_plane();
         let Some(round) = decided.plan.round().filter(simple) else {
             return Way::Run;
         };
@@ -315,7 +321,7 @@ impl Model<'_> {
             }
             ContactLaw::Continuous { relaxation, edge: None } => {
                 let relaxation = decided.relaxation.as_ref().unwrap_or(relaxation).clone();
-                let once = goes_in_once(&self.curve.depth, contact);
+                let once = goes_in_once(self.curve.driven(Drive::Depth), contact);
                 let time = self.curve.time.as_deref().filter(|_| once && relaxation.viscosity <= 0.0);
                 let flat = round.profile.flat_radius() > 0.0;
                 let body = Remembering { profile: round.profile.as_ref(), relaxation };
@@ -336,43 +342,6 @@ impl Model<'_> {
             | ContactLaw::ViscoelasticSprings { .. } => Way::Run,
         }
     }
-
-    /// A run led through the curve, from its first row on.
-    fn by_run(&self, mut scene: Scene, contact: f64) -> Result<Answer, String> {
-        let drive = Drive::of((self.curve, self.tables), (self.control, contact), scene.relaxes())?;
-        scene.history = vec![Entry::Table(DRIVE.into())];
-        let plan = scene.resolve(&drive).map_err(|problems| told(&problems))?;
-        let outcome = run(&plan, Wanted { instants: false, ..Wanted::NOTHING }).map_err(|error| error.to_string())?;
-        let records = &outcome.records;
-        // One record per row, and one before the first of them.
-        let before = records.len().checked_sub(self.curve.len()).ok_or("the run left out a row")?;
-        let answered = records[before..].iter().map(|record| match self.control {
-            Control::Indentation => Ok(record.normal.force),
-            Control::Force => record.normal.indentation.ok_or_else(parted),
-        });
-        let response = answered.collect::<Result<Vec<f64>, String>>()?;
-        let jumps = if plan.adheres() { jumps(&records[before..], &response) } else { Vec::new() };
-        Ok(Answer { jumps, ..Answer::plain(response) })
-    }
-}
-
-/// Where adhesive bodies have snapped together or parted since the record before.
-fn jumps(records: &[Record], response: &[f64]) -> Vec<Jump> {
-    let joined = |record: &Record| record.normal.contact_radius.is_some_and(|radius| radius > 0.0);
-    let before = std::iter::once(false).chain(records.iter().map(joined));
-    let rows = before.zip(records.iter().map(joined)).enumerate();
-    // Before the first row nothing has touched.
-    let height = |row: usize| (response[row] - row.checked_sub(1).map_or(0.0, |before| response[before])).abs();
-    let jump = |(row, _)| Jump { row, height: height(row), at: None };
-    rows.filter(|(_, (before, here))| before != here).map(jump).collect()
-}
-
-fn parted() -> String {
-    "the force parts the bodies: expected drive: Depth for a curve on which they pull at each other".to_owned()
-}
-
-fn told(problems: &[crate::input::problem::Problem]) -> String {
-    problems.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }
 
 /// Force [N] and its slope in first touch, −dF/dd = −2E*a [N/m], at the depth `d` [m].

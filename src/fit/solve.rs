@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::frame::{Frame, dot};
 use super::model::{Answer, Model, Sloped};
-use crate::contact::adhesion::equilibrium::Control;
+use crate::scene::fit::Drive;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -52,14 +52,14 @@ impl Task<'_> {
         self.model.curve
     }
 
-    fn control(&self) -> Control {
-        self.model.control
+    fn led(&self) -> Drive {
+        self.model.led
     }
 
     /// Length of the way of the drive.
     #[must_use]
     pub fn span(&self) -> f64 {
-        let drive = self.curve().driven(self.control());
+        let drive = self.curve().driven(self.led());
         let (low, high) = drive.iter().fold((f64::MAX, f64::MIN), |(low, high), &d| (low.min(d), high.max(d)));
         (high - low).max(f64::MIN_POSITIVE)
     }
@@ -81,7 +81,7 @@ impl Task<'_> {
     /// What the answer leaves of the used points.
     #[must_use]
     pub fn rest(&self, answer: &Answer) -> Vec<f64> {
-        let measured = self.curve().answered(self.control());
+        let measured = self.curve().answered(self.led());
         self.frame.used.iter().map(|&at| measured[at] - answer.response[at]).collect()
     }
 
@@ -135,7 +135,11 @@ impl Task<'_> {
         Ok(beside.response.iter().zip(&answer.response).map(|(beside, here)| (beside - here) / step).collect())
     }
 
-    fn slope_of_touch(&self, place: &Place, answer: &Answer) -> Result<Vec<f64>, String> {
+    /// Slope of the answer in first touch at all points, by a difference.
+    ///
+    /// # Errors
+    /// The scene cannot be computed beside the place.
+    pub fn slope_of_touch(&self, place: &Place, answer: &Answer) -> Result<Vec<f64>, String> {
         let step = self.step * self.span();
         let beside = self.answer(&Place { contact: place.contact + step, ..place.clone() })?;
         Ok(beside.response.iter().zip(&answer.response).map(|(beside, here)| (beside - here) / step).collect())
@@ -176,7 +180,7 @@ impl Task<'_> {
             return Left { rest: self.residual(answer), factor: 1.0, along: None };
         }
         let mut along = self.frame.reduced(&self.frame.chosen(&answer.response));
-        let measured = self.frame.reduced(&self.frame.chosen(self.curve().answered(self.control())));
+        let measured = self.frame.reduced(&self.frame.chosen(self.curve().answered(self.led())));
         let size = squares(&along).sqrt();
         if size <= 0.0 {
             return Left { rest: measured, factor: 1.0, along: None };

@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::frame::dot;
 use super::solve::{Place, Task};
-use crate::contact::adhesion::equilibrium::Control;
+use crate::scene::fit::Drive;
 
 /// Places that are searched from.
 const SEARCHED: usize = 3;
@@ -24,7 +24,7 @@ const RISE: (f64, f64) = (1e-3, 5.0);
 #[must_use]
 pub fn starts(task: &Task<'_>) -> Vec<Place> {
     let scene: Vec<f64> = task.model.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
-    let guess = if task.touch { first_touch(task.model.curve, task.model.control) } else { 0.0 };
+    let guess = if task.touch { first_touch(task.model.curve, task.model.led) } else { 0.0 };
     let cheap = task.model.is_cheap();
     let draws = match (free_ratios(task), cheap) {
         (0, _) => 1,
@@ -48,7 +48,8 @@ pub fn starts(task: &Task<'_>) -> Vec<Place> {
 /// How many parameters a factor of all forces leaves free.
 fn free_ratios(task: &Task<'_>) -> usize {
     let free = task.model.free;
-    free.len() - usize::from(free.iter().any(super::Free::scales_force))
+    let scales = matches!(task.model.led, Drive::Depth | Drive::Force);
+    free.len() - usize::from(scales && free.iter().any(super::Free::scales_force))
 }
 
 /// The sum of squares at a place, all moduli scaled so that it is least.
@@ -73,12 +74,12 @@ fn tried_at(task: &Task<'_>, place: Place) -> Option<(f64, Place)> {
 #[must_use]
 pub fn scaling(task: &Task<'_>) -> Option<usize> {
     let number = task.model.free.iter().position(super::Free::scales_force)?;
-    if task.model.control == Control::Force {
+    if task.model.led != Drive::Depth {
         return None;
     }
     let values: Vec<f64> = task.model.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
     let doubled = task.model.free.iter().zip(&values).map(|(free, v)| if free.scales_force() { 2.0 * v } else { *v });
-    let contact = if task.touch { first_touch(task.model.curve, task.model.control) } else { 0.0 };
+    let contact = if task.touch { first_touch(task.model.curve, task.model.led) } else { 0.0 };
     let twice = task.answer(&Place { values: doubled.collect(), contact }).ok()?.response;
     let once = task.answer(&Place { values, contact }).ok()?.response;
     let largest = once.iter().fold(0.0, |largest: f64, force| largest.max(force.abs()));
@@ -88,7 +89,12 @@ pub fn scaling(task: &Task<'_>) -> Option<usize> {
 
 /// The place with all that forces grow with times `factor`, within the ranges; compliances under a force.
 fn scaled(task: &Task<'_>, place: &Place, factor: f64) -> Option<Place> {
-    let factor = if task.model.control == Control::Force { factor.recip() } else { factor };
+    let factor = match task.model.led {
+        Drive::Depth => factor,
+        Drive::Force => factor.recip(),
+        // Neither a restitution nor what slips under a force grows with moduli.
+        Drive::Speed | Drive::Slide => return None,
+    };
     if !(factor.is_finite() && factor > 0.0) {
         return None;
     }
@@ -103,15 +109,15 @@ fn touches(task: &Task<'_>, guess: f64, cheap: bool) -> Vec<f64> {
     if !task.touch {
         return vec![0.0];
     }
-    let drive = task.model.curve.driven(task.model.control);
+    let drive = task.model.curve.driven(task.model.led);
     let low = drive.iter().copied().fold(f64::MAX, f64::min);
     let even = (0..TOUCHES).map(|k| low + task.span() * k as f64 / TOUCHES as f64);
     [guess, 0.0].into_iter().chain(even.filter(|_| cheap)).collect()
 }
 
 /// Where the response leaves the baseline on the way in.
-fn first_touch(curve: &Curve, control: Control) -> f64 {
-    let (drive, response) = (curve.driven(control), curve.answered(control));
+fn first_touch(curve: &Curve, led: Drive) -> f64 {
+    let (drive, response) = (curve.driven(led), curve.answered(led));
     let deepest = (0..drive.len()).max_by(|&a, &b| drive[a].total_cmp(&drive[b])).unwrap_or(0);
     let head = &response[..(deepest / 10).max(1)];
     let mean = head.iter().sum::<f64>() / head.len() as f64;

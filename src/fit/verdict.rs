@@ -25,6 +25,10 @@ pub const ENOUGH: usize = 30;
 const DEGREES: usize = 8;
 /// Part of a column that is left where little of it is taken away.
 const LITTLE: f64 = 0.7;
+/// Part of a fitted column below which it is a sum of those before.
+const ALIKE: f64 = 1e-6;
+/// The same of a polynomial: a shape is looked for in no rest that is next to none.
+const SHAPE: f64 = 1e-3;
 /// Standard deviations beyond which chance is no answer: one in two million.
 const SURE: f64 = 5.0;
 
@@ -86,8 +90,36 @@ impl Verdict {
     /// Whether chance is no answer.
     #[must_use]
     pub fn rejects(&self) -> bool {
-        self.size > SURE || self.shape > SURE
+        is_no_chance(self.size) || is_no_chance(self.shape)
     }
+}
+
+/// Whether so many standard deviations are more than chance has.
+#[must_use]
+pub fn is_no_chance(deviations: f64) -> bool {
+    deviations > SURE
+}
+
+/// How many standard deviations the smooth part of the residual `rest` over what drives is beyond what scatters from point to
+/// point, for points that were measured each by itself: F = (S/ν)/(R/μ) of the sums of squares S of the smooth part and R of
+/// the others, by its cube root (Paulson 1942, Ann. Math. Stat. 13, 233).
+#[must_use]
+pub fn shape_of_scatter((drive, weights): (&[f64], &[f64]), columns: &[Vec<f64>], rest: &[f64]) -> f64 {
+    let mut order: Vec<usize> = (0..rest.len()).collect();
+    order.sort_by(|&a, &b| drive[a].total_cmp(&drive[b]));
+    let chosen = |column: &[f64]| order.iter().map(|&number| weights[number] * column[number]).collect::<Vec<f64>>();
+    let left = chosen(rest);
+    let fitted = columns.iter().map(|column| chosen(column)).collect();
+    let weighed = |column: Vec<f64>| order.iter().zip(&column).map(|(&number, x)| weights[number] * x).collect();
+    let (smooth, freedom) = smooth_part(fitted, polynomials(left.len()).into_iter().map(weighed), &left);
+    let others = left.len() as f64 - columns.len() as f64 - freedom;
+    let rough = dot(&left, &left) - smooth;
+    if freedom < 1.0 || others < 1.0 || rough <= 0.0 {
+        return 0.0;
+    }
+    let root = (smooth / freedom / (rough / others)).cbrt();
+    let (mine, theirs) = (2.0 / (9.0 * freedom), 2.0 / (9.0 * others));
+    (root * (1.0 - theirs) - (1.0 - mine)) / (mine + theirs * root * root).sqrt()
 }
 
 /// Legendre polynomials over the order of `count` points, by Bonnet's rule.
@@ -106,7 +138,7 @@ fn polynomials(count: usize) -> Vec<Vec<f64>> {
 /// Square of the part of `white` in the columns `smooth` that is not in `fitted`, and its degrees of freedom.
 fn smooth_part(fitted: Vec<Vec<f64>>, smooth: impl Iterator<Item = Vec<f64>>, white: &[f64]) -> (f64, f64) {
     let mut basis: Vec<Vec<f64>> = Vec::new();
-    let mut add = |mut column: Vec<f64>| {
+    let mut add = |mut column: Vec<f64>, least: f64| {
         let whole = dot(&column, &column).sqrt();
         let mut size = whole;
         // Twice is enough, and once where little is taken away (Daniel et al. 1976; Giraud et al. 2005).
@@ -121,15 +153,16 @@ fn smooth_part(fitted: Vec<Vec<f64>>, smooth: impl Iterator<Item = Vec<f64>>, wh
                 break;
             }
         }
-        let new = size > 1e-6 * whole;
+        let new = size > least * whole;
         if new {
             column.iter_mut().for_each(|value| *value /= size);
             basis.push(column.clone());
         }
         new.then_some(column)
     };
-    fitted.into_iter().for_each(|column| drop(add(column)));
-    let parts: Vec<f64> = smooth.filter_map(&mut add).map(|column| dot(&column, white).powi(2)).collect();
+    fitted.into_iter().for_each(|column| drop(add(column, ALIKE)));
+    let parts: Vec<f64> =
+        smooth.filter_map(|column| add(column, SHAPE)).map(|column| dot(&column, white).powi(2)).collect();
     (parts.iter().sum(), parts.len() as f64)
 }
 

@@ -40,7 +40,7 @@ pub struct Measured {
     /// Where first touch is.
     #[serde(default)]
     pub contact: FirstTouch,
-    /// What drives; that of the first entry of the history if absent.
+    /// What drives; what the history says if absent: an impact its speed, a last entry that slides its slide, else the first one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drive: Option<Drive>,
     /// Ways that count.
@@ -95,6 +95,10 @@ pub enum Drive {
     Depth,
     /// The force; the depth answers.
     Force,
+    /// The speed of an impact; its restitution answers.
+    Speed,
+    /// The tangential displacement; the tangential force answers.
+    Slide,
 }
 
 /// Which way of a curve counts.

@@ -6,7 +6,6 @@ use super::fit::{
     scene, torn_off, triangle,
 };
 use rayon::prelude::*;
-use springbed::contact::adhesion::equilibrium::Control;
 use springbed::fit::{Candidate, Curve, Fit, Options, Question, compared};
 use springbed::prelude::*;
 use springbed::scene::Scene;
@@ -29,11 +28,8 @@ impl Trial {
     fn noisy(&self, seed: u64, rho: f64) -> Curve {
         let mut noise = Noise::new(seed, rho);
         let mut on = |column: &[f64]| column.iter().map(|x| x + self.deviation * noise.next()).collect();
-        let clean = &self.clean;
-        match Question::new(&self.start, &self.free, self.options).unwrap().control() {
-            Control::Force => Curve { depth: on(&clean.depth), ..clean.clone() },
-            Control::Indentation => Curve { force: on(&clean.force), ..clean.clone() },
-        }
+        let led = Question::new(&self.start, &self.free, self.options).unwrap().led();
+        self.clean.answering(led, on(self.clean.answered(led)))
     }
 
     /// Of `count` curves the numbers whose intervals hold the truth, and the mean of (value − truth)/error, per parameter.

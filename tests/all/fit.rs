@@ -3,11 +3,11 @@
 use proptest::prelude::*;
 use springbed::app::data_file::{Data, Wanted};
 use springbed::check::power_law::PowerTriangle;
-use springbed::fit::{Candidate, Curve, Fit, FitError, Options, Question, compared};
+use springbed::fit::{Candidate, Curve, Fit, FitError, Options, Question, Readings, compared};
 use springbed::prelude::*;
 use springbed::run::record::{FORCE, INDENTATION, Record};
 use springbed::scene::Scene;
-use springbed::scene::fit::Baseline;
+use springbed::scene::fit::{Baseline, Drive};
 use std::path::Path;
 
 pub fn scene(text: &str) -> Scene {
@@ -19,7 +19,13 @@ fn fit(scene: &Scene, free: &[&str], curve: &Curve, options: Options) -> Result<
 }
 
 pub fn curve(time: Option<Vec<f64>>, depth: Vec<f64>, force: Vec<f64>) -> Curve {
-    Curve { rows: (2..depth.len() + 2).collect(), time, depth, force }
+    Curve { rows: (2..depth.len() + 2).collect(), time, readings: Readings::Indentation { depth, force } }
+}
+
+/// The same with other forces, made of each depth and force.
+fn with_forces(data: &Curve, mut of: impl FnMut(f64, f64) -> f64) -> Curve {
+    let [depth, force] = data.readings.both();
+    data.answering(Drive::Depth, depth.iter().zip(force).map(|(&depth, &force)| of(depth, force)).collect())
 }
 
 /// Normal noise whose neighbours have the correlation ρ, by Box & Muller from a linear congruential generator.
@@ -82,7 +88,7 @@ fn hertz_is_recovered() {
 #[test]
 fn a_tilt_is_noticed_and_recovered() {
     let mut data = hertz(600, 5e-12, Noise::new(2, 0.0));
-    data.force.iter_mut().zip(&data.depth).for_each(|(force, z)| *force += 3e-4 * z);
+    data = with_forces(&data, |z, force| force + 3e-4 * z);
     let free = ["bodies.0.young"];
     let flat = fit(&scene(BALL), &free, &data, Options::default()).unwrap();
     assert!(flat.notes.iter().any(|note| note.contains("tilted")), "{:?}", flat.notes);
@@ -98,10 +104,10 @@ fn a_virtual_deflection_is_recovered() {
     let (spring, part) = (0.5, 0.01);
     let clean = hertz(400, 0.0, Noise::new(3, 0.0));
     // z = d + F/k with the true depth and force; F_m = F + ksz and the noise of the detector, d_m = z − F_m/k.
+    let [depths, forces] = clean.readings.both();
     let bent = |noise: &mut dyn FnMut() -> f64| {
-        let piezo: Vec<f64> = clean.depth.iter().zip(&clean.force).map(|(d, force)| d + force / spring).collect();
-        let force: Vec<f64> =
-            clean.force.iter().zip(&piezo).map(|(force, z)| force + spring * part * z + noise()).collect();
+        let piezo: Vec<f64> = depths.iter().zip(forces).map(|(d, force)| d + force / spring).collect();
+        let force: Vec<f64> = forces.iter().zip(&piezo).map(|(force, z)| force + spring * part * z + noise()).collect();
         let depth = piezo.iter().zip(&force).map(|(z, force)| z - force / spring).collect();
         curve(None, depth, force)
     };
@@ -123,10 +129,49 @@ fn a_virtual_deflection_is_recovered() {
         let (off, error) = ((one.value - truth).abs(), one.standard_error.unwrap());
         assert!(off < 4.0 * error && error < 0.2 * truth, "{path} {one:?}");
     }
-    assert_eq!(noisy.chi2, None);
+    assert!(noisy.chi2.is_some_and(|chi2| (chi2 - 1.0).abs() < 0.5) && !noisy.rejected, "{:?}", noisy.notes);
     let alone = fit(&scene(BALL), &free, &clean, Options { spring: None, ..options }).unwrap_err();
     assert!(alone.to_string().contains("--spring"), "{alone}");
 }
+
+/// A cantilever 27 times as stiff as the contact at its deepest, and one 2.7 times: the depths have the noise of the force in
+/// them, n/k, so that in contact it counts 1.04 and 1.37 times. Good fits stand, with their intervals; a cone is told from a
+/// ball. Of 60 draws 95 % hold the truth 57 times; four standard deviations of the binomial law are 7.
+#[test]
+fn depths_made_of_a_deflection_are_judged_by_their_own_noise() {
+    let clean = hertz(400, 0.0, Noise::new(3, 0.0));
+    let [depths, forces] = clean.readings.both();
+    let drawn = |(spring, part): (f64, f64), noise: &mut Noise| {
+        let piezo: Vec<f64> = depths.iter().zip(forces).map(|(d, force)| d + force / spring).collect();
+        let measured = |(force, z): (&f64, &f64)| force + spring * part * z + 20e-12 * noise.next();
+        let force: Vec<f64> = forces.iter().zip(&piezo).map(measured).collect();
+        let depth = piezo.iter().zip(&force).map(|(z, force)| z - force / spring).collect();
+        curve(None, depth, force)
+    };
+    let free = ["bodies.0.young=10 Pa..1 MPa"];
+    for (spring, baseline, rho) in [
+        (0.5, Baseline::Virtual, 0.0),
+        (0.05, Baseline::Virtual, 0.0),
+        (0.05, Baseline::Virtual, 0.8),
+        (0.05, Baseline::Constant, 0.0),
+    ] {
+        let part = if baseline == Baseline::Virtual { 0.01 } else { 0.0 };
+        let options = Options { baseline, spring: Some(spring), ..Options::default() };
+        let (mut held, mut rejected, mut noise) = (0, 0, Noise::new(31, rho));
+        for _ in 0..60 {
+            let found = fit(&scene(BALL), &free, &drawn((spring, part), &mut noise), options).unwrap();
+            let one = found.parameter(PATH).unwrap();
+            held += u32::from(one.low.is_some_and(|low| low <= 2.4e3) && one.high.is_some_and(|high| 2.4e3 <= high));
+            rejected += u32::from(found.rejected);
+        }
+        assert!(rejected == 0 && (50..=60).contains(&held), "{spring} {rho}: {held} held, {rejected} rejected");
+        let cone = BALL.replace(r#"Paraboloid(radius: "5 um")"#, "Cone(slope: 0.5)");
+        let wrong = fit(&scene(&cone), &free, &drawn((spring, part), &mut noise), options).unwrap();
+        assert!(wrong.rejected, "{spring} {rho}: {:?}", wrong.notes);
+    }
+}
+
+const PATH: &str = "bodies.0.young";
 
 /// What the scene `text` answers at the rows of a table, through a whole run.
 pub fn answered(text: &str, names: [&str; 2], time: &[f64], drive: &[f64]) -> Vec<f64> {
@@ -239,8 +284,7 @@ fn intervals_beside_jumps_hold_the_truth() {
         let mut held = [0, 0];
         for seed in 1..=200 {
             let mut noise = Noise::new(seed, rho);
-            let force = clean.force.iter().map(|force| force + 2e-6 * noise.next()).collect();
-            let data = Curve { force, ..clean.clone() };
+            let data = with_forces(&clean, |_, force| force + 2e-6 * noise.next());
             let found = fit(&start, &GEL_FREE, &data, options).unwrap();
             for (held, (path, truth)) in held.iter_mut().zip([("bodies.0.young", 40e3), ("adhesion.work", 0.02)]) {
                 let one = found.parameter(path).unwrap();
@@ -334,8 +378,8 @@ fn intervals_of_a_power_law_hold_the_truth() {
     let mut held = [0, 0];
     for seed in 1..=60 {
         let mut noise = Noise::new(seed, 0.0);
-        let force = clean.force.iter().map(|force| force + 20e-12 * noise.next()).collect();
-        let found = fit(&scene(POWER), &POWER_FREE, &Curve { force, ..clean.clone() }, Options::default()).unwrap();
+        let data = with_forces(&clean, |_, force| force + 20e-12 * noise.next());
+        let found = fit(&scene(POWER), &POWER_FREE, &data, Options::default()).unwrap();
         for (held, (path, truth)) in
             held.iter_mut().zip([("bodies.0.shear.modulus", 800.0), ("bodies.0.shear.exponent", 0.2)])
         {
@@ -385,7 +429,7 @@ fn a_misfit_without_noise_stays_at_the_data() {
     let cone = scene(&BALL.replace(r#"Paraboloid(radius: "5 um")"#, "Cone(slope: 0.5)"));
     let data = hertz(400, 0.0, Noise::new(1, 0.0));
     let found = fit(&cone, &["bodies.0.young=10 Pa..1 MPa"], &data, Options::default()).unwrap();
-    let largest = data.force.iter().copied().fold(0.0, f64::max);
+    let largest = data.answered(Drive::Depth).iter().copied().fold(0.0, f64::max);
     // The best cone leaves 1 %.
     assert!(found.deviation < 0.04 * largest, "{} {:?}", found.deviation / largest, found.parameters);
 }
@@ -407,7 +451,7 @@ fn a_radius_known_to_two_per_cent_moves_the_modulus_by_one() {
     let exact = Options { baseline: Baseline::Absent, ..Options::default() };
     let free = ["bodies.0.young=10 Pa..1 MPa"];
     let mut data = hertz(300, 1e-13, Noise::new(3, 0.0));
-    data.force.iter_mut().for_each(|force| *force -= 0.2e-9);
+    data = with_forces(&data, |_, force| force - 0.2e-9);
     let plain = fit(&scene(BALL), &free, &data, exact).unwrap();
     for given in ["shape.radius=2 %", "shape.radius=0.1 um"] {
         let question = Question::new(&scene(BALL), &free, exact).unwrap().given(&[given]).unwrap();
@@ -433,7 +477,7 @@ fn a_cantilever_known_roughly_moves_forces_and_depths() {
     let folder = tempfile::tempdir().unwrap();
     let data = hertz(300, 0.0, Noise::new(3, 0.0));
     let line = |(depth, force): (&f64, &f64)| format!("{:e},{:e}\n", depth + force / 0.05, force / 0.05);
-    let lines: String = data.depth.iter().zip(&data.force).map(line).collect();
+    let lines: String = data.driven(Drive::Depth).iter().zip(data.answered(Drive::Depth)).map(line).collect();
     std::fs::write(folder.path().join("probe.csv"), format!("piezo [m],deflection [m]\n{lines}")).unwrap();
     std::fs::write(folder.path().join("gel.ron"), BALL).unwrap();
     let fitted = |spring: &str, given: &[&str]| {
@@ -574,7 +618,8 @@ fn read(text: &str, columns: &str) -> Result<Curve, String> {
 fn data_are_read_as_they_come() {
     let right = |text: &str, columns: &str| {
         let curve = read(text, columns).unwrap();
-        assert_eq!((curve.depth[1], curve.force[1]), (1.5e-7, 2.5e-9), "{text}");
+        let [depth, force] = curve.readings.both();
+        assert_eq!((depth[1], force[1]), (1.5e-7, 2.5e-9), "{text}");
         curve
     };
     right("z [nm],F [nN]\n0,0\n150,2.5\n", "");
@@ -625,7 +670,7 @@ fn program(arguments: &[&str], folder: &Path) -> std::process::Output {
 #[test]
 fn the_data_that_come_with_it_give_back_what_made_them() {
     let folder = tempfile::tempdir().unwrap();
-    let truths: [(&str, &[(&str, f64)]); 7] = [
+    let truths: [(&str, &[(&str, f64)]); 9] = [
         ("gel_sphere", &[("bodies.0.young", 2.4e3), ("contact_point", 1.3e-6)]),
         ("jkr_lens", &[("bodies.0.young", 4.8e6), ("adhesion.work", 0.042)]),
         ("cell_ting", &[("bodies.0.shear.equilibrium", 300.0), ("bodies.0.shear.terms.0.time", 0.2)]),
@@ -633,6 +678,8 @@ fn the_data_that_come_with_it_give_back_what_made_them() {
         ("cell_on_glass", &[("bodies.1.layers.0.body.young", 1.5e3), ("contact_point", 0.5e-6)]),
         ("fused_silica", &[("bodies.1.young", 72e9), ("contact_point", 12e-9)]),
         ("pdms_creep", &[("bodies.0.shear.equilibrium", 0.4e6), ("bodies.0.shear.terms.0.time", 2.0)]),
+        ("steel_restitution", &[("bodies.0.yield_stress", 1.1e9)]),
+        ("friction_loop", &[("friction.coefficient", 0.8), ("bodies.0.young", 2.2e6)]),
     ];
     for (name, truth) in truths {
         let output = program(&[&format!("configs/fit/{name}.ron")], folder.path());
@@ -650,18 +697,21 @@ fn the_data_that_come_with_it_give_back_what_made_them() {
     assert!(output.status.success() && folder.path().join("rubber_moduli.moduli.json").exists());
 }
 
-/// Every truth of a cell on glass and of fused silica, the baseline too, is inside its interval.
+/// Every truth of a cell on glass, of fused silica, of steel that yields and of a friction loop, the baseline too, is inside
+/// its interval.
 #[test]
 fn truths_are_inside_their_intervals() {
     let folder = tempfile::tempdir().unwrap();
-    let truths: [(&str, [(&str, f64); 3]); 2] = [
-        ("cell_on_glass", [("bodies.1.layers.0.body.young", 1.5e3), ("contact_point", 0.5e-6), ("baseline", 0.0)]),
-        ("fused_silica", [("bodies.1.young", 72e9), ("contact_point", 12e-9), ("baseline", 3e-6)]),
+    let truths: [(&str, &[(&str, f64)]); 4] = [
+        ("cell_on_glass", &[("bodies.1.layers.0.body.young", 1.5e3), ("contact_point", 0.5e-6), ("baseline", 0.0)]),
+        ("fused_silica", &[("bodies.1.young", 72e9), ("contact_point", 12e-9), ("baseline", 3e-6)]),
+        ("steel_restitution", &[("bodies.0.yield_stress", 1.1e9)]),
+        ("friction_loop", &[("friction.coefficient", 0.8), ("bodies.0.young", 2.2e6), ("baseline", 1e-3)]),
     ];
     for (name, truth) in truths {
         let output = program(&[&format!("configs/fit/{name}.ron"), "--json"], folder.path());
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        for (path, value) in truth {
+        for &(path, value) in truth {
             let parameters = json["fits"][0]["parameters"].as_array().unwrap();
             let found = parameters.iter().find(|one| one["path"] == path).unwrap();
             let [low, high] = ["low", "high"].map(|end| found[end].as_f64().unwrap());

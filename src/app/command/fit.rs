@@ -28,7 +28,8 @@ pub struct Arguments {
     /// Free parameter and its range, such as `bodies.0.young=1 kPa..1 MPa`; may be given several times.
     #[arg(long, value_name = "PATH=LO..HI")]
     free: Vec<String>,
-    /// Columns of the data, such as "depth=z [nm], force=F [nN], time=t [s]"; by their names if not given.
+    /// Columns of the data, such as "depth=z [nm], force=F [nN], time=t [s]", "speed=v [m/s], restitution=e" or
+    /// "slide=x [um], tangential=Fx [mN]"; by their names if not given.
     #[arg(long, value_name = "COLUMNS", allow_hyphen_values = true)]
     columns: Option<String>,
     /// Stiffness of the cantilever, for data of deflection and piezo, such as "0.05 N/m".
@@ -41,7 +42,8 @@ pub struct Arguments {
     /// First touch: free (the default), or at the zero of the depths.
     #[arg(long, value_name = "WHERE", value_parser = contact)]
     contact: Option<FirstTouch>,
-    /// What drives, depth or force; that of the first entry of the history if not given.
+    /// What drives, depth, force, speed or slide; what the history says if not given: an impact its speed, a last entry that
+    /// slides its slide, else the first entry.
     #[arg(long, value_name = "WHAT", value_parser = drive)]
     drive: Option<Drive>,
     /// Way that counts: both (the default), in or out.
@@ -95,7 +97,9 @@ fn drive(text: &str) -> Result<Drive, String> {
     match text {
         "depth" => Ok(Drive::Depth),
         "force" => Ok(Drive::Force),
-        _ => Err("expected depth or force".to_owned()),
+        "speed" => Ok(Drive::Speed),
+        "slide" => Ok(Drive::Slide),
+        _ => Err("expected depth, force, speed or slide".to_owned()),
     }
 }
 

@@ -1,123 +1,9 @@
 //! Which column holds what, and in which unit.
 
 use super::grid::Grid;
-use crate::input::quantity::{Hertz, Metre, Newton, Pascal, RadianPerSecond, Second, size_of};
+use super::quantity::{Quantity, Size};
+use crate::scene::fit::Drive;
 use crate::text::advice;
-use std::f64::consts::TAU;
-
-/// What a column may hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Quantity {
-    /// Time [s].
-    Time,
-    /// Depth [m].
-    Depth,
-    /// Force [N].
-    Force,
-    /// Way of the piezo towards the sample [m].
-    Piezo,
-    /// Deflection of the cantilever [m].
-    Deflection,
-    /// Frequency [Hz].
-    Frequency,
-    /// Storage modulus [Pa].
-    Storage,
-    /// Loss modulus [Pa].
-    Loss,
-    /// Temperature [K].
-    Temperature,
-}
-
-/// Size of a unit: numerator and denominator.
-type Size = (f64, f64);
-
-impl Quantity {
-    const ALL: [Self; 9] = [
-        Self::Time,
-        Self::Depth,
-        Self::Force,
-        Self::Piezo,
-        Self::Deflection,
-        Self::Frequency,
-        Self::Storage,
-        Self::Loss,
-        Self::Temperature,
-    ];
-
-    /// Its name in `--columns`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        self.names()[0]
-    }
-
-    /// Names by which a column is taken for it, small letters without blanks.
-    fn names(self) -> &'static [&'static str] {
-        match self {
-            Self::Time => &["time", "t", "seconds", "timestamp", "zeit"],
-            Self::Depth => &[
-                "depth",
-                "indentation",
-                "d",
-                "displacement",
-                "penetration",
-                "delta",
-                "δ",
-                "h",
-                "z",
-                "tipposition",
-                "verticaltipposition",
-                "eindringtiefe",
-                "weg",
-            ],
-            Self::Force => &["force", "f", "load", "p", "normalforce", "kraft", "last"],
-            Self::Piezo => &["piezo", "height", "measuredheight", "zsensor", "zpiezo", "heightmeasured"],
-            Self::Deflection => &["deflection", "defl", "verticaldeflection", "cantileverdeflection"],
-            Self::Frequency => &["frequency", "freq", "omega", "ω", "angularfrequency", "frequenz"],
-            Self::Storage => &["storage", "storagemodulus", "g'", "e'", "g′", "e′"],
-            Self::Loss => &["loss", "lossmodulus", "g''", "e''", "g″", "e″", "g\"", "e\""],
-            Self::Temperature => &["temperature", "temp", "temperatur"],
-        }
-    }
-
-    /// Size of a unit it may have.
-    fn size(self, unit: &str) -> Option<Size> {
-        let unit = unit.trim();
-        match self {
-            Self::Time => size_of::<Second>(unit),
-            Self::Depth | Self::Piezo | Self::Deflection => size_of::<Metre>(unit),
-            Self::Force => size_of::<Newton>(unit),
-            Self::Frequency if size_of::<Hertz>(unit).is_none() => {
-                size_of::<RadianPerSecond>(unit).map(|(up, down)| (up, down * TAU))
-            }
-            Self::Frequency => size_of::<Hertz>(unit),
-            Self::Storage | Self::Loss => size_of::<Pascal>(unit),
-            Self::Temperature => ["K", "degC", "°C", "C"].contains(&unit).then_some((1.0, 1.0)),
-        }
-    }
-
-    /// A unit it may have, for messages.
-    fn example(self) -> &'static str {
-        match self {
-            Self::Time => "s",
-            Self::Depth | Self::Piezo | Self::Deflection => "nm",
-            Self::Force => "nN",
-            Self::Frequency => "Hz",
-            Self::Storage | Self::Loss => "kPa",
-            Self::Temperature => "degC",
-        }
-    }
-
-    /// What is added to a number of a unit: temperatures in degrees Celsius have another zero.
-    fn zero(self, unit: Option<&str>) -> f64 {
-        match self {
-            Self::Temperature if unit.is_some_and(|unit| unit.trim().ends_with('C')) => CELSIUS,
-            _ => 0.0,
-        }
-    }
-}
-
-/// 0 °C [K].
-const CELSIUS: f64 = 273.15;
 
 /// What is asked of a data file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -125,6 +11,8 @@ pub struct Wanted {
     named: Vec<Named>,
     /// Stiffness of the cantilever [N/m].
     pub spring: Option<f64>,
+    /// What drives; `None` of moduli.
+    pub led: Option<Drive>,
 }
 
 /// A column named by the user.
@@ -144,7 +32,13 @@ impl Wanted {
     /// What is wrong with it, and what would be right.
     pub fn read(text: &str, spring: Option<f64>) -> Result<Self, String> {
         let named = text.split(',').map(str::trim).filter(|part| !part.is_empty()).map(Named::read);
-        Ok(Self { named: named.collect::<Result<Vec<_>, _>>()?, spring })
+        Ok(Self { named: named.collect::<Result<Vec<_>, _>>()?, spring, led: None })
+    }
+
+    /// The same of data of what `led` drives.
+    #[must_use]
+    pub fn led_by(self, led: Drive) -> Self {
+        Self { led: Some(led), ..self }
     }
 }
 
@@ -207,7 +101,7 @@ pub fn found(grid: &Grid, wanted: &Wanted) -> Result<(Vec<Found>, Vec<String>), 
         let unit = named.unit.clone().or_else(|| headed[at].unit.clone());
         all.push(sized(named.quantity, at, unit.as_deref(), &mut notes, (&headed[at], named.sign))?);
     }
-    for quantity in Quantity::ALL {
+    for &quantity in Quantity::wanted(wanted.led) {
         let taken = |at: &usize| all.iter().any(|found: &Found| found.at == *at);
         if all.iter().any(|found| found.quantity == quantity) {
             continue;
@@ -240,6 +134,7 @@ fn sized(
         Some(unit) => quantity.size(unit).ok_or_else(|| {
             format!("{name}: {} has no unit \"{unit}\": expected one such as {}", quantity.name(), quantity.example())
         })?,
+        None if quantity == Quantity::Restitution => (1.0, 1.0),
         None => {
             notes.push(format!(
                 "{name} has no unit: taken as SI; else say --columns \"{}={name} [{}]\"",
@@ -310,12 +205,21 @@ fn split(head: &str) -> Headed {
     });
     let marked =
         || ['/', ','].into_iter().find_map(|mark| head.rsplit_once(mark)).filter(|(_, unit)| is_unit(unit.trim()));
-    let tailed = || head.rsplit_once('_').and_then(|(name, tail)| Some((name, spelt(tail)?)));
+    let tailed = || {
+        let small = head.trim().to_lowercase();
+        let speed =
+            SPEEDS.iter().find_map(|(tail, unit)| Some((head.trim().get(..small.strip_suffix(tail)?.len())?, *unit)));
+        speed.or_else(|| head.rsplit_once('_').and_then(|(name, tail)| Some((name, spelt(tail)?))))
+    };
     match bracketed.or_else(marked).or_else(tailed) {
         Some((name, unit)) => Headed { name: name.trim().to_owned(), unit: Some(unit.trim().to_owned()) },
         None => Headed { name: head.trim().to_owned(), unit: None },
     }
 }
+
+/// Units of speeds as they end names of columns, in small letters.
+const SPEEDS: [(&str, &str); 4] =
+    [("_mm_per_s", "mm/s"), ("_um_per_s", "um/s"), ("_cm_per_s", "cm/s"), ("_m_per_s", "m/s")];
 
 /// Units as they end names of columns, in small letters.
 fn spelt(tail: &str) -> Option<&'static str> {

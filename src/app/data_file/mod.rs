@@ -7,22 +7,25 @@
 //! let text = "Instrument 7\nt;z;F\ns;nm;nN\n0;0,0;0,1\n0,1;10,0;0,3\n";
 //! let data = Data::parse("probe.csv".as_ref(), text, &Wanted::default()).map_err(|fault| fault.message)?;
 //! let curve = data.curve().map_err(|fault| fault.message)?;
-//! assert_eq!((curve.depth[1], curve.force[1]), (1e-8, 0.3e-9));
+//! assert_eq!(curve.readings.both().map(|column| column[1]), [1e-8, 0.3e-9]);
 //! assert_eq!(curve.rows, [4, 5]);
 //! # Ok::<(), String>(())
 //! ```
 
 mod columns;
 mod grid;
+mod quantity;
 mod spelt;
 
-pub use columns::{Quantity, Wanted};
+pub use columns::Wanted;
+pub use quantity::Quantity;
 pub use spelt::Spelt;
 
 use super::fault::Fault;
 use super::read::read_bytes;
 use crate::fit::prony::Moduli;
-use crate::fit::{Curve, Sweeps};
+use crate::fit::{Curve, Readings, Sweeps};
+use crate::scene::fit::Drive;
 use columns::{Found, found};
 use grid::Grid;
 use std::path::{Path, PathBuf};
@@ -40,6 +43,7 @@ pub struct Data {
     /// What was taken for granted.
     pub notes: Vec<String>,
     spring: Option<f64>,
+    led: Drive,
 }
 
 impl Data {
@@ -68,7 +72,14 @@ impl Data {
             columns.push((quantity, column.collect::<Result<Vec<f64>, Fault>>()?));
         }
         let rows = (0..grid.len()).map(|line| grid.row(line)).collect();
-        Ok(Self { path: path.to_owned(), columns, rows, notes, spring: wanted.spring })
+        Ok(Self {
+            path: path.to_owned(),
+            columns,
+            rows,
+            notes,
+            spring: wanted.spring,
+            led: wanted.led.unwrap_or(Drive::Depth),
+        })
     }
 
     /// The column of a quantity, if it is there.
@@ -77,10 +88,11 @@ impl Data {
         self.columns.iter().find(|(known, _)| *known == quantity).map(|(_, values)| &values[..])
     }
 
-    /// Depth and force, and time if it is there; from the way of a piezo and the deflection of a spring if need be.
+    /// What drives and what answers, and time if it is there; depth and force from the way of a piezo and the deflection of a
+    /// spring if need be.
     ///
     /// # Errors
-    /// A column is missing, or the times do not rise.
+    /// A column is missing or cannot be what it is called, or the times do not rise.
     pub fn curve(&self) -> Result<Curve, Fault> {
         self.curve_of(self.spring)
     }
@@ -90,12 +102,27 @@ impl Data {
     /// # Errors
     /// As of [`curve`](Self::curve).
     pub fn curve_of(&self, spring: Option<f64>) -> Result<Curve, Fault> {
-        let missing = |what: &str| {
-            let names: Vec<&str> = self.columns.iter().map(|(quantity, _)| quantity.name()).collect();
-            let found = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
-            let right = "name it, as in --columns \"depth=z [nm], force=F [nN]\"";
-            Fault::whole(&self.path, format!("has no column of {what} (found: {found}): {right}"))
+        let columns = match self.led {
+            Drive::Depth | Drive::Force => self.indentation(spring)?,
+            Drive::Speed => self.impacts()?,
+            Drive::Slide => {
+                let right = "slide=x [um], tangential=Fx [mN]";
+                let of = |quantity, what| {
+                    self.column(quantity).map(<[f64]>::to_vec).ok_or_else(|| self.missing(what, right))
+                };
+                [of(Quantity::Slide, "slides")?, of(Quantity::Tangential, "tangential forces")?]
+            }
         };
+        let time = self.column(Quantity::Time).map(<[f64]>::to_vec);
+        if let Some(time) = &time {
+            self.rising(time)?;
+        }
+        Ok(Curve { time, readings: Readings::of(self.led, columns), rows: self.rows.clone() })
+    }
+
+    /// Depths and forces.
+    fn indentation(&self, spring: Option<f64>) -> Result<[Vec<f64>; 2], Fault> {
+        let missing = |what| self.missing(what, "depth=z [nm], force=F [nN]");
         let bent = self.column(Quantity::Deflection).zip(spring);
         let force = match (self.column(Quantity::Force), bent) {
             (Some(force), _) => force.to_vec(),
@@ -115,11 +142,31 @@ impl Data {
             }
             (None, None) => return Err(missing("depths")),
         };
-        let time = self.column(Quantity::Time).map(<[f64]>::to_vec);
-        if let Some(time) = &time {
-            self.rising(time)?;
+        Ok([depth, force])
+    }
+
+    /// Speeds above zero and restitutions that may be some.
+    fn impacts(&self) -> Result<[Vec<f64>; 2], Fault> {
+        let right = "speed=v [m/s], restitution=e";
+        let of = |quantity, what| self.column(quantity).map(<[f64]>::to_vec).ok_or_else(|| self.missing(what, right));
+        let (speed, restitution) = (of(Quantity::Speed, "speeds")?, of(Quantity::Restitution, "restitutions")?);
+        let wrong = |at: usize, what: String| Fault::whole(&self.path, format!("row {}: {what}", self.rows[at]));
+        if let Some(at) = speed.iter().position(|speed| *speed <= 0.0) {
+            return Err(wrong(at, format!("the speed is {:?} m/s: expected one above zero", speed[at])));
         }
-        Ok(Curve { time, depth, force, rows: self.rows.clone() })
+        if let Some(at) = restitution.iter().position(|one| !(-0.5..=1.5).contains(one)) {
+            let right = "expected one from 0 to 1, or per cent by --columns \"restitution=e [%]\"";
+            return Err(wrong(at, format!("the restitution is {:?}: {right}", restitution[at])));
+        }
+        Ok([speed, restitution])
+    }
+
+    /// That a column of `what` is missing, where `right` names one.
+    fn missing(&self, what: &str, right: &str) -> Fault {
+        let names: Vec<&str> = self.columns.iter().map(|(quantity, _)| quantity.name()).collect();
+        let found = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+        let right = format!("name it, as in --columns \"{right}\"");
+        Fault::whole(&self.path, format!("has no column of {what} (found: {found}): {right}"))
     }
 
     /// Moduli over frequency.

@@ -4,8 +4,8 @@ use super::fit_json::{ModelRow, Parameter};
 use super::fitted::{Fitted, Tried};
 use super::summary::with_prefix;
 use super::tables::{cell, text};
-use crate::contact::adhesion::equilibrium::Control;
 use crate::fit::{Estimate, Map};
+use crate::scene::fit::Drive;
 use std::fmt::Write as _;
 
 /// The points of a curve with what the fit says of them, one row per row of the data.
@@ -14,13 +14,15 @@ use std::fmt::Write as _;
 /// The text cannot be put together.
 pub fn fit_points(fitted: &Fitted) -> Result<String, csv::Error> {
     let Fitted { curve, fit, .. } = fitted;
-    let names = match fit.control {
-        Control::Indentation => ["row", "indentation_m", "force_n", "model_force_n", "residual_n", "counts"],
-        Control::Force => ["row", "force_n", "indentation_m", "model_indentation_m", "residual_m", "counts"],
+    let names = match fit.led {
+        Drive::Depth => ["row", "indentation_m", "force_n", "model_force_n", "residual_n", "counts"],
+        Drive::Force => ["row", "force_n", "indentation_m", "model_indentation_m", "residual_m", "counts"],
+        Drive::Speed => ["row", "speed_m_per_s", "restitution", "model_restitution", "residual", "counts"],
+        Drive::Slide => ["row", "slide_m", "tangential_force_n", "model_tangential_force_n", "residual_n", "counts"],
     };
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(names)?;
-    let (drive, response) = (curve.driven(fit.control), curve.answered(fit.control));
+    let (drive, response) = (curve.driven(fit.led), curve.answered(fit.led));
     for at in 0..curve.len() {
         let numbers = [drive[at], response[at], fit.model[at], response[at] - fit.model[at]];
         let cells = numbers.into_iter().map(|number| cell(Some(number)));
@@ -76,8 +78,12 @@ pub fn fit_text(fitted: &Fitted) -> String {
     for [path, number, spread, interval] in &rows {
         let _ = writeln!(lines, "  {path:name$}  {number:>value$}  {spread:<error$}  {interval}");
     }
-    let unit = if fit.control == Control::Force { "m" } else { "N" };
-    let _ = write!(lines, "  {} points, what is left {}", fit.used.len(), with_prefix(fit.deviation, unit));
+    let left = match fit.led {
+        Drive::Depth | Drive::Slide => with_prefix(fit.deviation, "N"),
+        Drive::Force => with_prefix(fit.deviation, "m"),
+        Drive::Speed => format!("{:.3e}", fit.deviation),
+    };
+    let _ = write!(lines, "  {} points, what is left {left}", fit.used.len());
     if fit.correlation.abs() > 0.0 {
         let _ = write!(lines, ", correlation of neighbours {:.3}", fit.correlation);
     }

@@ -1,9 +1,9 @@
 //! Fits as JSON.
 
 use super::fitted::{Fitted, Tried};
-use crate::contact::adhesion::equilibrium::Control;
 use crate::fit::{Carried, Estimate, Given, Noise};
 use crate::scene::Scene;
+use crate::scene::fit::Drive;
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -116,7 +116,7 @@ impl<'f> Summary<'f> {
             notes: data_notes.iter().chain(&fit.notes).map(String::as_str).collect(),
             points: fit.used.len(),
             rows_on_jumps: fit.on_jumps.iter().map(|&at| curve.rows[at]).collect(),
-            driven_by: if fit.control == Control::Force { "force" } else { "depth" },
+            driven_by: driven_by(fit.led),
             residual_deviation: fit.deviation,
             residual_correlation: fit.correlation,
             noise_before_contact: fit.noise.map(noise),
@@ -169,4 +169,13 @@ pub fn fit_json(fitted: &Fitted) -> Result<String, serde_json::Error> {
 pub fn fits_json(fits: &[&Fitted]) -> Result<String, serde_json::Error> {
     let fits = fits.iter().map(|fit| Summary::of(fit)).collect();
     serde_json::to_string_pretty(&Printed { version: env!("CARGO_PKG_VERSION"), fits }).map(ended)
+}
+
+fn driven_by(led: Drive) -> &'static str {
+    match led {
+        Drive::Depth => "depth",
+        Drive::Force => "force",
+        Drive::Speed => "speed",
+        Drive::Slide => "slide",
+    }
 }

@@ -26,43 +26,14 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
     if draft.chooses_solver()? {
         return lacks_on_pixels(draft, plot, shape);
     }
-    let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
-    let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
-    let of_ground = (is_of_stresses(plot) && draft.bodies(Look::Kind).is_some_and(|(one, two)| one.is_uneven() || two.is_uneven()))
-        .then_some("the stress below is computed of half-spaces that are alike at all depths: expected Force, Radius, Pressure or Energy");
-    if of_plane.or(of_ground).is_some() {
-        return of_plane.or(of_ground);
+    if let Some(what) = unfit_for_ground(draft, plot, shape) {
+        return Some(what);
     }
     if let Plot::Bed | Plot::Surface = plot {
         return pictures::lacks(draft, plot);
     }
-    if (is_of_stresses(plot) || plot == Plot::Fretting) && draft.wear().is_some() {
-        return Some(
-            "it is not computed of a profile that wears: expected Wear, Friction, Stick or Pressure, or no wear",
-        );
-    }
-    if (is_of_stresses(plot) || plot == Plot::Fretting) && draft.is_driven()? {
-        return Some("it is not computed of a contact in a machine: expected Machine, Force, Friction or Energy");
-    }
-    if plot == Plot::Stick && matches!(draft.friction(Look::Kind), Some(Friction::RateState(_))) {
-        return Some(
-            "a contact with rate and state slips as a whole, however slowly: expected Machine, Friction or Energy",
-        );
-    }
-    if is_of_stresses(plot) && yields(draft)? {
-        return Some(
-            "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
-        );
-    }
-    if (is_of_stresses(plot) || plot == Plot::Pressure) && draft.moves_along()? {
-        return Some(
-            "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance",
-        );
-    }
-    if let Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting = plot
-        && draft.has_traction()?
-    {
-        return Some("what rolls steadily slides along no way: expected Traction, Force, Radius or Pressure");
+    if let Some(what) = unfit(draft, plot)? {
+        return Some(what);
     }
     let (there, what) = match plot {
         Plot::Force | Plot::Energy | Plot::Shape | Plot::Bed | Plot::Surface => return None,
@@ -72,15 +43,7 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         Plot::Moduli => {
             (draft.bodies(Look::Kind).map(|(one, two)| one.relaxes() || two.relaxes())?, "expected a Viscoelastic body")
         }
-        Plot::Stick | Plot::Shear | Plot::Fretting if shape.is_rough() => (
-            false,
-            "a rough bed does not know where in its contact it slips: expected Force, Energy, Shape or Friction",
-        ),
-        Plot::Friction | Plot::Stick | Plot::Shear => (draft.rubs()?, "expected a friction"),
-        Plot::Fretting => {
-            let sticks = draft.rubs()? && !slides_as_a_whole(draft)?;
-            (sticks, "expected Coulomb friction and Shake or a Table with slide_m")
-        }
+        Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting => return lacks_of_slip(draft, plot, shape),
         Plot::Wear => (draft.wears()?, "expected a wear such as Archard(coefficient: \"1e-15 m^2/N\")"),
         Plot::Coefficient => (
             !draft.adheres()? && slides_as_a_whole(draft)?,
@@ -94,6 +57,69 @@ fn lacks(draft: &Draft<'_>, plot: Plot) -> Option<&'static str> {
         }
         Plot::Traction => (draft.has_traction()?, "expected Roll with creepage or traction in the history"),
         Plot::Restitution => (draft.speeds()? > 1, "expected an Impact with a list of at least two speeds"),
+    };
+    (!there).then_some(what)
+}
+
+/// Why the shape or the ground has no such figure, if so.
+fn unfit_for_ground(draft: &Draft<'_>, plot: Plot, shape: &Shape) -> Option<&'static str> {
+    let of_plane = is_without_bed(shape).then(|| lacks_of_plane(plot)).flatten();
+    let of_plane = of_plane.or_else(|| shape.is_plane().then(|| lacks_of_section(plot)).flatten());
+    let of_ground = (is_of_stresses(plot) && draft.bodies(Look::Kind).is_some_and(|(one, two)| one.is_uneven() || two.is_uneven()))
+        .then_some("the stress below is computed of half-spaces that are alike at all depths: expected Force, Radius, Pressure or Energy");
+    of_plane.or(of_ground)
+}
+
+/// Why stresses, pressures or slip of the scene are not known, if they are not; `None` where too little of it is read.
+fn unfit(draft: &Draft<'_>, plot: Plot) -> Option<Option<&'static str>> {
+    if (is_of_stresses(plot) || plot == Plot::Fretting) && draft.wear().is_some() {
+        return Some(Some(
+            "it is not computed of a profile that wears: expected Wear, Friction, Stick or Pressure, or no wear",
+        ));
+    }
+    if (is_of_stresses(plot) || plot == Plot::Fretting) && draft.is_driven()? {
+        return Some(Some("it is not computed of a contact in a machine: expected Machine, Force, Friction or Energy"));
+    }
+    if is_of_stresses(plot) && yields(draft)? {
+        return Some(Some(
+            "the stress below a body that yields is not known: expected Force, Radius, Pressure or Energy, or Elastic bodies",
+        ));
+    }
+    if (is_of_stresses(plot) || plot == Plot::Pressure) && draft.moves_along()? {
+        return Some(Some(
+            "the contact of a body that moves along is not round: expected Force, Radius, Energy or Resistance",
+        ));
+    }
+    unfit_for_slip(draft, plot)
+}
+
+/// Why slip within the contact is not known, if it is not; `None` where too little of the scene is read.
+fn unfit_for_slip(draft: &Draft<'_>, plot: Plot) -> Option<Option<&'static str>> {
+    if plot == Plot::Stick && matches!(draft.friction(Look::Kind), Some(Friction::RateState(_))) {
+        return Some(Some(
+            "a contact with rate and state slips as a whole, however slowly: expected Machine, Friction or Energy",
+        ));
+    }
+    if let Plot::Friction | Plot::Stick | Plot::Shear | Plot::Fretting = plot
+        && draft.has_traction()?
+    {
+        return Some(Some("what rolls steadily slides along no way: expected Traction, Force, Radius or Pressure"));
+    }
+    Some(None)
+}
+
+/// What the scene lacks for a figure of friction.
+fn lacks_of_slip(draft: &Draft<'_>, plot: Plot, shape: &Shape) -> Option<&'static str> {
+    if plot != Plot::Friction && shape.is_rough() {
+        return Some(
+            "a rough bed does not know where in its contact it slips: expected Force, Energy, Shape or Friction",
+        );
+    }
+    let (there, what) = if plot == Plot::Fretting {
+        let sticks = draft.rubs()? && !slides_as_a_whole(draft)?;
+        (sticks, "expected Coulomb friction and Shake or a Table with slide_m")
+    } else {
+        (draft.rubs()?, "expected a friction")
     };
     (!there).then_some(what)
 }

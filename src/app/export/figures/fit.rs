@@ -2,9 +2,9 @@
 
 use crate::app::export::Fitted;
 use crate::app::figure::{Axis, Colours, Contours, Figure, Guide, Hue, Line, Mark, Marks, Panel, Series};
-use crate::contact::adhesion::equilibrium::Control;
 use crate::fit::prony::{Moduli, Spectrum};
 use crate::fit::{Map, Master};
+use crate::scene::fit::Drive;
 
 /// Points drawn of each of the ways.
 const DRAWN: usize = 400;
@@ -13,9 +13,9 @@ const DRAWN: usize = 400;
 #[must_use]
 pub fn fit_figure(fitted: &Fitted) -> Figure {
     let Fitted { curve, fit, .. } = fitted;
-    let response = curve.answered(fit.control);
+    let response = curve.answered(fit.led);
     let (x, axis) = abscissa(fitted);
-    let answer = || answer(fit.control);
+    let answer = || answer(fit.led);
     let every = curve.len().div_ceil(DRAWN).max(1);
     let drawn = |of: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
         fit.used.iter().step_by(every).map(|&at| (x[at], of(at))).collect()
@@ -28,7 +28,7 @@ pub fn fit_figure(fitted: &Fitted) -> Figure {
     let rest = rest.colour(Hue::Sky).line(Line::Absent).marks(Marks::As(Mark::Disc));
     let mut left = Panel::new(axis, Axis { label: "residual".to_owned(), ..answer() }).with(rest);
     left = left.guide(Guide::horizontal(0.0, ""));
-    if let Some(touch) = fit.parameter("contact_point").filter(|_| fit.control == Control::Indentation) {
+    if let Some(touch) = fit.parameter("contact_point").filter(|_| fit.led == Drive::Depth) {
         curves = curves.guide(Guide::vertical(touch.value, "first touch"));
         left = left.guide(Guide::vertical(touch.value, ""));
     }
@@ -52,13 +52,13 @@ const STYLES: [(Hue, Line); 6] = [
 #[must_use]
 pub fn models_figure(fitted: &Fitted) -> Figure {
     let (x, axis) = abscissa(fitted);
-    let control = fitted.fit.control;
-    let response = fitted.curve.answered(control);
+    let led = fitted.fit.led;
+    let response = fitted.curve.answered(led);
     let every = fitted.curve.len().div_ceil(DRAWN).max(1);
     let measured = (0..fitted.curve.len()).step_by(every).map(|at| (x[at], response[at])).collect::<Vec<_>>();
     let measured = Series::new("measured", measured).colour(Hue::Sky).line(Line::Absent);
-    let mut curves = Panel::new(axis.clone(), answer(control)).with(measured.marks(Marks::As(Mark::Disc)));
-    let mut left = Panel::new(axis, Axis { label: "residual, mean of neighbours".to_owned(), ..answer(control) });
+    let mut curves = Panel::new(axis.clone(), answer(led)).with(measured.marks(Marks::As(Mark::Disc)));
+    let mut left = Panel::new(axis, Axis { label: "residual, mean of neighbours".to_owned(), ..answer(led) });
     let answered = fitted.models.iter().filter_map(|model| Some((model, model.answer.as_ref().ok()?)));
     for ((model, one), (hue, line)) in answered.zip(STYLES.into_iter().cycle()) {
         let drawn = |of: &dyn Fn(usize) -> f64| one.fit.used.iter().map(|&at| (x[at], of(at))).collect::<Vec<_>>();
@@ -105,20 +105,25 @@ pub fn map_figure(fitted: &Fitted, map: &Map) -> Figure {
 /// Confidence of the outermost region drawn.
 const CONFIDENT: f64 = 0.95;
 
-fn answer(control: Control) -> Axis {
-    match control {
-        Control::Indentation => Axis::linear("force F", "N"),
-        Control::Force => Axis::linear("indentation d", "m"),
+fn answer(led: Drive) -> Axis {
+    match led {
+        Drive::Depth => Axis::linear("force F", "N"),
+        Drive::Force => Axis::linear("indentation d", "m"),
+        Drive::Speed => Axis::linear("restitution e", ""),
+        Drive::Slide => Axis::linear("tangential force Fₓ", "N"),
     }
 }
 
-/// What the data are drawn over: the depth, or the time under a force.
+/// What the data are drawn over: what drives, or the time under a force.
 fn abscissa(fitted: &Fitted) -> (&[f64], Axis) {
     let Fitted { curve, fit, .. } = fitted;
-    match (fit.control, &curve.time) {
-        (Control::Force, Some(time)) => (time, Axis::linear("time t", "s")),
-        (Control::Force, None) => (&curve.force, Axis::linear("force F", "N")),
-        (Control::Indentation, _) => (&curve.depth, Axis::linear("depth z, as measured", "m")),
+    let drive = curve.driven(fit.led);
+    match (fit.led, &curve.time) {
+        (Drive::Force, Some(time)) => (time, Axis::linear("time t", "s")),
+        (Drive::Force, None) => (drive, Axis::linear("force F", "N")),
+        (Drive::Depth, _) => (drive, Axis::linear("depth z, as measured", "m")),
+        (Drive::Speed, _) => (drive, Axis::log("speed v", "m/s")),
+        (Drive::Slide, _) => (drive, Axis::linear("slide uₓ, as measured", "m")),
     }
 }
 
