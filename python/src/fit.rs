@@ -57,9 +57,7 @@ fn fitted(source: &Source, options: &str, curve: Owned) -> Result<Fitted, Wrong>
     let fitting = Fitting::new(&measured, &scene, &source.folder).map_err(asked)?;
     let found = match curve {
         Owned::File(path) => fitting.of_file(&path, &source.tables()),
-        Owned::Curve(columns, time) => {
-            fitting.of_curve("arrays", fitting.curve(columns, time), &source.tables())
-        }
+        Owned::Curve(columns, time) => fitting.of_curve("arrays", fitting.curve(columns, time), &source.tables()),
     };
     found.map_err(Wrong::Failed)
 }
