@@ -23,7 +23,7 @@ use crate::numerics::root;
 use crate::shape::Profile;
 use std::sync::Arc;
 
-/// Contact under a force that never falls, from the first touch on.
+/// Contact under a force that never falls, from the first touch on; on a dashpot alone under any that presses.
 ///
 /// N(a(t)) = ½ ∫ J(t−s) dF(s), with J the creep compliance [1/Pa] and N = ∫₀^a (g(a) − g) dx (Lee &
 /// Radok 1960, inverted); for a paraboloid a³ = (3R/4) ∫ J dF. As long as F does not fall, N grows,
@@ -61,6 +61,14 @@ impl Creep {
         }
         next.force = force;
         next
+    }
+
+    /// Whether the contact grows until the force has gone linearly to `force` [N]: it does not fall, or presses a dashpot
+    /// alone, which gives way to any force and takes nothing back.
+    #[must_use]
+    pub fn grows_until(&self, force: f64) -> bool {
+        let gives_nothing_back = self.spectrum.modes().is_empty() && self.spectrum.glass_compliance() <= 0.0;
+        force >= self.force || gives_nothing_back && force >= 0.0
     }
 
     /// Normal force [N].

@@ -107,6 +107,14 @@ impl ContactModel for MappedContact {
         self.told(self.bed.state())
     }
 
+    fn indentation(&self) -> Option<f64> {
+        self.bed.indentation()
+    }
+
+    fn position(&self) -> Option<f64> {
+        self.bed.position()
+    }
+
     fn joined(&self) -> bool {
         self.bed.joined()
     }
@@ -118,6 +126,18 @@ impl ContactModel for MappedContact {
 
     fn copy(&self) -> Box<dyn ContactModel> {
         Box::new(Self::new(self.bed.copy(), self.profile.clone()))
+    }
+
+    fn mark(&mut self) -> bool {
+        self.bed.mark()
+    }
+
+    fn unmark(&mut self) {
+        self.bed.unmark();
+    }
+
+    fn at_mark(&self) -> Option<Box<dyn ContactModel>> {
+        Some(Box::new(Self::new(self.bed.at_mark()?, self.profile.clone())))
     }
 
     fn tangential(&self) -> Option<Tangential> {

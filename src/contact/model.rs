@@ -82,8 +82,10 @@ pub struct Event {
 /// How bodies part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parting {
-    /// Time since the beginning of the piece [s], to rounding.
+    /// Time since the beginning of the piece [s].
     pub time: f64,
+    /// How far it may be off [s], beyond rounding: an edge that obeys a rate law is followed in steps.
+    pub doubt: f64,
     /// Whether an attraction gives way, with a jump of the force.
     pub suddenly: bool,
 }

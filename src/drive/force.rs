@@ -264,7 +264,7 @@ impl ForceDrive {
             // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀.
             _ if self.meets_in_the_middle(contact) => {
                 let bend = speed - self.pace.at(self.now);
-                0.5 * contact.state().stiffness * bend * half
+                0.5 * felt(&contact.state()) * bend * half
             }
             Some(depth) if depth > 0.0 => {
                 let chord = depth_of(contact) + speed * half;
@@ -353,9 +353,9 @@ pub(super) fn balanced(contact: &dyn ContactModel) -> f64 {
     if attracts { (2.0 * state.stored.elastic * state.stiffness).max(0.0).sqrt() } else { 0.0 }
 }
 
-/// Whether the force of a contact jumps with its speed, and nothing else lets it jump: a dashpot without attraction.
+/// Whether the force of a contact jumps with its speed.
 fn is_damped(contact: &dyn ContactModel) -> bool {
-    contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0) && contact.state().stored.surface >= 0.0
+    contact.joined() && contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0)
 }
 
 /// Depth [m] of a contact.
@@ -410,10 +410,17 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
 /// By what the force of a contact of the stiffness `stiffness` [N/m] grows with its speed at once [N s/m], nearly: of its
 /// dashpot, zero without.
 fn damping(contact: &dyn ContactModel, stiffness: f64) -> f64 {
-    contact.memory().map_or(0.0, |spectrum| match spectrum.viscosity() {
-        viscosity if viscosity > 0.0 => stiffness * viscosity / spectrum.instantaneous(),
+    contact.memory().map_or(0.0, |spectrum| match (spectrum.viscosity(), spectrum.instantaneous()) {
+        (viscosity, modulus) if viscosity > 0.0 && modulus > 0.0 => stiffness * viscosity / modulus,
         _ => 0.0,
     })
+}
+
+/// How much force [N/m] a way is worth: by the stiffness, and where there is none, on a dashpot alone, as a part of the
+/// force what the way is of the depth.
+fn felt(state: &Normal) -> f64 {
+    let as_part = state.indentation.filter(|&depth| depth > 0.0).map_or(0.0, |depth| state.force.abs() / depth);
+    state.stiffness.max(as_part)
 }
 
 /// A first guess [m] of how far a contact moves to take the force `still` [N] too much or too little: that of its

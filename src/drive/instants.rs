@@ -2,7 +2,7 @@
 
 use super::force::ahead;
 use crate::contact::error::ContactError;
-use crate::contact::model::{ContactModel, Glance};
+use crate::contact::model::{ContactModel, Glance, Parting};
 use crate::numerics::extremum;
 use std::collections::VecDeque;
 
@@ -34,34 +34,35 @@ impl Glimpse {
 const NOISE: f64 = 1e-12;
 /// What happens before this part of a look is the beginning, where there is a record already.
 const BEGINNING: f64 = 1e-12;
-/// Parts of a time within which a parting may lie from where it was found.
-const NEAR: [f64; 4] = [1e-15, 1e-13, 1e-10, 1e-7];
+/// Parts of a time, and multiples of a doubt, within which a parting may lie from where it was found.
+const NEAR: [(f64, f64); 4] = [(1e-15, 1.0), (1e-13, 8.0), (1e-10, 64.0), (1e-7, 512.0)];
 /// Looks at equal distances in a whole entry.
 const EVEN: i32 = 24;
 /// Looks per decade towards the beginning of a piece, where the fast elements relax.
 const PER_DECADE: i32 = 2;
 
-/// The last time [s] between two at which all is as at the first of them, and the first at which it is not, to rounding;
-/// near the time `known` if the contact says when that is.
+/// The last time [s] between two at which all is as at the first of them, and the first at which it is not: to rounding, or
+/// as near as the contact that says when that is (`known`) can tell.
 ///
 /// # Errors
 /// The contact cannot be looked at.
 pub fn last_of(
     mut as_before: impl FnMut(f64) -> Result<bool, ContactError>,
     (mut low, mut high): (f64, f64),
-    known: Option<f64>,
+    known: Option<Parting>,
 ) -> Result<(f64, f64), ContactError> {
-    for (time, near) in known.iter().flat_map(|&time| NEAR.map(|near| (time, near))) {
-        for time in [time * (1.0 - near), time * (1.0 + near)] {
+    let (time, doubt) = known.map_or((0.0, 0.0), |parting| (parting.time, parting.doubt));
+    for apart in known.iter().flat_map(|_| NEAR.map(|(part, times)| part * time + times * doubt)) {
+        for time in [time - apart, time + apart] {
             if low < time && time < high {
                 *(if as_before(time)? { &mut low } else { &mut high }) = time;
             }
         }
-        if high - low <= 4.0 * near * time {
+        if high - low <= 4.0 * apart {
             break;
         }
     }
-    while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+    while high - low > 4.0 * doubt && low < 0.5 * (low + high) && 0.5 * (low + high) < high {
         let middle = 0.5 * (low + high);
         *(if as_before(middle)? { &mut low } else { &mut high }) = middle;
     }
@@ -183,7 +184,7 @@ impl Watch {
         }
         let way = ahead(contact, self.speed, high - before.time);
         let parting = if joined { contact.parting(&way)? } else { None };
-        let known = parting.map(|parting| before.time + parting.time);
+        let known = parting.map(|parting| Parting { time: before.time + parting.time, ..parting });
         (low, high) =
             last_of(|time| Ok((self.see(contact, time)?.contact_radius > 0.0) == joined), (low, high), known)?;
         let torn = parting.is_some_and(|parting| parting.suddenly);

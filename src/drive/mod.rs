@@ -225,7 +225,7 @@ impl Driver {
     fn begin_force(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
         let (course, from) = (self.stage.course, self.stage.from);
         let to = if let Path::To(to) = course.normal { to } else { from };
-        self.creep = self.creep.take().filter(|creep| to >= creep.force());
+        self.creep = self.creep.take().filter(|creep| creep.grows_until(to));
         self.largest = self.largest.max(from.abs()).max(to.abs());
         let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
         let duration = if course.over > 0.0 { course.over } else { instant };

@@ -53,7 +53,7 @@ impl Driver {
             }
             high *= 2.0;
         }
-        let known = contact.parting(&ahead(contact, -speed, high))?.map(|parting| parting.time);
+        let known = contact.parting(&ahead(contact, -speed, high))?;
         let (last, _) = last_of(|time| held(contact, time), (0.0, high), known)?;
         Ok(start - speed * last)
     }

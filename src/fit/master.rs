@@ -4,7 +4,8 @@
 //! First each temperature is laid over its neighbour, then all shifts are searched for together so that one smooth
 //! spectrum explains all moduli (the spectrum is projected out: Kaufman 1975). C₁ and C₂ of
 //! log₁₀ a_T = −C₁(T − T_r)/(C₂ + T − T_r) (J. Am. Chem. Soc. 77, 3701, 1955, eq. 20) follow by least squares.
-//! Moduli are not shifted: where ρT changes much they should be.
+//! On request moduli are shifted too, by b_T = T/T_r (Ferry 1980, *Viscoelastic Properties of Polymers*, ch. 11; the density
+//! as constant), as those of networks are whose stiffness is one of entropy.
 
 use super::FitError;
 use super::prony::{Moduli, Spectrum, System};
@@ -20,6 +21,8 @@ pub struct Sweeps {
     pub moduli: Moduli,
     /// Temperatures [K], one per frequency.
     pub temperature: Vec<f64>,
+    /// Whether the moduli go with the temperature, b_T = T/T_r.
+    pub entropic: bool,
 }
 
 /// A master curve.
@@ -33,7 +36,7 @@ pub struct Master {
     pub errors: Vec<f64>,
     /// C₁ and C₂ [K] of Williams, Landel & Ferry; `None` where the shifts have no such law.
     pub wlf: Option<(f64, f64)>,
-    /// The moduli over reduced frequencies a_T f.
+    /// The moduli, over b_T if they go with the temperature, over reduced frequencies a_T f.
     pub reduced: Moduli,
     /// The spectrum at the reference temperature.
     pub spectrum: Spectrum,
@@ -83,12 +86,22 @@ impl Sweeps {
         let far = |at: &usize| reference.map_or(0.0, |wanted| (means[*at] - wanted).abs());
         let nearest = (0..means.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0);
         let zero = if reference.is_some() { nearest } else { means.len() / 2 };
-        let logs = self.laid(&groups, means.len(), zero)?;
-        let (logs, errors) = self.searched(&groups, logs, zero)?;
-        let reduced = self.shifted(&groups, &logs);
+        let level = if self.entropic { self.levelled(&groups, &means, means[zero]) } else { self.clone() };
+        let logs = level.laid(&groups, means.len(), zero)?;
+        let (logs, errors) = level.searched(&groups, logs, zero)?;
+        let reduced = level.shifted(&groups, &logs);
         let spectrum = reduced.spectrum()?;
         let shifts: Vec<(f64, f64)> = means.iter().copied().zip(logs.iter().map(|log| log / LN_10)).collect();
         Ok(Master { reference: means[zero], wlf: wlf(&shifts, means[zero]), shifts, errors, reduced, spectrum })
+    }
+
+    /// Moduli over b_T, as they would be at the temperature `reference` [K].
+    fn levelled(&self, groups: &[usize], means: &[f64], reference: f64) -> Self {
+        let over = |moduli: &[f64]| {
+            moduli.iter().zip(groups).map(|(modulus, &group)| modulus * (reference / means[group])).collect()
+        };
+        let (storage, loss) = (over(&self.moduli.storage), over(&self.moduli.loss));
+        Self { moduli: Moduli { storage, loss, ..self.moduli.clone() }, ..self.clone() }
     }
 
     /// The number of the temperature of each point, and the temperatures, rising.
@@ -318,6 +331,22 @@ mod tests {
             let (c1, c2) = master.wlf.unwrap();
             assert!((c1 / 8.86 - 1.0).abs() < 4.0 * bound && (c2 / 101.6 - 1.0).abs() < 4.0 * bound, "{c1} {c2}");
             assert!(master.spectrum.deviation < 1.2 * noise.max(2e-3), "{}", master.spectrum.deviation);
+        }
+    }
+
+    /// A network whose moduli go with the temperature: without b_T a spectrum misses them by per cents.
+    #[test]
+    fn moduli_that_go_with_the_temperature_are_levelled() {
+        let (mut all, log) = sweeps(0.0);
+        let b: Vec<f64> = all.temperature.iter().map(|t| (20.0 * (t / 20.0).round()) / 300.0).collect();
+        let Moduli { storage, loss, .. } = &mut all.moduli;
+        storage.iter_mut().chain(loss).zip(b.iter().chain(&b)).for_each(|(modulus, b)| *modulus *= b);
+        let plain = all.master(Some(300.0)).unwrap();
+        let levelled = Sweeps { entropic: true, ..all }.master(Some(300.0)).unwrap();
+        assert!(levelled.spectrum.deviation < 2e-3, "{}", levelled.spectrum.deviation);
+        assert!(plain.spectrum.deviation > 5.0 * levelled.spectrum.deviation, "{}", plain.spectrum.deviation);
+        for &(t, found) in &levelled.shifts {
+            assert!((found - log(t)).abs() < 0.01, "{t} {found} {}", log(t));
         }
     }
 

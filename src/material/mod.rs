@@ -353,7 +353,8 @@ impl Relaxation {
 /// Effective moduli of a pair of bodies.
 ///
 /// 1/E* = (1−ν₁²)/E₁ + (1−ν₂²)/E₂ and 1/G* = (2−ν₁)/(4G₁) + (2−ν₂)/(4G₂), where a rigid body adds
-/// nothing (Popov, Contact Mechanics and Friction, eqs. 5.26 and 8.22). Of a viscoelastic body the instantaneous moduli are meant;
+/// nothing (Popov, Contact Mechanics and Friction, eqs. 5.26 and 8.22). Of a viscoelastic body the instantaneous moduli are meant,
+/// of one that is a dashpot alone its viscosities [Pa s] in their place;
 /// with a constant ν the ratio G*/E* = 2(1−ν)/(2−ν) holds at all times.
 /// Check: E = 210 GPa, ν = 0.3 on a rigid body gives E* = 230.77 GPa and G* = 190.05 GPa.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -520,7 +521,7 @@ pub fn joined(
         return Ok(Some(Joined { pair, relaxation: None, under }));
     }
     Ok(Some(Joined {
-        pair: Pair { normal: both.instantaneous(), ..pair },
+        pair: pair.as_stiff_as(both.instantaneous()),
         relaxation: Some(both.relaxation_function()),
         under,
     }))
@@ -541,7 +542,9 @@ fn alone(body: &Body, path: &str, known: Known<'_>) -> Result<Alone, Vec<Problem
         Body::Plastic(body) => elastic(&body.elastic()),
         Body::Viscoelastic(body) => {
             let relaxation = instantly_stiff(body, path, known).map_err(|problem| vec![problem])?;
-            let stiffness = Stiffness::new(relaxation.instantaneous(), body.poisson.si());
+            let modulus = relaxation.instantaneous();
+            let at_once = if modulus > 0.0 { modulus } else { relaxation.viscosity };
+            let stiffness = Stiffness::new(at_once, body.poisson.si());
             Alone { stiffness, spectrum: Some(Spectrum::new(&relaxation)), under }
         }
         Body::Layered(body) => layered::layered(body, path, known)?,
@@ -555,7 +558,7 @@ fn elastic(body: &Elastic) -> Alone {
     Alone { stiffness: body.stiffness(), spectrum, under: Under::HalfSpaces }
 }
 
-/// E*(t) against a rigid body, above zero at once.
+/// E*(t) against a rigid body, above zero at once, or with a dashpot alone.
 fn instantly_stiff(body: &Viscoelastic, path: &str, known: Known<'_>) -> Result<Relaxation, Problem> {
     if let Some(problem) = badly_shifted(body, path, known.tables) {
         return Err(problem);
@@ -563,10 +566,10 @@ fn instantly_stiff(body: &Viscoelastic, path: &str, known: Known<'_>) -> Result<
     let relaxation = body
         .relaxation(known.tables, known.times)
         .map_err(|error| Problem::new(format!("{path}.shear.terms"), error.to_string()))?;
-    if relaxation.instantaneous() > 0.0 || body.shear.power_law.is_some() {
+    if relaxation.instantaneous() > 0.0 || relaxation.viscosity > 0.0 || body.shear.power_law.is_some() {
         return Ok(relaxation);
     }
-    let message = "has no modulus above zero: expected an equilibrium modulus or at least one term";
+    let message = "has no modulus above zero: expected an equilibrium modulus, at least one term or a viscosity";
     Err(Problem::new(format!("{path}.shear"), message))
 }
 
@@ -598,6 +601,11 @@ impl Pair {
         let (shares, normal) = in_series(one.normal, two.normal);
         let (_, tangential) = in_series(one.tangential, two.tangential);
         Self { normal, tangential, coupling: shares.0 * one.coupling - shares.1 * two.coupling }
+    }
+
+    /// The same with E* = `normal` [Pa], if it is above zero, and G* in its ratio to it.
+    fn as_stiff_as(self, normal: f64) -> Self {
+        if normal > 0.0 { Self { normal, tangential: normal * (self.tangential / self.normal), ..self } } else { self }
     }
 }
 

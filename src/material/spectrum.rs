@@ -170,12 +170,17 @@ impl Spectrum {
         if flow > 0.0 { flow.recip() } else { 0.0 }
     }
 
-    /// A time [s] in which nothing relaxes to the last bit: how long a jump is made to last.
+    /// A time [s] in which nothing relaxes to the last bit: how long a jump is made to last. A dashpot alone has no time of
+    /// its own, and goes no way that counts in this one.
     #[must_use]
     pub fn instant(&self) -> f64 {
         let retarded = self.modes.first().map_or(f64::INFINITY, |mode| mode.time);
         let shortest = self.shortest_time().min(retarded);
-        if shortest.is_finite() { 1e-20 * shortest } else { 1.0 }
+        match (shortest.is_finite(), self.viscosity > 0.0) {
+            (true, _) => 1e-20 * shortest,
+            (false, true) => 1e-30,
+            (false, false) => 1.0,
+        }
     }
 
     /// The relaxation function this is the spectrum of.
@@ -222,7 +227,7 @@ fn poles(terms: &[Element], viscosity: f64) -> Vec<Pole> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::viscoelastic::laws::{Recipe, recipe};
+    use crate::contact::viscoelastic::laws::{Recipe, recipe, recipe_or_dashpot};
     use proptest::prelude::*;
 
     /// E(p) = E∞ + ηp + Σ Eᵢ pτᵢ/(1+pτᵢ), the operational modulus.
@@ -318,7 +323,7 @@ mod tests {
         /// E(p)·p J(p) = 1 over all decades: both sides are sums of positive terms, so the bound is
         /// the rounding of 2 × 30 terms, of 30 quotients in each and of the zeros.
         #[test]
-        fn retardation_inverts_relaxation(recipe in recipe(30), k in -200i32..200) {
+        fn retardation_inverts_relaxation(recipe in recipe_or_dashpot(30), k in -200i32..200) {
             let spectrum = Spectrum::new(&recipe.relaxation());
             let p = 10f64.powf(0.1 * f64::from(k));
             let product = operational(&spectrum, p) * compliance(&spectrum, p);

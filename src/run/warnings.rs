@@ -20,12 +20,39 @@ const BALL: f64 = 0.01;
 /// Range of the attraction assumed for the Tabor parameter [m], an atomic distance.
 const ATOMIC_RANGE: f64 = 0.3e-9;
 
+/// Heat taken back, as a part of the largest elastic energy, that is worth a word.
+const TAKEN_BACK: f64 = 1e-2;
+
 /// The physics a user must know about the records of a scene.
 #[must_use]
 pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
     let mut warnings = of_kind(plan, records);
     warnings.extend(power_law(plan, records));
+    warnings.extend(taken_back(plan, records));
     warnings
+}
+
+/// Heat that comes back: an edge that holds by E∞ takes more of the springs than a quick pull has put into them.
+///
+/// A spring that leaves moves by Q/E∞ under its load Q, its Maxwell elements at the loads s they have: their dashpots then do
+/// the work −ΣsQ/E∞, which is above zero where the pull has stretched them (s < 0) faster than they relax.
+fn taken_back(plan: &Plan, records: &[Record]) -> Option<String> {
+    if !plan.adheres() || plan.relaxation().is_none() {
+        return None;
+    }
+    let (mut most, mut fall, mut at) = (f64::NEG_INFINITY, 0.0, 0.0);
+    for record in records {
+        most = most.max(record.normal.dissipated);
+        if most - record.normal.dissipated > fall {
+            (fall, at) = (most - record.normal.dissipated, record.time);
+        }
+    }
+    let stored = records.iter().map(|record| record.normal.stored.elastic.abs()).fold(0.0, f64::max);
+    (fall > TAKEN_BACK * stored).then(|| {
+        format!(
+            "heat of {fall:.2e} J is taken back until {at:.6e} s: an edge held by the relaxed modulus draws the work of adhesion from springs that a pull faster than their relaxation has stretched, more than they hold, and dissipated_j is too small by as much; expected a slower pull, or edge: Instantaneous, which keeps the balance at any speed"
+        )
+    })
 }
 
 /// What a power law does not say: its stiffness at once, and its force behind the times its series is laid out over.

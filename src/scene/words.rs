@@ -71,7 +71,10 @@ impl ImpactPlan {
     pub fn parts(&self) -> Parts {
         let (mut solver, mut used) = (self.law.solver(), self.law.bodies().pieces());
         let mut state_bytes = size_of::<QuasiStatic>();
-        if self.ball.is_some() {
+        if self.ball.is_some() && self.law.bodies().relaxation().is_some() {
+            used.push(Component::ViscoelasticFriction);
+            solver.reason.push_str("; along the surface a Coulomb bed of relaxing springs is dragged through that motion in steps, which with the springs are doubled until the rebound settles; it does not act back on the normal motion");
+        } else if self.ball.is_some() {
             used.push(Component::TurningPoints);
             solver.reason.push_str("; along the surface the Coulomb bed is driven by its memory of turning points, which does not act back on the normal motion");
             state_bytes += size_of::<TangentialMemory>() + 8 * TangentialMemory::BYTES_PER_TURN;

@@ -137,6 +137,32 @@ proptest! {
     }
 }
 
+/// Over layers too an entry goes on from where the far end of the spring is, not from where the indenter is.
+#[test]
+fn over_layers_a_cut_changes_nothing() {
+    let run = |history: &str| {
+        let layer = "(body: Elastic(young: 1e3, poisson: 0.45), thickness: 5e-6)";
+        run_with(
+            &format!(
+                "(shape: Paraboloid(radius: 5e-6), bodies: (Layered(layers: [{layer}], base: Rigid, bond: Bonded), Rigid), \
+                 machine: (stiffness: 2e-3), steps: 2, history: [{history}])"
+            ),
+            &InMemory::default(),
+        )
+    };
+    let last = |outcome: &Outcome| outcome.records.last().unwrap().normal;
+    let (whole, cut) = (run("Indent(to: 4e-6, over: 2)"), run("Indent(to: 2e-6, over: 1), Indent(to: 4e-6, over: 1)"));
+    let (one, other) = (last(&whole), last(&cut));
+    let (depth, told) = (one.indentation.unwrap(), other.indentation.unwrap());
+    assert!(depth < 3.9e-6, "the spring gives: {one:?}");
+    assert!(
+        (depth - told).abs() < 1e-12 * depth && (one.force - other.force).abs() < 1e-12 * one.force,
+        "{one:?} {other:?}"
+    );
+    let (spring, also) = (whole.records[1].spring.unwrap().0, cut.records[2].spring.unwrap().0);
+    assert!((spring - also).abs() < 1e-12 * also, "{spring:e} {also:e}");
+}
+
 /// A stiff spring is a prescribed depth, a soft one a prescribed force.
 #[test]
 fn limits_are_a_prescribed_depth_and_a_prescribed_force() {

@@ -50,6 +50,34 @@ fn the_warning_of_a_pull_off_tells_its_instant() {
     assert!((told.parse::<f64>().unwrap() / instant - 1.0).abs() < 1e-9, "{warning}: {instant}");
 }
 
+/// A pull quicker than the relaxation tears an edge that holds by E∞ off with less than the work of adhesion; one that holds by
+/// E(0), or a slow pull, pays all of it.
+#[test]
+fn heat_that_is_taken_back_is_told() {
+    let pulled = |edge: &str, speed: f64| {
+        let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e5, terms: [(modulus: 1.5e6, time: 0.1)]))";
+        tried(&format!(
+            "(shape: Paraboloid(radius: 5e-3), bodies: ({body}, Rigid), adhesion: Jkr(work: 0.05, edge: {edge}), \
+             history: [Indent(to: 1e-5, over: 10), Retract(speed: {speed:e})])"
+        ))
+        .unwrap()
+    };
+    let is_told = |outcome: &Outcome| outcome.warnings.iter().any(|warning| warning.starts_with("heat of "));
+    let quick = "Rate(speed: 1e-3, exponent: 0.5)";
+    for (edge, speed, expected) in [
+        ("Relaxed", 1e-2, true),
+        (quick, 1e-2, true),
+        ("Instantaneous", 1e-2, false),
+        ("Relaxed", 1e-7, false),
+        (quick, 1e-7, false),
+    ] {
+        let outcome = pulled(edge, speed);
+        assert_eq!(is_told(&outcome), expected, "{edge} at {speed:e}: {:?}", outcome.warnings);
+        let last = outcome.records.last().unwrap().normal;
+        assert_eq!(last.dissipated < 0.0, expected, "{edge} at {speed:e}: {last:?}");
+    }
+}
+
 /// Coulomb friction slips everywhere from μdE*/G* on, a uniform shear stress from 2τa/G*; a slide the other way takes
 /// twice as much.
 #[test]

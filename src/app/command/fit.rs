@@ -8,7 +8,8 @@ use crate::app::export::{self, Fitted};
 use crate::app::fitting::Fitting;
 use crate::app::scene_file::SceneFile;
 use crate::app::table_file::TableFiles;
-use crate::fit::{FitError, Terms};
+
+use crate::fit::{FitError, Sweeps, Terms};
 use crate::input::quantity::{SpringStiffness, Temperature};
 use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Measured, Way};
 use clap::Args;
@@ -73,6 +74,9 @@ pub struct Arguments {
     /// Reference temperature of moduli at several temperatures, such as "25 degC"; the middle one if not given.
     #[arg(long, value_name = "TEMPERATURE", requires = "moduli", conflicts_with = "scene")]
     reference: Option<Temperature>,
+    /// Moduli at several temperatures are shifted too, by T over the reference, as those of rubbers above the glass transition.
+    #[arg(long, requires = "moduli", conflicts_with = "scene")]
+    vertical: bool,
 }
 
 fn baseline(text: &str) -> Result<Baseline, String> {
@@ -286,7 +290,9 @@ fn moduli(path: &Path, arguments: &Arguments, common: &Common, console: &Console
     let file = path.display().to_string();
     let failed = |error: FitError| Failure::Failed(format!("{file}: {error}"));
     let reference = arguments.reference.map(Temperature::si);
-    let master = data.sweeps().map_err(faulty)?.map(|sweeps| sweeps.master(reference)).transpose().map_err(failed)?;
+    let sweeps = data.sweeps().map_err(faulty)?;
+    let one_curve = |sweeps: Sweeps| Sweeps { entropic: arguments.vertical, ..sweeps }.master(reference);
+    let master = sweeps.map(one_curve).transpose().map_err(failed)?;
     let moduli = match &master {
         Some(master) => master.reduced.clone(),
         None => data.moduli().map_err(faulty)?,

@@ -191,7 +191,8 @@ impl Data {
     /// A column is missing.
     pub fn sweeps(&self) -> Result<Option<Sweeps>, Fault> {
         let moduli = self.moduli()?;
-        let sweeps = self.column(Quantity::Temperature).map(|all| Sweeps { moduli, temperature: all.to_vec() });
+        let sweeps =
+            self.column(Quantity::Temperature).map(|all| Sweeps { moduli, temperature: all.to_vec(), entropic: false });
         Ok(sweeps.filter(Sweeps::differ))
     }
 

@@ -2,7 +2,7 @@
 
 use crate::check::case::{Attempt, Case, Pairs, Proof};
 use crate::check::sketch::{Sketch, ball, beside, relaxing, result, si};
-use crate::material::Relaxation;
+use crate::material::{Body, Relaxation};
 use crate::run::named::Finding;
 use crate::run::record::Outcome;
 use crate::shape::{FlatPunch, Shape};
@@ -63,6 +63,14 @@ pub(super) const CASES: &[Case] = &[
     )
     .weak("conservation, not the course itself")
     .by(conserved),
+    Case::new(
+        "impact/oblique on a body that relaxes",
+        Proof::Bound,
+        1e-4,
+        "a grazing ball slips all along and loses μ(1 + e) of its normal speed, e that of the impact; with next to no Prony term it rebounds as from an elastic body: steps and springs doubled until ψ₂ settles to 1e-4",
+    )
+    .weak("relative to the normal speed; what lies between the limits has no closed form")
+    .by(relaxing_along),
 ];
 
 /// A ball with a dashpot η beside E∞ = 1.
@@ -147,6 +155,11 @@ fn oblique(angle: f64, spin: f64) -> Attempt<Outcome> {
     Sketch::of(ball(1.0)).coulomb(0.2).oblique(0.1, angle, spin).run()
 }
 
+/// The same on another body.
+fn oblique_on(body: Attempt<Body>, angle: f64, spin: f64) -> Attempt<Outcome> {
+    Sketch::of(ball(1.0)).body(body).coulomb(0.2).oblique(0.1, angle, spin).run()
+}
+
 fn gross_slip() -> Attempt<Pairs> {
     let angle = 1.2f64;
     let (normal, tangential) = (0.1 * angle.cos(), 0.1 * angle.sin());
@@ -161,6 +174,26 @@ fn gross_slip() -> Attempt<Pairs> {
             ("restitution", 1.0),
         ],
     )
+}
+
+/// The grazing ball, and at four angles the elastic one beside one of next to no term; speeds over the normal one.
+fn relaxing_along() -> Attempt<Pairs> {
+    let rubber = Relaxation { equilibrium: 0.5, terms: vec![(0.5, 2.0)], viscosity: 0.0 };
+    let angle = 1.2f64;
+    let grazing = oblique_on(relaxing(&rubber), angle, 0.0)?;
+    let (normal, tangential) = (0.1 * angle.cos(), 0.1 * angle.sin());
+    let restitution = result(&grazing, "restitution")?;
+    let after = tangential - 0.2 * (1.0 + restitution) * normal;
+    let speed = result(&grazing, "rebound_speed_m_per_s")?;
+    let mut pairs = vec![((speed - after.hypot(restitution * normal)) / normal, 0.0)];
+    let faint = Relaxation { equilibrium: 1.0, terms: vec![(1e-9, 1.0)], viscosity: 0.0 };
+    for (angle, spin) in [(0.1f64, 0.0), (0.3, 0.0), (0.5, -0.02), (0.2, 0.03)] {
+        let (elastic, other) = (oblique(angle, spin)?, oblique_on(relaxing(&faint), angle, spin)?);
+        for name in ["rebound_speed_m_per_s", "rebound_spin_rad_per_s"] {
+            pairs.push(((result(&other, name)? - result(&elastic, name)?) / (0.1 * angle.cos()), 0.0));
+        }
+    }
+    Ok(pairs)
 }
 
 fn conserved() -> Attempt<Pairs> {

@@ -34,6 +34,7 @@ mod rough;
 mod shapes;
 mod stress;
 mod viscoelastic;
+mod viscous;
 mod wear;
 
 use super::case::{Attempt, Case};
@@ -59,6 +60,7 @@ pub fn all() -> Vec<Case> {
         adhesive::CASES,
         pad::CASES,
         viscoelastic::CASES,
+        viscous::CASES,
         power_law::CASES,
         friction::CASES,
         wear::CASES,

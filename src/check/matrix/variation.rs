@@ -44,6 +44,7 @@ impl Units {
             "N/m" | "J/m2" => modulus * length,
             "m2/N" => 1.0 / modulus,
             "N s/m" => force * time / length,
+            "Pa s" => modulus * time,
             _ => f64::NAN,
         }
     }
@@ -134,16 +135,20 @@ impl Dice {
         10f64.powf(0.25 * f64::from(self.whole(4 * low, 4 * high)))
     }
 
-    /// A series of 0 to 3 terms about moduli of 1 MPa and the time `time`, seldom of a liquid.
+    /// A series of 0 to 3 terms about moduli of 1 MPa and the time `time`, seldom of a liquid or beside a dashpot, still more
+    /// seldom a dashpot alone.
     fn series(&mut self, time: f64) -> String {
         let terms = self.whole(0, 3);
-        let equilibrium = if terms > 0 && self.one_in(8) { 0.0 } else { 1e6 * self.decades(-1, 1) };
+        let viscosity = if self.one_in(6) { 1e6 * time * self.decades(-3, 1) } else { 0.0 };
+        let is_liquid = (terms > 0 || viscosity > 0.0) && self.one_in(8);
+        let equilibrium = if is_liquid { 0.0 } else { 1e6 * self.decades(-1, 1) };
         let term = |dice: &mut Self| {
             let (modulus, time) = (1e6 * dice.decades(-2, 1), time * dice.decades(-3, 3));
             format!("(modulus: <{modulus:e} Pa>, time: <{time:e} s>)")
         };
         let terms: Vec<String> = (0..terms).map(|_| term(self)).collect();
-        format!("(equilibrium: <{equilibrium:e} Pa>, terms: [{}])", terms.join(", "))
+        let terms = terms.join(", ");
+        format!("(equilibrium: <{equilibrium:e} Pa>, terms: [{terms}], viscosity: <{viscosity:e} Pa s>)")
     }
 
     fn turn(&mut self) -> Turn {

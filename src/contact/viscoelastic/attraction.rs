@@ -8,6 +8,10 @@
 //! with w[1 + (v/v₀)ⁿ] for an edge that opens at the speed v (Gent & Schultz 1972). A closing edge may have a
 //! smaller work than an opening one; between the two limits it stands still.
 //!
+//! By E∞ a leaving spring moves by Q/E∞ under the loads s of its elements, whose dashpots do the work −ΣsQ/E∞ then: none
+//! where the elements have relaxed, but where a pull faster than that has stretched them (s < 0) more than is lost
+//! elsewhere. Quick pulls are beyond this rule, the balance of a run shows how far; by E(0) nothing is gained at any speed.
+//!
 //! # Examples
 //! ```
 //! use springbed::contact::viscoelastic::{Spectrum, attraction::Attraction};
@@ -96,6 +100,11 @@ impl Attraction {
     /// Relative error of a step of an edge that obeys the rate law.
     pub(super) fn accuracy(&self) -> f64 {
         self.accuracy
+    }
+
+    /// The same, if the edge obeys a rate law.
+    pub(super) fn step_error(&self) -> Option<f64> {
+        self.rate.map(|_| self.accuracy)
     }
 
     /// Longest step of such an edge, as a part of a motion.

@@ -17,6 +17,7 @@
 //! ```
 
 use super::Spectrum;
+use super::attraction::Attraction;
 use super::memory::Memory;
 use crate::contact::adhesion::line::Energy;
 use crate::contact::creep::Creep;
@@ -127,8 +128,10 @@ impl ContactModel for ContinuousContact {
     }
 
     fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
-        let suddenly = self.bed.attraction().is_some();
-        Ok(self.bed.parting(piece.speed, piece.duration)?.map(|time| Parting { time, suddenly }))
+        let attraction = self.bed.attraction();
+        let (suddenly, step) = (attraction.is_some(), attraction.and_then(Attraction::step_error).unwrap_or(0.0));
+        let time = self.bed.parting(piece.speed, piece.duration)?;
+        Ok(time.map(|time| Parting { time, doubt: step * time, suddenly }))
     }
 
     fn creep(&self) -> Option<Creep> {

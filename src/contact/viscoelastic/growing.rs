@@ -144,7 +144,7 @@ impl ContactModel for GrowingBed {
     fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
         let Some(piece) = in_time(self.bed.spectrum(), self.bed.indentation(), piece)? else { return Ok(None) };
         let time = self.bed.parting(piece.speed, piece.duration);
-        Ok(time.map(|time| Parting { time, suddenly: false }))
+        Ok(time.map(|time| Parting { time, doubt: 0.0, suddenly: false }))
     }
 
     fn state(&self) -> Normal {

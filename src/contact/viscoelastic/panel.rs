@@ -70,6 +70,8 @@ pub(super) struct Panel {
     pub inner: f64,
     pub outer: f64,
     pub held: bool,
+    /// Whether the springs are known, not their sums alone; those held by no element have no states.
+    is_known: bool,
     /// Node by node: element loads [N/m] of springs held; modes and rest [m] of free ones.
     states: Arc<[f64]>,
     /// Element loads [N/m] from the motion since then, alike for all springs held.
@@ -171,6 +173,7 @@ impl PanelDraft {
             inner: self.inner,
             outer: self.outer,
             held,
+            is_known: true,
             memory: vec![0.0; dim],
             kept: vec![1.0; dim],
             totals,
@@ -285,7 +288,7 @@ impl Panel {
     pub(super) fn unknown(spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let (totals, states) = (Totals::new(spectrum), Arc::new([]));
         let (memory, kept) = (Vec::new(), Vec::new());
-        Self { inner, outer, held: false, states, memory, kept, totals, missed: 0.0, greatest: 0.0 }
+        Self { inner, outer, held: false, is_known: false, states, memory, kept, totals, missed: 0.0, greatest: 0.0 }
     }
 
     /// Panels side by side, all held or all free, as one of which only the sums are known; `None` of none.
@@ -298,7 +301,7 @@ impl Panel {
 
     /// Whether its springs are not known one by one.
     pub(super) fn is_sum(&self) -> bool {
-        self.states.is_empty()
+        !self.is_known
     }
 
     /// The spring at the distance `x` from the axis, now.

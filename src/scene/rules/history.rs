@@ -73,15 +73,6 @@ pub(super) fn oblique_on_shape(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Op
     )
 }
 
-pub(super) fn oblique_of_viscoelastic(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    oblique(entry)?;
-    draft.pair_relaxes()?.then_some(())?;
-    refused(
-        entry,
-        "an oblique Impact of a Viscoelastic body cannot be computed, for depth and slide are curves in time, and the friction of bodies that relax is known of straight ones: expected Elastic bodies, or no angle and spin",
-    )
-}
-
 pub(super) fn pull_without_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let pulled = |path| matches!(path, Path::To(force) if force < 0.0);
     if draft.adheres()? || !entry.by_force() {

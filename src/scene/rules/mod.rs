@@ -183,7 +183,6 @@ pub const RULES: &[Rule] = &[
     Rule::entry(Shape, history::slide_on_plane),
     Rule::entry(Shape, history::depth_of_wavy),
     Rule::entry(Shape, history::oblique_on_shape),
-    Rule::entry(Bodies, history::oblique_of_viscoelastic),
     Rule::entry(Bodies, power_law::in_entry),
     Rule::entry(Bodies, power_law::at_once),
     Rule::entry(Adhesion, history::pull_without_adhesion),

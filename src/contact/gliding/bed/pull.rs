@@ -6,6 +6,8 @@ use crate::contact::model::Pull;
 
 /// Most halvings of a step under a prescribed force.
 const HALVINGS: u32 = 40;
+/// Part of the way on which a dashpot takes on the speed at which it meets the last force.
+const MEETING: f64 = 1e-6;
 /// By how much a force may be missed at the end of a piece, as a part of itself.
 const ROUNDING: f64 = 1e-12;
 
@@ -30,11 +32,16 @@ impl GlidingBed {
         }
     }
 
-    /// The force at the end of a piece, which is not taken.
-    fn force_after(&self, down: f64, along: f64, duration: f64) -> Result<f64, ContactError> {
+    /// The bed at the end of a piece, which is not taken.
+    fn after(&self, down: f64, along: f64, duration: f64) -> Result<Self, ContactError> {
         let mut scout = self.scout(along, duration);
         scout.advance(self.now.depth + down * duration, self.now.place + along * duration, duration)?;
-        Ok(scout.forces().0)
+        Ok(scout)
+    }
+
+    /// The force there [N].
+    fn force_after(&self, down: f64, along: f64, duration: f64) -> Result<f64, ContactError> {
+        Ok(self.after(down, along, duration)?.forces().0)
     }
 
     /// Speed down [m/s] that brings the force to `force` [N] after `duration` [s].
@@ -43,7 +50,7 @@ impl GlidingBed {
         let lack = |down: f64| Ok::<f64, ContactError>(self.force_after(down, along, duration)? - force);
         let mut one = (self.moved.down, lack(self.moved.down)?);
         let stiffness = self.stiffness().max(self.stiffness_of_touch());
-        let mut two = (one.0 - one.1 / (stiffness * duration), f64::NAN);
+        let mut two = (one.0 - one.1 / (stiffness * duration + self.damping()), f64::NAN);
         two.1 = lack(two.0)?;
         let within = ROUNDING * scale;
         for _ in 0..60 {
@@ -58,20 +65,40 @@ impl GlidingBed {
         Ok(two.0)
     }
 
-    /// Follows a prescribed force: in the middle of every straight piece of the depth it is right to the accuracy.
+    /// The speed down [m/s] of a piece of the duration `step` [s] under a force that goes from `from` to `to` [N], and what it
+    /// misses [N].
+    ///
+    /// The force is met at the end, and missed in the middle by what a straight piece cannot follow. That of a dashpot jumps
+    /// with the speed: it is met in the middle, the implicit midpoint rule, and missed by what the chord of the depth is,
+    /// d″h²/8.
+    fn piece(&self, [from, to]: [f64; 2], along: f64, step: f64) -> Result<(f64, f64), ContactError> {
+        let middle = 0.5 * (from + to);
+        if self.spectrum().viscosity() <= 0.0 {
+            let down = self.speed_to(to, along, step)?;
+            return Ok((down, self.force_after(down, along, 0.5 * step)? - middle));
+        }
+        let down = self.speed_to(middle, along, 0.5 * step)?;
+        let end = self.after(down, along, step)?;
+        let felt = end.stiffness().max(middle.abs() / end.now.depth.abs().max(f64::MIN_POSITIVE));
+        Ok((down, 0.125 * felt * (down - self.moved.down) * step))
+    }
+
+    /// Follows a prescribed force: in the middle of every straight piece of the depth it is right to the accuracy, and at the
+    /// end of the last one, which a dashpot makes a very short one.
     pub(super) fn pull(&mut self, pull: &Pull) -> Result<(), ContactError> {
         let duration = if pull.duration > 0.0 { pull.duration } else { self.spectrum().instant() };
         let (from, along) = (self.forces().0, (pull.slide - self.now.place) / duration);
         let at = |time: f64| from + (pull.force - from) * (time / duration);
         let (mut time, tolerance) = (0.0, self.accuracy * from.max(pull.force));
-        while time < duration {
-            let mut step = self.step.min(duration - time);
+        let damped = self.spectrum().viscosity() > 0.0;
+        let until = if damped { duration * (1.0 - MEETING) } else { duration };
+        while time < until {
+            let mut step = self.step.min(until - time);
             let mut halvings = 0;
             let down = loop {
-                let down = self.speed_to(at(time + step), along, step)?;
-                let middle = self.force_after(down, along, 0.5 * step)? - at(time + 0.5 * step);
-                if middle.abs() <= tolerance || halvings >= HALVINGS {
-                    if 8.0 * middle.abs() < tolerance {
+                let (down, missed) = self.piece([at(time), at(time + step)], along, step)?;
+                if missed.abs() <= tolerance || halvings >= HALVINGS {
+                    if 8.0 * missed.abs() < tolerance {
                         self.step = 2.0 * step;
                     }
                     break down;
@@ -79,10 +106,15 @@ impl GlidingBed {
                 (step, halvings) = (0.5 * step, halvings + 1);
                 self.step = step;
             };
-            let last = time + step >= duration;
-            let place = if last { pull.slide } else { self.now.place + along * step };
+            let last = time + step >= until;
+            let place = if last && !damped { pull.slide } else { self.now.place + along * step };
             self.advance(self.now.depth + down * step, place, step)?;
-            time = if last { duration } else { time + step };
+            time = if last { until } else { time + step };
+        }
+        if damped {
+            let rest = duration - until;
+            let down = self.speed_to(pull.force, along, rest)?;
+            self.advance(self.now.depth + down * rest, pull.slide, rest)?;
         }
         Ok(())
     }

@@ -140,6 +140,11 @@ impl GlidingBed {
         self.spectrum().instantaneous() * self.width * self.pressed().count() as f64
     }
 
+    /// By what the force grows with the speed down [N s/m]: of the dashpots that are pressed.
+    pub(super) fn damping(&self) -> f64 {
+        self.spectrum().viscosity() * self.width * self.pressed().count() as f64
+    }
+
     /// Stiffness [N/m] of the first few springs, from which a contact begins.
     pub(super) fn stiffness_of_touch(&self) -> f64 {
         2.0 * self.spectrum().instantaneous() * self.width

@@ -282,6 +282,18 @@ impl Flight {
         (speed / self.impact.speed).max(off / most.max(f64::MIN_POSITIVE))
     }
 
+    /// Depth [m] at the time `t` [s] since the first touch.
+    #[must_use]
+    pub fn depth(&self, t: f64) -> f64 {
+        self.piece_at(t).map_or(0.0, |piece| piece.depth(piece.part(t)))
+    }
+
+    /// When the bodies part, or the mass has come to rest [s].
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.end.time
+    }
+
     /// Steps of the finest run.
     #[must_use]
     pub fn steps(&self) -> usize {

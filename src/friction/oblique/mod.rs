@@ -13,6 +13,8 @@
 //! # Ok::<(), springbed::friction::FrictionError>(())
 //! ```
 
+pub mod relaxing;
+
 use super::FrictionError;
 use super::turning::{Grip, Pose, TangentialMemory};
 use crate::input::quantity::Length;
