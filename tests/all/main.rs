@@ -17,6 +17,7 @@ mod devtools;
 mod elastic_laws;
 #[cfg(feature = "cli")]
 mod fit;
+#[cfg(feature = "cli")]
 mod fit_driven;
 mod friction;
 #[cfg(feature = "cli")]
