@@ -49,8 +49,8 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         ContactLaw::Continuous { relaxation, edge } => match edge.as_ref().filter(|edge| edge.has_rate()) {
             Some(edge) => rate_error(plan, run, relaxation, edge),
             None if plan.is_curved() => of(
-                sums(run) + CHORDS * plan.accuracy(),
-                "continuous bed: straight pieces of the depth to the accuracy asked for, and what the polynomials of its panels miss",
+                sums(run) + CHORDS * plan.accuracy() * in_balance(run),
+                "continuous bed: straight pieces of the depth to the accuracy asked for, of the forces in balance where the bodies attract each other, and what the polynomials of its panels miss",
             ),
             None => of(sums(run), "continuous bed, exact in time: what the polynomials of its panels miss"),
         },
@@ -108,6 +108,17 @@ fn largest_radius(records: &[Record]) -> f64 {
     records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max)
 }
 
+/// The largest forces that hold each other in balance in an adhesive contact, √(2U_el k), in the largest force; at least one.
+/// Pieces of a prescribed force are as good as a part of these.
+fn in_balance(run: &Run) -> f64 {
+    let balanced = |normal: &Normal| {
+        let attracts = normal.stored.surface < 0.0;
+        if attracts { (2.0 * normal.stored.elastic * normal.stiffness).max(0.0).sqrt() } else { 0.0 }
+    };
+    let most = run.records.iter().map(|record| balanced(&record.normal)).fold(0.0, f64::max);
+    (most / largest_force(run)).max(1.0)
+}
+
 /// The error of the sums of the continuous bed.
 fn sums(run: &Run) -> f64 {
     (run.force_error / largest_force(run)).max(1e-13)
@@ -155,7 +166,7 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
 fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
     let again = follow(plan, viscoelastic::refined(plan, relaxation, edge), Wanted::NOTHING);
     let off = again.map_or(f64::NAN, |again| apart(&run.records, &again.records));
-    let pieces = if plan.is_curved() { plan.accuracy() } else { 0.0 };
+    let pieces = if plan.is_curved() { plan.accuracy() * in_balance(run) } else { 0.0 };
     of(
         sums(run) + pieces + 2.0 * off,
         "continuous bed: what the polynomials of its panels miss, and forces and energies with the opening edge followed better",

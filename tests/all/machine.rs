@@ -124,6 +124,25 @@ fn a_ball_on_rubber_comes_to_lie() {
     assert!(outcome.number("energy_error").unwrap() < 1e-3 && outcome.error_estimate.relative < 5e-2, "{outcome:?}");
 }
 
+/// A body with a dashpot is left at once: a mass that falls onto it rebounds as one that strikes it, whose weight is next to
+/// nothing beside the force.
+#[test]
+fn a_mass_falls_on_a_body_with_a_dashpot() {
+    let damped = |machine: &str, history: &str| {
+        outcome(&format!(
+            "(shape: Paraboloid(radius: 5e-3), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e9, viscosity: 3e3)), Rigid), {machine} history: [{history}], steps: 20)"
+        ))
+    };
+    let fallen = damped("machine: (mass: 4e-3),", "Fall(height: 0.05, over: 0.3)");
+    let struck = damped("", &format!("Impact(mass: 4e-3, speed: {:e})", (2.0 * 9.806_65 * 0.05f64).sqrt()));
+    let touches = times(&fallen, "bounces", "touch_time");
+    assert!((touches[0] - (0.1 / 9.806_65f64).sqrt()).abs() < 1e-6, "{touches:?}");
+    // Up and down again at the speed of the rebound.
+    let flight = (touches[1] - touches[0]) * 0.5 * 9.806_65;
+    let rebound = struck.number("rebound_speed_m_per_s").unwrap();
+    assert!((flight / rebound - 1.0).abs() < 1e-2, "{flight} {rebound}");
+}
+
 /// A soft bead, R = 5 mm, E* = 4/3 MPa, w = 50 mJ/m², in the machine and the history of `rest`.
 fn sticky(rest: &str) -> Outcome {
     outcome(&format!(

@@ -52,7 +52,7 @@ impl ContinuousContact {
 /// A piece that takes no time takes the shortest one in which nothing relaxes; `None` if it leads nowhere.
 ///
 /// # Errors
-/// A dashpot lets nothing give at once.
+/// A dashpot lets nothing give at once; what is drawn away from it at once leaves it.
 pub(in crate::contact) fn in_time(
     spectrum: &Spectrum,
     from: f64,
@@ -64,7 +64,7 @@ pub(in crate::contact) fn in_time(
     if (piece.to - from).abs() <= 0.0 {
         return Ok(None);
     }
-    if spectrum.viscosity() > 0.0 {
+    if spectrum.viscosity() > 0.0 && piece.to > from {
         return Err(ContactError::Jump { to: piece.to });
     }
     let instant = Straight::between(from, piece.to, spectrum.instant());

@@ -94,6 +94,8 @@ pub(super) struct Instant {
 /// First step of the search for the edge, and the longest, relative to where it is.
 const FIRST_STEP: f64 = 1e-5;
 const LONGEST_STEP: f64 = 1.0 / 24.0;
+/// The longest step inwards under an attraction, relative to the distance from the axis.
+const LONGEST_INWARDS: f64 = 0.25;
 /// Part of a step at whose end it is seen whether the edge has turned there.
 const NEAR_THE_END: f64 = 1.0 / 64.0;
 /// Part of a radius that does not count: nearer to the edge no spring is looked at.
@@ -370,14 +372,17 @@ impl Front<'_> {
         self.borders.get(first).copied().filter(|&border| is_beside(x, border))
     }
 
-    /// Steps of a search: from fine to coarse, and fine again beyond a border.
-    fn longer(&self, step: f64, x: f64) -> f64 {
+    /// Steps of a search: from fine to coarse, and fine again beyond a border; inwards under an attraction too, for the
+    /// radius at which a contact collapses may be a small part of the one it had.
+    fn longer(&self, way: Way, step: f64, x: f64) -> f64 {
         let first = FIRST_STEP * self.start_length();
         if self.border_at(x).is_some() {
             return first;
         }
         let longest = if self.edge > 0.0 { LONGEST_STEP * self.edge.max(x) } else { 0.5 * x };
-        (1.7 * step).min(longest.max(first)).min(0.25 * self.feature)
+        let inwards =
+            if way == Way::Opening && self.attraction.is_some() { LONGEST_INWARDS * x } else { f64::INFINITY };
+        (1.7 * step).min(longest.min(inwards).max(first)).min(0.25 * self.feature)
     }
 
     /// A length [m] with which a search from the axis begins.
@@ -411,7 +416,7 @@ impl Front<'_> {
                 };
             }
             (before, x, now) = (x, next, at);
-            step = self.longer(step, x);
+            step = self.longer(way, step, x);
         }
         EdgePhase::Moves { to: x, duration: now }
     }
@@ -438,7 +443,7 @@ impl Front<'_> {
                 return root::brent(urge, x.min(next), x.max(next)).unwrap_or(next);
             }
             x = next;
-            step = self.longer(step, x);
+            step = self.longer(way, step, x);
         }
         x
     }

@@ -301,3 +301,27 @@ proptest! {
         }
     }
 }
+
+/// JKR's ball holds until d = −¾(π²w²R/E²)^{1/3}, where its radius may be a ten thousandth of the one it had: pulled there in one
+/// motion it holds as in many.
+#[test]
+fn a_contact_collapses_at_a_small_part_of_its_radius() {
+    let radius: f64 = 5e-3;
+    for decade in 0..7 {
+        let modulus = 1.2e6 * 10f64.powi(decade);
+        let spectrum = Arc::new(Spectrum::elastic(modulus));
+        let law = Attraction::relaxed(0.05, &spectrum).closing(0.02);
+        let mut bed = Memory::new(spectrum, Arc::new(Paraboloid { radius: Length::new(radius).unwrap() })).with(law);
+        bed.reach(1e-5, 1.0).unwrap();
+        let last = -0.75 * ((std::f64::consts::PI * 0.05 / modulus).powi(2) * radius).cbrt();
+        for part in [0.0, 0.5, 0.99] {
+            let mut once = bed.clone();
+            once.reach(part * last, 1.0).unwrap();
+            let a = once.radius();
+            let jkr = a * a / radius - (std::f64::consts::TAU * a * 0.05 / modulus).sqrt();
+            assert!(a > 0.0 && (jkr - part * last).abs() < 1e-8 * last.abs(), "{modulus:e} {part}: {a:e} {jkr:e}");
+        }
+        bed.reach(1.01 * last, 1.0).unwrap();
+        assert!(bed.radius() <= 0.0, "{modulus:e}: {:e}", bed.radius());
+    }
+}

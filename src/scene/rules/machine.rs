@@ -160,6 +160,21 @@ pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pr
     refused_entry(entry, format!("{} with a {name} body cannot be computed, for {why}", entry.name))
 }
 
+/// A mass is let go where it has been put at once, and a dashpot lets nothing be put deeper at once.
+pub(super) fn ring_on_dashpot(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
+    let MachineMotion::Ring { amplitude } = entry.machine?.motion else { return None };
+    if amplitude <= 0.0 || draft.relaxation()?.viscosity <= 0.0 {
+        return None;
+    }
+    refused_entry(
+        entry,
+        format!(
+            "{} begins deeper than the contact by its amplitude, {amplitude:e} m, and a viscosity lets nothing give at once: expected an amplitude below zero, which lifts the mass, or no viscosity",
+            entry.name
+        ),
+    )
+}
+
 pub(super) fn under_adhesion(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let motion = entry.machine?.motion;
     let adhesion = draft.adhesion(Look::Kind)?.traits();

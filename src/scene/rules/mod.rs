@@ -160,6 +160,7 @@ pub const RULES: &[Rule] = &[
     Rule::entry(Machine, machine::suspension),
     Rule::once(Machine, Shape, machine::on_shape),
     Rule::entry(Bodies, machine::of_bodies),
+    Rule::entry(Bodies, machine::ring_on_dashpot),
     Rule::entry(Adhesion, machine::under_adhesion),
     Rule::entry(Friction, machine::friction),
     Rule::once(Friction, History, machine::falling_friction),
