@@ -20,7 +20,8 @@ const NEAR: f64 = 1e3;
 /// Part of the response that is more than the baseline, and in standard deviations of it.
 const RISE: (f64, f64) = (1e-3, 5.0);
 
-/// The best places to search from, the best first; none if the scene cannot be computed at any.
+/// The places to search from, the best of the scene's own values first and then the best of all others: a draw that lies
+/// nearer to the data may still lie in another valley. None if the scene cannot be computed at any.
 #[must_use]
 pub fn starts(task: &Task<'_>) -> Vec<Place> {
     let scene: Vec<f64> = task.model.free.iter().map(|free| free.start.clamp(free.low, free.high)).collect();
@@ -35,6 +36,7 @@ pub fn starts(task: &Task<'_>) -> Vec<Place> {
     let mut tried: Vec<(f64, Place)> =
         touches(task, guess, cheap).into_iter().filter_map(|contact| at(&scene, contact)).collect();
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let own = tried.first().map(|(_, place)| place.clone());
     let best = tried.iter().take(KEPT).map(|(_, place)| place.contact);
     let touches: Vec<f64> = best.chain(task.touch.then_some(guess)).collect();
     for number in 1..draws {
@@ -42,7 +44,8 @@ pub fn starts(task: &Task<'_>) -> Vec<Place> {
         tried.extend(touches.iter().filter_map(|&contact| at(&values, contact)));
     }
     tried.sort_by(|a, b| a.0.total_cmp(&b.0));
-    tried.into_iter().take(SEARCHED).map(|(_, place)| place).collect()
+    let others = tried.into_iter().map(|(_, place)| place).filter(|place| Some(place) != own.as_ref());
+    own.iter().cloned().chain(others).take(SEARCHED).collect()
 }
 
 /// How many parameters a factor of all forces leaves free.

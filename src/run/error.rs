@@ -166,7 +166,7 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
 fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
     let again = follow(plan, viscoelastic::refined(plan, relaxation, edge), Wanted::NOTHING);
     let off = again.map_or(f64::NAN, |again| apart(&run.records, &again.records));
-    let pieces = if plan.is_curved() { plan.accuracy() * in_balance(run) } else { 0.0 };
+    let pieces = if plan.is_curved() { CHORDS * plan.accuracy() * in_balance(run) } else { 0.0 };
     of(
         sums(run) + pieces + 2.0 * off,
         "continuous bed: what the polynomials of its panels miss, and forces and energies with the opening edge followed better",

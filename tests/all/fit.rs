@@ -331,6 +331,41 @@ pub const POWER: &str = r#"(shape: Paraboloid(radius: "10 um"), bodies: (Viscoel
 
 pub const POWER_FREE: [&str; 2] = ["bodies.0.shear.modulus=10 Pa..100 kPa", "bodies.0.shear.exponent=0.02..0.8"];
 
+/// Two terms of a noisy triangle, asked for from beside them: a draw that happens to lie nearer to the data leads to a dashpot
+/// and one term, with three times the noise left.
+#[test]
+fn two_terms_of_a_triangle_are_found_from_beside_them() {
+    let cell = |fast: f64, slow: f64, history: &str| {
+        format!(
+            r#"(shape: Paraboloid(radius: "10 um"), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 300,
+            terms: [(modulus: {fast:?}, time: 0.05), (modulus: 300, time: {slow:?})])), Rigid), history: [{history}])"#
+        )
+    };
+    let depth = triangle(-0.3e-6, 1.7e-6, -0.3e-6, 500);
+    let time: Vec<f64> = (0..depth.len()).map(|k| 2e-3 * k as f64).collect();
+    let force = answered(&cell(600.0, 0.5, r#"Table("drive.csv")"#), ["time_s", "indentation_m"], &time, &depth);
+    let largest = force.iter().fold(0.0f64, |largest, force| largest.max(*force));
+    let truths = [("equilibrium", 300.0), ("terms.0.modulus", 600.0), ("terms.0.time", 0.05), ("terms.1.time", 0.5)];
+    let free: Vec<String> = ["equilibrium", "terms.0.modulus", "terms.0.time", "terms.1.modulus", "terms.1.time"]
+        .map(|place| format!("bodies.0.shear.{place}"))
+        .to_vec();
+    let free: Vec<&str> = free.iter().map(String::as_str).collect();
+    for seed in 1..5 {
+        let mut noise = Noise::new(seed, 0.0);
+        let noisy = force.iter().map(|force| force + 0.003 * largest * noise.next()).collect();
+        let data = curve(Some(time.clone()), depth.clone(), noisy);
+        let found = fit(&scene(&cell(400.0, 0.8, r#"Indent(to: "1 um", over: 1)"#)), &free, &data, Options::default());
+        let found = found.unwrap();
+        assert!(found.deviation < 0.0033 * largest && !found.rejected, "{found:?}");
+        for (place, truth) in truths {
+            let path = format!("bodies.0.shear.{place}");
+            let one = found.parameters.iter().find(|one| one.path == path).unwrap();
+            let error = one.standard_error.unwrap();
+            assert!((one.value - truth).abs() < 4.0 * error, "{path}: {} ± {error}", one.value);
+        }
+    }
+}
+
 /// Ting's triangle in closed form: G₀ = 800 Pa, β = 0.2, touched between two rows.
 pub fn power_triangle(half: usize) -> Curve {
     let exact = PowerTriangle {
