@@ -78,8 +78,8 @@ fn text(plan: &Plan, outcome: &Outcome) -> String {
         let _ = writeln!(text, "{name:<16}{value}");
     };
     line("scene", &plan.scene.title);
-    for (name, value) in moduli(plan) {
-        line(name, &with_prefix(value, "Pa"));
+    for (name, value, unit) in moduli(plan) {
+        line(name, &with_prefix(value, unit));
     }
     let edge = plan.held_edge().map(|held| held.edge.in_words());
     for (name, words) in [("edge", edge), ("attraction", attraction(plan)), ("power law", power_law(plan))] {
@@ -139,16 +139,14 @@ fn theories(plan: &Plan, outcome: &Outcome) -> Vec<String> {
     largest.map_or_else(Vec::new, |state| theory::in_words(plan, state))
 }
 
-/// Effective moduli by name [Pa].
-fn moduli(plan: &Plan) -> Vec<(&'static str, f64)> {
-    let mut rows = vec![("G*", plan.pair.tangential)];
-    match plan.relaxation() {
-        None => rows.insert(0, ("E*", plan.pair.normal)),
-        Some(relaxation) => {
-            rows.insert(0, ("E*(∞)", relaxation.equilibrium));
-            rows.insert(0, ("E*(0)", relaxation.instantaneous()));
-        }
-    }
+/// Effective moduli by name, and the viscosity of a dashpot beside them, with their units; no G* of a dashpot alone.
+fn moduli(plan: &Plan) -> Vec<(&'static str, f64, &'static str)> {
+    let along = ("G*", plan.pair.tangential, "Pa");
+    let Some(relaxation) = plan.relaxation() else { return vec![("E*", plan.pair.normal, "Pa"), along] };
+    let at_once = relaxation.instantaneous();
+    let mut rows = vec![("E*(0)", at_once, "Pa"), ("E*(∞)", relaxation.equilibrium, "Pa")];
+    rows.extend((relaxation.viscosity > 0.0).then_some(("η*", relaxation.viscosity, "Pa s")));
+    rows.extend((at_once > 0.0).then_some(along));
     rows
 }
 
