@@ -30,6 +30,16 @@ pub struct Normal {
     pub dissipated: f64,
 }
 
+impl Normal {
+    /// The forces [N] that hold each other in balance in an adhesive contact, √(2U_el k): about the force itself where
+    /// nothing attracts, but not small where the force is. Zero where nothing attracts.
+    #[must_use]
+    pub fn in_balance(&self) -> f64 {
+        let attracts = self.stored.surface < 0.0;
+        if attracts { (2.0 * self.stored.elastic * self.stiffness).max(0.0).sqrt() } else { 0.0 }
+    }
+}
+
 /// State of the tangential contact at one time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tangential {

@@ -258,7 +258,7 @@ impl ForceDrive {
     ///
     /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
     fn error(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
-        let (half, scale) = (0.5 * duration, balanced(contact).max(self.ramp.scale).max(f64::MIN_POSITIVE));
+        let (half, scale) = (0.5 * duration, contact.state().in_balance().max(self.ramp.scale).max(f64::MIN_POSITIVE));
         let middle = self.now + half;
         let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
             // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀.
@@ -317,7 +317,7 @@ impl ForceDrive {
     /// The same by secants from the pace on; `None` where they lead nowhere soon.
     fn paced(&mut self, contact: &mut dyn ContactModel, until: f64) -> Option<f64> {
         let (force, duration) = (self.target(contact, until), until - self.now);
-        let scale = self.ramp.scale.max(balanced(contact));
+        let scale = self.ramp.scale.max(contact.state().in_balance());
         let within = scale * if until < self.end { NEAR * self.ramp.accuracy } else { NEAREST };
         let stiffness = self.pace.stiffness.unwrap_or_else(|| contact.state().stiffness);
         let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
@@ -343,14 +343,6 @@ impl ForceDrive {
         }
         None
     }
-}
-
-/// The forces [N] that hold each other in balance in an adhesive contact, √(2U_el k): about the force itself where
-/// nothing attracts, but not small where the force is. Zero where nothing attracts.
-pub(super) fn balanced(contact: &dyn ContactModel) -> f64 {
-    let state = contact.state();
-    let attracts = state.stored.surface < 0.0;
-    if attracts { (2.0 * state.stored.elastic * state.stiffness).max(0.0).sqrt() } else { 0.0 }
 }
 
 /// Whether the force of a contact jumps with its speed.

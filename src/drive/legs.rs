@@ -1,7 +1,7 @@
 //! A stage of a contact that remembers, from leg to straight leg.
 
 use super::course::Extent;
-use super::force::{Stretch, balanced, depth_of};
+use super::force::{Stretch, depth_of};
 use super::instants::{NotableInstant, Watch, looks};
 use super::{Driver, Occurrence, Remainder, accounted};
 use crate::contact::error::ContactError;
@@ -100,7 +100,7 @@ impl Driver {
         let mean = 0.5 * (force.prescribed(leg.begin) + force.prescribed(leg.end));
         let way = if outset.joined { leg.to - leg.from } else { 0.0 };
         let lost = mean * way - (accounted(contact) - outset.accounted);
-        if lost > JUMP * self.accuracy * self.largest.max(balanced(contact)) * way.abs() {
+        if lost > JUMP * self.accuracy * self.largest.max(contact.state().in_balance()) * way.abs() {
             self.lost += lost;
         }
     }

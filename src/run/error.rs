@@ -108,14 +108,10 @@ fn largest_radius(records: &[Record]) -> f64 {
     records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max)
 }
 
-/// The largest forces that hold each other in balance in an adhesive contact, √(2U_el k), in the largest force; at least one.
-/// Pieces of a prescribed force are as good as a part of these.
+/// The largest forces that hold each other in balance, over the largest force; at least one. Pieces of a prescribed force are as
+/// good as a part of these.
 fn in_balance(run: &Run) -> f64 {
-    let balanced = |normal: &Normal| {
-        let attracts = normal.stored.surface < 0.0;
-        if attracts { (2.0 * normal.stored.elastic * normal.stiffness).max(0.0).sqrt() } else { 0.0 }
-    };
-    let most = run.records.iter().map(|record| balanced(&record.normal)).fold(0.0, f64::max);
+    let most = run.records.iter().map(|record| record.normal.in_balance()).fold(0.0, f64::max);
     (most / largest_force(run)).max(1.0)
 }
 

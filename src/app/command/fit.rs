@@ -8,7 +8,6 @@ use crate::app::export::{self, Fitted};
 use crate::app::fitting::Fitting;
 use crate::app::scene_file::SceneFile;
 use crate::app::table_file::TableFiles;
-
 use crate::fit::{FitError, Sweeps, Terms};
 use crate::input::quantity::{SpringStiffness, Temperature};
 use crate::scene::fit::{Baseline, Drive, FirstTouch, Loss, Measured, Way};

@@ -69,7 +69,7 @@ fn relaxing(
     let spectrum = Arc::new(Spectrum::new(relaxation));
     let ground = StruckHalfSpace { spectrum: spectrum.clone(), profile: plan.profile.clone() };
     let impact = Projectile { mass: ball.mass, speed: before.normal_speed };
-    let struck = ground.flight(&impact, accuracy)?;
+    let struck = ground.flight(&impact, accuracy.min(plan.accuracy()))?;
     let (depth, rebound) = (|t: f64| struck.depth(t), struck.rebound());
     let normal = NormalCourse {
         depth: &depth,
