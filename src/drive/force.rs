@@ -14,7 +14,7 @@
 //! let body = Arc::new(Spectrum::new(&Relaxation { equilibrium: 0.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 }));
 //! let ball = Arc::new(Paraboloid { radius: Length::new(1.0)? });
 //! let mut contact = ContinuousContact::new(Memory::new(body, ball));
-//! let ramp = Ramp { from: 0.0, rate: 0.1, accuracy: 1e-4, scale: 0.1 };
+//! let ramp = Ramp { from: 0.0, rate: 0.1, accuracy: 1e-4, scale: 0.1, stiffness: 0.0 };
 //! let states = press(&mut contact, &ramp, &[0.5, 1.0])?;
 //! assert!((states[0].force - 0.05).abs() < 1e-5 && (states[1].force - 0.1).abs() < 1e-5);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -38,6 +38,9 @@ pub struct Ramp {
     pub accuracy: f64,
     /// Force against which errors are measured [N], or the forces in balance in an adhesive contact where they are larger.
     pub scale: f64,
+    /// The largest force so far over the largest depth [N/m]: a damped contact that is let go grows so soft that the force
+    /// no longer tells the depth, which is followed as if it were this stiff; zero where there was no depth.
+    pub stiffness: f64,
 }
 
 impl Ramp {
@@ -264,7 +267,7 @@ impl ForceDrive {
             // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀.
             _ if self.meets_in_the_middle(contact) => {
                 let bend = speed - self.pace.at(self.now);
-                0.5 * felt(&contact.state()) * bend * half
+                0.5 * felt(&contact.state()).max(self.ramp.stiffness) * bend * half
             }
             Some(depth) if depth > 0.0 => {
                 let chord = depth_of(contact) + speed * half;
@@ -533,10 +536,18 @@ mod tests {
         let exact = Creep::new(spectrum.clone(), ball.clone());
         let layout = Layout::graded(ball.as_ref(), (1e-3, 0.1), 2000);
         let mut bed = GrowingBed::new(spectrum, ball, layout);
-        let up =
-            press(&mut bed, &Ramp { from: 0.0, rate: 1e-3, accuracy: 1e-5, scale: 1e-3 }, &[0.25, 0.5, 1.0]).unwrap();
-        let held =
-            press(&mut bed, &Ramp { from: 1e-3, rate: 0.0, accuracy: 1e-5, scale: 1e-3 }, &[0.1, 1.0, 10.0]).unwrap();
+        let up = press(
+            &mut bed,
+            &Ramp { from: 0.0, rate: 1e-3, accuracy: 1e-5, scale: 1e-3, stiffness: 0.0 },
+            &[0.25, 0.5, 1.0],
+        )
+        .unwrap();
+        let held = press(
+            &mut bed,
+            &Ramp { from: 1e-3, rate: 0.0, accuracy: 1e-5, scale: 1e-3, stiffness: 0.0 },
+            &[0.1, 1.0, 10.0],
+        )
+        .unwrap();
         let top = exact.after(1e-3, 1.0);
         let expected = [0.25, 0.5, 1.0].map(|t| exact.after(1e-3 * t, t));
         let expected = expected.into_iter().chain([0.1, 1.0, 10.0].map(|t| top.after(1e-3, t)));
@@ -554,7 +565,7 @@ mod tests {
         let mut bed = ContinuousContact::new(Memory::new(solid(), ball));
         bed.follow(&Straight::between(0.0, 0.01, 1.0)).unwrap();
         let force = bed.state().force;
-        let ramp = Ramp { from: force, rate: -0.5 * force, accuracy: 1e-4, scale: force };
+        let ramp = Ramp { from: force, rate: -0.5 * force, accuracy: 1e-4, scale: force, stiffness: 0.0 };
         let seen = press(&mut bed, &ramp, &[0.5, 1.0, 1.5]).unwrap();
         for (state, part) in seen.iter().zip([0.75, 0.5, 0.25]) {
             assert!((state.force / force - part).abs() < 1e-4, "{} {part}", state.force / force);
@@ -580,7 +591,7 @@ mod tests {
             let mut bed = GrowingBed::new(spectrum.clone(), ball.clone(), layout);
             bed.follow(&Straight::between(0.0, d, 1.0)).unwrap();
             bed.follow(&Straight::between(d, d, 100.0)).unwrap();
-            let ramp = Ramp { from: force, rate: -0.5 * force, accuracy, scale: force };
+            let ramp = Ramp { from: force, rate: -0.5 * force, accuracy, scale: force, stiffness: 0.0 };
             let (mut drive, mut now, mut pieces) = (ForceDrive::new(ramp, 1.0, None, false), 0.0, 0);
             let mut records = times.into_iter().peekable();
             while let Some(piece) = drive.next(&mut bed).unwrap() {

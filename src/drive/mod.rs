@@ -75,6 +75,8 @@ pub struct Driver {
     creep: Option<Creep>,
     /// Largest force so far [N], against which errors are measured.
     largest: f64,
+    /// Largest depth at the beginning of a stage so far [m].
+    deepest: f64,
     /// A pull has parted the bodies.
     parted: bool,
     /// The force [N] prescribed at the end of the present stage; zero where the depth is.
@@ -165,6 +167,7 @@ impl Driver {
             accuracy,
             creep: contact.creep(),
             largest: 0.0,
+            deepest: 0.0,
             parted: false,
             pull: 0.0,
             lost: 0.0,
@@ -180,6 +183,7 @@ impl Driver {
     pub fn begin(&mut self, contact: &mut dyn ContactModel, course: Course, slide: f64) -> Result<(), ContactError> {
         let present = self.corrected(contact, contact.state());
         self.largest = self.largest.max(present.force.abs());
+        self.deepest = self.deepest.max(present.indentation.unwrap_or(0.0));
         // Bodies that a pull has parted carry nothing, and the pull goes on.
         let pulled = course.control == Control::Force && present.indentation.is_none();
         let from = if pulled { self.pull } else { prescribed(contact, &present, course.control) };
@@ -229,7 +233,9 @@ impl Driver {
         self.largest = self.largest.max(from.abs()).max(to.abs());
         let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
         let duration = if course.over > 0.0 { course.over } else { instant };
-        let ramp = Ramp { from, rate: (to - from) / duration, accuracy: self.accuracy, scale: self.largest };
+        let stiffness = if self.deepest > 0.0 { self.largest / self.deepest } else { 0.0 };
+        let (rate, scale) = ((to - from) / duration, self.largest);
+        let ramp = Ramp { from, rate, accuracy: self.accuracy, scale, stiffness };
         // A pull does not bring together what only touches.
         if !contact.joined() && from <= 0.0 && to < from {
             contact.leave();

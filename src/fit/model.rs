@@ -15,7 +15,7 @@ use crate::contact::adhesion::{Adhesion, Range};
 use crate::contact::creep::Creep;
 use crate::contact::foundation::Foundation;
 use crate::input::table::Tables;
-use crate::material::{Joined, Relaxation, Spectrum, Times, Under, joined};
+use crate::material::{Joined, Relaxation, Spectrum, Times, joined};
 use crate::scene::Scene;
 use crate::scene::fit::Drive;
 use crate::scene::law::{ContactLaw, ElasticAdhesion};
@@ -108,9 +108,6 @@ impl Way<'_> {
 
     /// The same of the bodies and the adhesion of another scene.
     fn numbers_of(&self, scene: &Scene, joined: Joined) -> Option<Vec<f64>> {
-        if !matches!(joined.under, Under::HalfSpaces) {
-            return None;
-        }
         let adhesion = scene.adhesion.as_ref().map(Adhesion::traits);
         let modulus = joined.pair.normal;
         match (self, adhesion.map(|traits| (traits.work, traits.range))) {
@@ -227,10 +224,13 @@ impl Model<'_> {
     /// By how much the numbers change from those of `base` to other values; `None` where more than numbers changes.
     pub fn changes(&self, base: &Sloped, values: &[f64], contact: f64) -> Option<Vec<f64>> {
         let (scene, plan) = (self.scene(values).ok()?, &base.scene.plan);
-        if !plan.fills_half_spaces() || scene.shape != plan.scene.shape {
+        if scene.shape != plan.scene.shape {
             return None;
         }
         let joined = joined(&scene.bodies, self.tables, self.times(plan)).ok()??;
+        if plan.under() != Some(&joined.under) {
+            return None;
+        }
         let numbers = self.way(&base.scene, contact).numbers_of(&scene, joined)?;
         let changes = numbers.iter().zip(&base.numbers).map(|(there, here)| there - here);
         // A series of other terms is no change of its numbers.

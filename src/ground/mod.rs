@@ -34,6 +34,7 @@ mod line_load;
 mod octave;
 mod power;
 mod punch;
+mod punches;
 mod sheet;
 mod transfer;
 mod wide;

@@ -119,6 +119,24 @@ fn paraboloid() -> Arc<Paraboloid> {
     Arc::new(Paraboloid { radius: Length::new(10.0).unwrap() })
 }
 
+/// Layers of twice the thickness have everything at twice the radius, to the bit, and what one is asked for is no matter of
+/// the other's: the error it states neither.
+#[test]
+fn what_is_known_of_layers_serves_all_that_are_alike() {
+    let thick = |thickness: f64| {
+        let layer = Sheet { thickness, ..sheet(1.0, 0.5, Joint::Bonded) };
+        Layers::new(vec![(1.0, Stack { sheets: vec![layer], base: None })])
+    };
+    let (one, two) = (thick(1.0), thick(2.0));
+    for a in [1e-3, 0.2, 0.25, 0.3, 1.0, 7.0, 300.0] {
+        let doubled = [two.measure(2.0 * a), two.radius(2.0 * one.measure(a)), two.per_density(2.0 * a)];
+        let single = [one.measure(a), one.radius(one.measure(a)), one.per_density(a)];
+        assert_eq!(doubled, single.map(|length| 2.0 * length), "{a}");
+        assert_eq!(two.density(2.0 * a), one.density(a), "{a}");
+    }
+    assert!(one.table_error() > thick(4.0).table_error());
+}
+
 /// Equal layers are one body, far below a thick layer nothing is, and nothing depends on where a layer is cut.
 #[test]
 fn limits_of_layers() {

@@ -18,7 +18,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::{Alone, Body, Known, Relaxation, Spectrum, Stiffness, instantly_stiff};
+use super::pair::{Alone, Known, Stiffness};
+use super::viscoelastic::instantly_stiff;
+use super::{Body, Relaxation, Spectrum};
 use crate::input::problem::Problem;
 use crate::input::quantity::{GradingExponent, Length, Modulus, Poisson};
 use serde::{Deserialize, Serialize};

@@ -90,16 +90,21 @@ impl Chebyshev {
         self.coefficients.len().saturating_sub(1)
     }
 
-    /// Value at `x` (Clenshaw 1955).
+    /// Value at `x` (Clenshaw 1955), even and odd terms apart, two sums that do not wait for each other: T₂ₖ(s) is Tₖ(t),
+    /// t = 2s² − 1, and T₂ₖ₊₁(s)/s obeys the same recurrence in t.
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
         let s = (x - self.middle) / self.half;
-        let Some((first, rest)) = self.coefficients.split_first() else { return 0.0 };
-        let (mut one, mut two) = (0.0, 0.0);
-        for &coefficient in rest.iter().rev() {
-            (one, two) = (coefficient + 2.0 * s * one - two, one);
+        let t = 2.0 * s * s - 1.0;
+        let twice = 2.0 * t;
+        let (pairs, last) = self.coefficients.as_chunks::<2>();
+        let (mut even, mut even_before) = (last.first().copied().unwrap_or(0.0), 0.0);
+        let (mut odd, mut odd_before) = (0.0, 0.0);
+        for [of_even, of_odd] in pairs.iter().rev() {
+            (even, even_before) = ((of_even - even_before) + twice * even, even);
+            (odd, odd_before) = ((of_odd - odd_before) + twice * odd, odd);
         }
-        first + s * one - two
+        (even - t * even_before) + s * (odd - odd_before)
     }
 
     /// Its value and its slope at `x`.
@@ -108,9 +113,10 @@ impl Chebyshev {
         let t = (x - self.middle) / self.half;
         let (mut next, mut beyond, mut slope, mut slope_beyond) = (0.0, 0.0, 0.0, 0.0);
         let Some((first, rest)) = self.coefficients.split_first() else { return (0.0, 0.0) };
+        let twice = 2.0 * t;
         for c in rest.iter().rev() {
-            (slope, slope_beyond) = (2.0 * t * slope + 2.0 * next - slope_beyond, slope);
-            (next, beyond) = (2.0 * t * next - beyond + c, next);
+            (slope, slope_beyond) = ((2.0 * next - slope_beyond) + twice * slope, slope);
+            (next, beyond) = ((c - beyond) + twice * next, next);
         }
         (t * next - beyond + first, (t * slope + next - slope_beyond) / self.half)
     }

@@ -32,7 +32,7 @@ use crate::friction::Grip;
 use crate::friction::oblique::Ball;
 use crate::ground::Ground;
 use crate::input::quantity::Accuracy;
-use crate::material::{Pair, Relaxation, Times};
+use crate::material::{Pair, Relaxation, Times, Under};
 use crate::scene::Scene;
 use crate::scene::history::Impact;
 use crate::scene::solver::{Leak, SolverChoice};
@@ -93,6 +93,12 @@ impl Shared {
     #[must_use]
     pub fn fills_half_spaces(&self) -> bool {
         self.read.ground.is_none()
+    }
+
+    /// What lies under the surfaces, if the bodies are joined.
+    #[must_use]
+    pub fn under(&self) -> Option<&Under> {
+        self.read.joined.as_ref().map(|joined| &joined.under)
     }
 
     /// Moduli and friction of a contact with the coefficient `coefficient` μ.

@@ -1,7 +1,7 @@
 //! `springbed compare`: a scene by all methods.
 
 use super::Common;
-use super::delivery::Findings;
+use super::delivery::{Files, Findings};
 use crate::app::console::{Console, Failure};
 use crate::app::export;
 use crate::app::overwrite::{self, Outputs};
@@ -28,9 +28,11 @@ pub fn run(path: &Path, common: &Common, console: &Console) -> Result<(), Failur
     let findings = Findings {
         table: export::comparison_text(title, &comparison),
         json,
-        files,
-        #[cfg(feature = "plot")]
-        figures: vec![(name.clone(), export::comparison_figure(title, &comparison))],
+        files: Files {
+            texts: files,
+            #[cfg(feature = "plot")]
+            figures: vec![(name.clone(), export::comparison_figure(title, &comparison))],
+        },
     };
     findings.named(&name).deliver(common, console)
 }

@@ -1,10 +1,10 @@
 //! `springbed fit`: parameters of a scene from measured curves.
 
 use super::Common;
-use super::delivery::Findings;
+use super::delivery::{Files, Findings, Written};
 use crate::app::console::{Console, Failure};
 use crate::app::data_file::{Data, Wanted};
-use crate::app::export::{self, Fitted};
+use crate::app::export::{self, FitsRow, Fitted};
 use crate::app::fitting::Fitting;
 use crate::app::scene_file::SceneFile;
 use crate::app::table_file::TableFiles;
@@ -139,7 +139,8 @@ impl Arguments {
     }
 }
 
-/// Fits curves, each by itself, on all threads.
+/// Fits curves, each by itself, on all threads; the files of each are written as soon as it is fitted, so that no more
+/// curves are held than there are threads.
 ///
 /// # Errors
 /// The scene, a parameter or a range is wrong; a curve cannot be fitted (the others are); a file cannot be written.
@@ -162,39 +163,76 @@ pub fn run(arguments: &Arguments, common: &Common, console: &Console) -> Result<
     let stems = stems(&measured.data)?;
     not_over_inputs(&measured.data, &scene, &stems, common)?;
     let progress = console.progress(measured.data.len(), "curves");
-    let fits: Vec<Result<Fitted, (&PathBuf, String)>> = measured
-        .data
-        .par_iter()
-        .map(|path| {
-            let fit = fitting.of_file(path, &TableFiles::beside(&scene.path)).map_err(|error| (path, error));
-            progress.inc(1);
-            fit
-        })
-        .collect();
+    let tables = TableFiles::beside(&scene.path);
+    let one = |(path, stem): (&PathBuf, &String)| {
+        let fit = fitting.of_file(path, &tables);
+        let done = fit.and_then(|fit| Done::with(&fit, stem, common));
+        done.map_err(|error| (path.display().to_string(), error))
+    };
+    let curves = measured.data.par_iter().zip(&stems);
+    let fits: Vec<Result<Done, (String, String)>> = curves.map(one).inspect(|_| progress.inc(1)).collect();
     progress.finish_and_clear();
-    for fit in fits.iter().flatten() {
-        for note in fit.data_notes.iter().chain(&fit.fit.notes) {
-            console.warning(&format!("{}: {note}", fit.file));
-        }
+    told(&fits, common, console)
+}
+
+/// What is kept of a curve that has been fitted and whose files are written.
+struct Done {
+    text: String,
+    json: String,
+    warnings: Vec<String>,
+    row: FitsRow,
+    written: Written,
+}
+
+impl Done {
+    fn with(fitted: &Fitted, stem: &str, common: &Common) -> Result<Self, String> {
+        let told = |error: Failure| error.to_string();
+        let json = if common.json { export::fit_member(fitted) } else { Ok(String::new()) };
+        let warnings = fitted.data_notes.iter().chain(&fitted.fit.notes);
+        Ok(Self {
+            text: export::fit_text(fitted),
+            json: json.map_err(|error| error.to_string())?,
+            warnings: warnings.map(|note| format!("{}: {note}", fitted.file)).collect(),
+            row: FitsRow::of(fitted),
+            written: files(fitted, stem).map_err(told)?.write(common).map_err(told)?,
+        })
     }
-    let rows: Vec<(String, Result<&Fitted, &str>)> = fits.iter().map(row).collect();
-    findings(&rows, &stems)?.deliver(common, console)?;
-    let bad: Vec<String> =
-        fits.iter().filter_map(|fit| fit.as_ref().err()).map(|(path, error)| told(path, error)).collect();
+}
+
+/// Says what came out, in the order of the data, and writes the table of several.
+fn told(fits: &[Result<Done, (String, String)>], common: &Common, console: &Console) -> Result<(), Failure> {
+    let good: Vec<&Done> = fits.iter().flatten().collect();
+    for warning in good.iter().flat_map(|done| &done.warnings) {
+        console.warning(warning);
+    }
+    let joined = |of: fn(&Done) -> &String| good.iter().map(|done| of(done).clone()).collect::<Vec<_>>();
+    let row = |fit: &Result<Done, (String, String)>| match fit {
+        Ok(done) => done.row.clone(),
+        Err((file, error)) => FitsRow::without_fit(file.clone(), error),
+    };
+    let rows: Vec<FitsRow> = fits.iter().map(row).collect();
+    let table = if rows.len() > 1 { Some(export::fits_table(&rows).map_err(Failure::failed)?) } else { None };
+    let all = Findings {
+        table: joined(|done| &done.text).join("\n"),
+        json: export::fits_json(&joined(|done| &done.json)),
+        files: Files {
+            texts: table.map(|table| (ALL.to_owned(), table)).into_iter().collect(),
+            #[cfg(feature = "plot")]
+            figures: Vec::new(),
+        },
+    };
+    for done in good {
+        done.written.tell(console);
+    }
+    all.deliver(common, console)?;
+    let bad = fits.iter().filter_map(|fit| fit.as_ref().err());
+    let bad: Vec<String> = bad.map(|(file, error)| with_its_file(file, error)).collect();
     if bad.is_empty() { Ok(()) } else { Err(Failure::Failed(bad.join("\n"))) }
 }
 
 /// An error with its file, unless it begins with it.
-fn told(path: &Path, error: &str) -> String {
-    let name = path.display().to_string();
-    if error.starts_with(&name) { error.to_owned() } else { format!("{name}: {error}") }
-}
-
-fn row<'f>(fit: &'f Result<Fitted, (&PathBuf, String)>) -> (String, Result<&'f Fitted, &'f str>) {
-    match fit {
-        Ok(fitted) => (fitted.file.clone(), Ok(fitted)),
-        Err((path, error)) => (path.display().to_string(), Err(error)),
-    }
+fn with_its_file(name: &str, error: &str) -> String {
+    if error.starts_with(name) { error.to_owned() } else { format!("{name}: {error}") }
 }
 
 /// Stems of the data files, by which the outputs are called.
@@ -240,37 +278,26 @@ const FORMATS: [&str; 5] = [".csv", ".json", ".svg", ".png", ".pdf"];
 /// The table of several fits.
 const ALL: &str = "fits.csv";
 
-fn findings(rows: &[(String, Result<&Fitted, &str>)], stems: &[String]) -> Result<Findings, Failure> {
-    let mut files = Vec::new();
+/// The files of one curve.
+fn files(fit: &Fitted, stem: &str) -> Result<Files, Failure> {
+    let mut texts = vec![
+        (format!("{stem}.fit.csv"), export::fit_points(fit).map_err(Failure::failed)?),
+        (format!("{stem}.fit.json"), export::fit_json(fit).map_err(Failure::failed)?),
+    ];
     #[cfg(feature = "plot")]
-    let mut figures = Vec::new();
-    for ((_, fit), stem) in rows.iter().zip(stems) {
-        let Ok(fit) = fit else { continue };
-        files.push((format!("{stem}.fit.csv"), export::fit_points(fit).map_err(Failure::failed)?));
-        files.push((format!("{stem}.fit.json"), export::fit_json(fit).map_err(Failure::failed)?));
+    let mut figures = vec![(format!("{stem}.fit"), export::fit_figure(fit))];
+    if let Some(map) = &fit.fit.map {
+        texts.push((format!("{stem}.chi2.csv"), export::map_table(map).map_err(Failure::failed)?));
         #[cfg(feature = "plot")]
-        figures.push((format!("{stem}.fit"), export::fit_figure(fit)));
-        if let Some(map) = &fit.fit.map {
-            files.push((format!("{stem}.chi2.csv"), export::map_table(map).map_err(Failure::failed)?));
-            #[cfg(feature = "plot")]
-            figures.push((format!("{stem}.chi2"), export::map_figure(fit, map)));
-        }
-        if !fit.models.is_empty() {
-            files.push((format!("{stem}.models.csv"), export::models_table(fit).map_err(Failure::failed)?));
-            #[cfg(feature = "plot")]
-            figures.push((format!("{stem}.models"), export::models_figure(fit)));
-        }
+        figures.push((format!("{stem}.chi2"), export::map_figure(fit, map)));
     }
-    if rows.len() > 1 {
-        files.push((ALL.to_owned(), export::fits_table(rows).map_err(Failure::failed)?));
+    if !fit.models.is_empty() {
+        texts.push((format!("{stem}.models.csv"), export::models_table(fit).map_err(Failure::failed)?));
+        #[cfg(feature = "plot")]
+        figures.push((format!("{stem}.models"), export::models_figure(fit)));
     }
-    let good: Vec<&Fitted> = rows.iter().filter_map(|(_, fit)| fit.ok()).collect();
-    let table = good.iter().map(|fit| export::fit_text(fit)).collect::<Vec<_>>().join("\n");
-    let json = export::fits_json(&good).map_err(Failure::failed)?;
-    Ok(Findings {
-        table,
-        json,
-        files,
+    Ok(Files {
+        texts,
         #[cfg(feature = "plot")]
         figures,
     })
@@ -308,9 +335,11 @@ fn moduli(path: &Path, arguments: &Arguments, common: &Common, console: &Console
     let findings = Findings {
         table: export::spectrum_text(&file, &spectrum, master.as_ref()),
         json,
-        files,
-        #[cfg(feature = "plot")]
-        figures: vec![(name.clone(), export::spectrum_figure(&moduli, &spectrum, master.as_ref()))],
+        files: Files {
+            texts: files,
+            #[cfg(feature = "plot")]
+            figures: vec![(name.clone(), export::spectrum_figure(&moduli, &spectrum, master.as_ref()))],
+        },
     };
     findings.named(&name).deliver(common, console)
 }

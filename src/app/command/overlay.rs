@@ -1,7 +1,7 @@
 //! `springbed overlay`: curves of several scenes, and measured ones, in one figure.
 
 use super::Common;
-use super::delivery::Findings;
+use super::delivery::{Files, Findings};
 use crate::app::console::{Console, Failure};
 use crate::app::export::{self, Overlaid};
 use crate::app::fault::Fault;
@@ -42,9 +42,11 @@ pub fn run(paths: &[PathBuf], common: &Common, console: &Console) -> Result<(), 
     let findings = Findings {
         table: export::overlay_text(&curves),
         json,
-        files,
-        #[cfg(feature = "plot")]
-        figures: vec![(NAME.to_owned(), export::overlay_figure(&curves))],
+        files: Files {
+            texts: files,
+            #[cfg(feature = "plot")]
+            figures: vec![(NAME.to_owned(), export::overlay_figure(&curves))],
+        },
     };
     findings.named(NAME).deliver(common, console)
 }

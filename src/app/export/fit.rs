@@ -33,13 +33,57 @@ pub fn fit_points(fitted: &Fitted) -> Result<String, csv::Error> {
     text(writer)
 }
 
+/// What the table of several fits has of one data file.
+#[derive(Debug, Clone)]
+pub struct FitsRow {
+    file: String,
+    parameters: Vec<Estimate>,
+    chi2: Option<f64>,
+    /// Whether the data speak against the scene, and the number of points that counted.
+    counted: Option<(bool, usize)>,
+    notes: String,
+}
+
+impl FitsRow {
+    /// Of a curve with its fit.
+    #[must_use]
+    pub fn of(Fitted { file, fit, data_notes, .. }: &Fitted) -> Self {
+        let notes: Vec<&str> = data_notes.iter().chain(&fit.notes).map(String::as_str).collect();
+        Self {
+            file: file.clone(),
+            parameters: fit.parameters.clone(),
+            chi2: fit.chi2,
+            counted: Some((fit.rejected, fit.used.len())),
+            notes: notes.join("; "),
+        }
+    }
+
+    /// Of a file that has no fit, and why.
+    #[must_use]
+    pub fn without_fit(file: String, why: &str) -> Self {
+        Self { file, parameters: Vec::new(), chi2: None, counted: None, notes: format!("not fitted: {why}") }
+    }
+
+    fn cells(&self, paths: &[&str]) -> Vec<String> {
+        let numbers = paths.iter().flat_map(|path| {
+            let one = self.parameters.iter().find(|estimate| estimate.path == *path);
+            let of = |of: fn(&Estimate) -> Option<f64>| cell(one.and_then(of));
+            [of(|one| Some(one.value)), of(|one| one.standard_error), of(|one| one.low), of(|one| one.high)]
+        });
+        let (rejected, points) =
+            self.counted.map(|(rejected, points)| (rejected.to_string(), points.to_string())).unzip();
+        let tail = [cell(self.chi2), rejected.unwrap_or_default(), points.unwrap_or_default(), self.notes.clone()];
+        [self.file.clone()].into_iter().chain(numbers).chain(tail).collect()
+    }
+}
+
 /// Fits as a table, one row per data file.
 ///
 /// # Errors
 /// The text cannot be put together.
-pub fn fits_table(rows: &[(String, Result<&Fitted, &str>)]) -> Result<String, csv::Error> {
+pub fn fits_table(rows: &[FitsRow]) -> Result<String, csv::Error> {
     let mut paths: Vec<&str> = Vec::new();
-    for one in rows.iter().filter_map(|(_, fit)| fit.ok()).flat_map(|fitted| &fitted.fit.parameters) {
+    for one in rows.iter().flat_map(|row| &row.parameters) {
         if !paths.contains(&one.path.as_str()) {
             paths.push(&one.path);
         }
@@ -49,20 +93,8 @@ pub fn fits_table(rows: &[(String, Result<&Fitted, &str>)]) -> Result<String, cs
     let heads = paths.iter().flat_map(four);
     let tail = ["chi2", "rejected", "points", "notes"].map(str::to_owned);
     writer.write_record(["file".to_owned()].into_iter().chain(heads).chain(tail))?;
-    for (file, fit) in rows {
-        let numbers = paths.iter().flat_map(|path| {
-            let one = fit.ok().and_then(|fitted| fitted.fit.parameter(path));
-            let of = |of: fn(&Estimate) -> Option<f64>| cell(one.and_then(of));
-            [of(|one| Some(one.value)), of(|one| one.standard_error), of(|one| one.low), of(|one| one.high)]
-        });
-        let tail = match fit {
-            Ok(Fitted { fit, data_notes, .. }) => {
-                let notes: Vec<&str> = data_notes.iter().chain(&fit.notes).map(String::as_str).collect();
-                [cell(fit.chi2), fit.rejected.to_string(), fit.used.len().to_string(), notes.join("; ")]
-            }
-            Err(error) => [String::new(), String::new(), String::new(), format!("not fitted: {error}")],
-        };
-        writer.write_record([file.clone()].into_iter().chain(numbers).chain(tail))?;
+    for row in rows {
+        writer.write_record(row.cells(&paths))?;
     }
     text(writer)
 }

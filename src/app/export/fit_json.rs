@@ -134,13 +134,6 @@ impl<'f> Parameter<'f> {
     }
 }
 
-/// What `fit` prints with `--json`, and what a file of one fit holds.
-#[derive(Serialize)]
-struct Printed<'f> {
-    version: &'static str,
-    fits: Vec<Summary<'f>>,
-}
-
 /// The file of one fit.
 #[derive(Serialize)]
 struct File<'f> {
@@ -162,13 +155,19 @@ pub fn fit_json(fitted: &Fitted) -> Result<String, serde_json::Error> {
     serde_json::to_string_pretty(&file).map(ended)
 }
 
-/// Fits as JSON, one shape for one and for many.
+/// One fit as JSON, as a member of [`fits_json`].
 ///
 /// # Errors
 /// A number cannot be written as JSON.
-pub fn fits_json(fits: &[&Fitted]) -> Result<String, serde_json::Error> {
-    let fits = fits.iter().map(|fit| Summary::of(fit)).collect();
-    serde_json::to_string_pretty(&Printed { version: env!("CARGO_PKG_VERSION"), fits }).map(ended)
+pub fn fit_member(fitted: &Fitted) -> Result<String, serde_json::Error> {
+    serde_json::to_string_pretty(&Summary::of(fitted))
+}
+
+/// What `fit` prints with `--json` of fits whose JSON is known: one shape for one and for many.
+#[must_use]
+pub fn fits_json(members: &[String]) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    format!("{{\"version\": \"{version}\", \"fits\": [\n{}\n]}}\n", members.join(",\n"))
 }
 
 fn driven_by(led: Drive) -> &'static str {

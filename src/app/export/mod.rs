@@ -33,8 +33,8 @@ pub use comparison::{comparison_json, comparison_table, comparison_text};
 pub use figures::{
     comparison_figure, figures, fit_figure, map_figure, models_figure, overlay_figure, spectrum_figure, sweep_figure,
 };
-pub use fit::{fit_points, fit_text, fits_table, map_table, models_table};
-pub use fit_json::{fit_json, fits_json};
+pub use fit::{FitsRow, fit_points, fit_text, fits_table, map_table, models_table};
+pub use fit_json::{fit_json, fit_member, fits_json};
 pub use fitted::{Answered, Fitted, Tried};
 #[cfg(feature = "plot")]
 pub use gallery::{Shown, gallery, shown};

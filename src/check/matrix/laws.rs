@@ -171,6 +171,8 @@ impl Cell {
         let estimate = whole.error_estimate.relative;
         let followed = match self.names()[0] {
             "rough line" | "ellipsoid" if written.relaxes() => estimate.min(ACCURACY),
+            // An edge between two works is followed in steps.
+            "ellipsoid" if self.names()[2] == "JKR, closing" => estimate.min(ACCURACY),
             "rough line" | "ellipsoid" => 0.0,
             _ if written.is_on_pixels() => estimate.min(ACCURACY),
             _ => estimate,

@@ -150,8 +150,8 @@ fn integral(spectrum: &Arc<Spectrum>, ball: &Arc<Paraboloid>) -> Attempt<Compute
 
 fn driven(mut bed: ContinuousContact, accuracy: f64) -> Attempt<Computed> {
     let Creeping { force, rise } = CREEPING;
-    press(&mut bed, &Ramp { from: 0.0, rate: force / rise, accuracy, scale: force }, &[rise])?;
-    let states = press(&mut bed, &Ramp { from: force, rate: 0.0, accuracy, scale: force }, &LATER)?;
+    press(&mut bed, &Ramp { from: 0.0, rate: force / rise, accuracy, scale: force, stiffness: 0.0 }, &[rise])?;
+    let states = press(&mut bed, &Ramp { from: force, rate: 0.0, accuracy, scale: force, stiffness: 0.0 }, &LATER)?;
     let radii: Option<Vec<f64>> = states.iter().map(|state| state.contact_radius).collect();
     Ok(Computed { values: radii.ok_or("no contact radius")?, ..Computed::default() })
 }

@@ -11,11 +11,11 @@ use crate::scene::mended::Look;
 use crate::scene::stage::Path;
 use crate::shape::Family;
 
-fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
+pub(super) fn refused(path: &str, what: impl Into<String>) -> Option<Problem> {
     Some(Problem::new(path, what))
 }
 
-fn refused_entry(entry: &EntryTraits<'_>, what: impl Into<String>) -> Option<Problem> {
+pub(super) fn refused_entry(entry: &EntryTraits<'_>, what: impl Into<String>) -> Option<Problem> {
     refused(&entry.place(), what)
 }
 
@@ -28,74 +28,6 @@ pub(super) fn without_motion(draft: &Draft<'_>) -> Option<Problem> {
     refused(
         "machine",
         "moves nothing, for the history leads the contact by itself: expected Drive(speed: …, over: …), Ring(amplitude: …, over: …) or Fall(height: …, over: …) in the history, no mass for a spring by whose far end the history leads the contact, or no machine",
-    )
-}
-
-/// A machine without a mass is a spring.
-pub(super) fn without_mass(draft: &Draft<'_>) -> Option<Problem> {
-    let machine = draft.machine().filter(|machine| machine.mass.is_none())?;
-    if machine.damping.is_some() {
-        return refused(
-            "machine.damping",
-            "a damper acts where a mass moves, and there is none: expected a mass, or no damping",
-        );
-    }
-    (machine.stiffness() <= 0.0).then(|| {
-        Problem::new(
-            "machine",
-            "has neither a mass to be moved nor a spring to lead the contact by: expected mass: …, or stiffness: … above zero",
-        )
-    })
-}
-
-/// The spring of a machine without a mass, if there is one.
-fn is_spring(draft: &Draft<'_>) -> Option<()> {
-    draft.machine().filter(|machine| machine.mass.is_none() && machine.stiffness() > 0.0).map(|_| ())
-}
-
-/// How bodies that remember or yield move behind a spring depends on how fast it is led.
-pub(super) fn spring_on_bodies(draft: &Draft<'_>) -> Option<Problem> {
-    is_spring(draft)?;
-    let (one, two) = draft.bodies(Look::Kind)?;
-    let named = |of: fn(&Body) -> bool| [one, two].into_iter().find(|body| of(body)).map(Body::name);
-    let (name, why) = match (named(Body::relaxes), named(|body| matches!(body, Body::Plastic(_)))) {
-        (Some(name), _) => {
-            (name, "its depth follows from what the spring has carried at all times, not from where its far end is")
-        }
-        (None, Some(name)) => (name, "the dent it is left with is told of a prescribed depth or force"),
-        (None, None) => return None,
-    };
-    refused(
-        "machine",
-        format!(
-            "without a mass on a {name} body cannot be computed, for {why}: expected Elastic bodies, or no machine"
-        ),
-    )
-}
-
-/// A spring behind what else leads or holds a contact.
-pub(super) fn spring_with_parts(draft: &Draft<'_>) -> Option<Problem> {
-    is_spring(draft)?;
-    let why = if draft.friction(Look::Kind).is_some() {
-        "friction goes along the surface, where nothing is said of its spring: expected no friction"
-    } else if draft.adhesion(Look::Whole).is_some_and(|adhesion| adhesion.traits().closing.is_some()) {
-        "an edge that stands still between two works has its own past: expected no closing"
-    } else {
-        return None;
-    };
-    refused("machine", format!("without a mass cannot be computed here, for {why}, or no machine"))
-}
-
-/// What moves by itself is not led by a spring.
-pub(super) fn spring_in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    is_spring(draft)?;
-    (entry.impact.is_some() || entry.glide.is_some()).then_some(())?;
-    refused_entry(
-        entry,
-        format!(
-            "{} is a motion of its own, which no spring leads: expected Indent, Press, Retract or a Table, or no machine",
-            entry.name
-        ),
     )
 }
 
@@ -235,81 +167,6 @@ pub(super) fn friction(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pro
             ),
         ),
     }
-}
-
-/// A friction under which a contact slips by itself.
-pub(super) fn falling_friction(draft: &Draft<'_>) -> Option<Problem> {
-    let why = match draft.friction(Look::Kind)? {
-        Friction::StaticKinetic(_) => {
-            "StaticKinetic falls as the contact begins to slide, and how fast it then slips only a mass knows"
-        }
-        Friction::RateState(_) => "RateState depends on the speed of slip, which only a mass and a spring decide",
-        Friction::Coulomb(_) | Friction::Stuck | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
-    };
-    if draft.drives()? {
-        return None;
-    }
-    refused(
-        "friction",
-        format!("{why}: expected a machine and Drive(speed: …, over: …) in the history, or Coulomb(coefficient: …)"),
-    )
-}
-
-/// Without a direct effect nothing says how fast a contact slips that loses its state.
-pub(super) fn without_direct_effect(draft: &Draft<'_>) -> Option<Problem> {
-    let Friction::RateState(law) = draft.friction(Look::Whole)? else { return None };
-    (law.direct.si() <= 0.0 && law.evolution.si() > 0.0).then(|| {
-        Problem::new(
-            "friction.direct",
-            "a friction that changes with the state but not with the speed does not say how fast the contact slips: expected a direct effect above zero such as 0.01, or evolution: 0 as well for Coulomb's law",
-        )
-    })
-}
-
-/// Effects above the friction itself would make it vanish within a change of the speed by a factor of e.
-pub(super) fn large_effects(draft: &Draft<'_>) -> Option<Problem> {
-    let Friction::RateState(law) = draft.friction(Look::Whole)? else { return None };
-    let most = law.coefficient.si();
-    let named = [("friction.direct", law.direct), ("friction.evolution", law.evolution)];
-    let (path, effect) = named.into_iter().find(|(_, effect)| effect.si() > most)?;
-    Some(Problem::new(
-        path,
-        format!(
-            "{:?} is more than the coefficient {most:?} itself, which would be lost within a factor of e of the speed: expected a small part of it, such as 0.01",
-            effect.si()
-        ),
-    ))
-}
-
-/// A contact cannot slide more heavily than it is held.
-pub(super) fn kinetic_above_static(draft: &Draft<'_>) -> Option<Problem> {
-    let Friction::StaticKinetic(law) = draft.friction(Look::Whole)? else { return None };
-    let (held, slides) = (law.r#static.si(), law.kinetic.si());
-    (slides > held).then(|| {
-        Problem::new(
-            "friction.kinetic",
-            format!("a contact that slides is held by {slides:?}, more than the {held:?} it takes to set it sliding: expected at most {held:?}"),
-        )
-    })
-}
-
-/// The path of the slide that breaks away is known to the machine alone.
-pub(super) fn slide_before(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let friction = draft.friction(Look::Kind)?;
-    let why = match friction {
-        Friction::StaticKinetic(_) => "how fast it slips once it has given way only a mass knows",
-        Friction::RateState(_) => "it has a contact slip at any load, at a speed that its machine decides",
-        Friction::Coulomb(_) | Friction::Stuck | Friction::CoulombOrowan(_) | Friction::Pressure(_) => return None,
-    };
-    entry.slides().then_some(())?;
-    refused_entry(
-        entry,
-        format!(
-            "{} under {} friction cannot be computed, for {why}: expected Drive(speed: …, over: …)",
-            entry.name,
-            friction.name()
-        ),
-    )
 }
 
 pub(super) fn with_wear(draft: &Draft<'_>) -> Option<Problem> {

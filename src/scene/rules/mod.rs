@@ -18,10 +18,12 @@ mod machine;
 mod pad;
 mod parts;
 mod pixels;
-mod plastic;
 mod pictures;
+mod plastic;
 mod plots;
 mod power_law;
+mod slip;
+mod spring;
 mod traction;
 mod wear;
 
@@ -153,21 +155,21 @@ pub const RULES: &[Rule] = &[
     Rule::entry(Wear, wear::in_entry),
     Rule::once(Machine, History, machine::without_motion),
     Rule::entry(Machine, machine::without_machine),
-    Rule::once(Machine, Machine, machine::without_mass),
-    Rule::once(Machine, Bodies, machine::spring_on_bodies),
-    Rule::once(Machine, Adhesion, machine::spring_with_parts),
-    Rule::entry(Machine, machine::spring_in_history),
+    Rule::once(Machine, Machine, spring::without_mass),
+    Rule::once(Machine, Bodies, spring::on_bodies),
+    Rule::once(Machine, Adhesion, spring::with_parts),
+    Rule::entry(Machine, spring::in_history),
     Rule::entry(Machine, machine::suspension),
     Rule::once(Machine, Shape, machine::on_shape),
     Rule::entry(Bodies, machine::of_bodies),
     Rule::entry(Bodies, machine::ring_on_dashpot),
     Rule::entry(Adhesion, machine::under_adhesion),
     Rule::entry(Friction, machine::friction),
-    Rule::once(Friction, History, machine::falling_friction),
-    Rule::once(Friction, Friction, machine::kinetic_above_static),
-    Rule::once(Friction, Friction, machine::without_direct_effect),
-    Rule::once(Friction, Friction, machine::large_effects),
-    Rule::entry(Friction, machine::slide_before),
+    Rule::once(Friction, History, slip::falling_friction),
+    Rule::once(Friction, Friction, slip::kinetic_above_static),
+    Rule::once(Friction, Friction, slip::without_direct_effect),
+    Rule::once(Friction, Friction, slip::large_effects),
+    Rule::entry(Friction, slip::slide_before),
     Rule::once(Machine, Wear, machine::with_wear),
     Rule::once(Machine, Springs, machine::on_springs),
     Rule::once(Machine, Solver, machine::on_pixels),

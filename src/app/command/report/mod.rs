@@ -2,7 +2,7 @@
 
 mod peers;
 
-use super::delivery::Findings;
+use super::delivery::{Files, Findings};
 use super::{Common, Topic};
 use crate::app::console::{Console, Failure};
 #[cfg(feature = "plot")]
@@ -70,9 +70,11 @@ fn accuracy(effort: Thoroughness, console: &Console) -> Result<(Findings, Failed
     let report = Findings {
         table: format!("{}\n{table}", reports::stated_table(&stated)),
         json,
-        files,
-        #[cfg(feature = "plot")]
-        figures: figures(&studies, &rows, &machine)?,
+        files: Files {
+            texts: files,
+            #[cfg(feature = "plot")]
+            figures: figures(&studies, &rows, &machine)?,
+        },
     };
     Ok((report.named("accuracy"), [silent(&rows.concat()), beyond(&stated)].concat()))
 }
@@ -102,9 +104,11 @@ fn accuracy_of(
     let report = Findings {
         table: reports::accuracy_table(&studies, &rows, &machine),
         json,
-        files,
-        #[cfg(feature = "plot")]
-        figures: vec![(name.clone(), report_figures::accuracy(&studies[0], &rows[0], &[], &machine))],
+        files: Files {
+            texts: files,
+            #[cfg(feature = "plot")]
+            figures: vec![(name.clone(), report_figures::accuracy(&studies[0], &rows[0], &[], &machine))],
+        },
     };
     // A bed may not be able to follow what the scene's own solver can.
     Ok((report.named(&name), Vec::new()))
@@ -157,9 +161,11 @@ fn stability(console: &Console) -> Result<(Findings, Failed), Failure> {
     let report = Findings {
         table: reports::stability_table(&rows, &machine),
         json,
-        files,
-        #[cfg(feature = "plot")]
-        figures: Vec::new(),
+        files: Files {
+            texts: files,
+            #[cfg(feature = "plot")]
+            figures: Vec::new(),
+        },
     };
     Ok((report.named("stability"), beyond(&rows)))
 }
@@ -187,9 +193,11 @@ fn throughput(effort: Thoroughness, console: &Console) -> Result<(Findings, Fail
     let report = Findings {
         table: reports::speed_table(&rows, &machine),
         json,
-        files,
-        #[cfg(feature = "plot")]
-        figures: vec![("speed".to_owned(), report_figures::speed(&rows, &machine))],
+        files: Files {
+            texts: files,
+            #[cfg(feature = "plot")]
+            figures: vec![("speed".to_owned(), report_figures::speed(&rows, &machine))],
+        },
     };
     Ok((report.named("speed"), silent(&rows)))
 }

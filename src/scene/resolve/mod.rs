@@ -1,9 +1,12 @@
 //! From a scene as written to the decision who computes it.
 
-use super::law::{
-    ContactLaw, ElasticAdhesion, FrictionLaw, HeldEdge, ImpactLaw, Interface, MachineLaw, PixelFriction, SpringCount,
-    Start, Travel, WearLaw,
-};
+mod contact;
+mod tangential;
+
+use contact::{elastic, held_edge, lasting, pinned, resting, unrelaxed, works, yielding};
+use tangential::{interface, left, tangential, travel};
+
+use super::law::{ContactLaw, ImpactLaw, MachineLaw, PixelFriction, WearLaw};
 use super::mended::Mended;
 use super::pixelled::PixelledIndenter;
 use super::plan::{
@@ -15,24 +18,18 @@ use super::solver::{HalfSpace, SolverChoice, Tractions};
 use super::surface::Surface;
 use super::tractive::TractiveRolling;
 use super::{Scene, limits, pixelled, reach};
-use crate::contact::adhesion::{Adhesion, AdhesionTraits, EdgeRule, Range};
 use crate::contact::pad::{Bed, Element, Spring, Summit};
-use crate::contact::plastic::YieldingBall;
-use crate::contact::rough::EdgeWorks;
 use crate::drive::machine::Machine;
 use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
-use crate::material::{Body, Relaxation, Under};
+use crate::material::{Body, Under};
 use crate::scene::history::{EntryTraits, Impact, space};
 use crate::shape::{Pad, Profile, Shape};
 use crate::wear::Wear;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
-
-/// Springs of the friction of viscoelastic bodies unless the scene says otherwise.
-const FRICTION_SPRINGS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(999);
 
 /// Records per entry of a contact on pixels unless the scene says otherwise: each is solved by itself.
 const RECORDS_ON_PIXELS: usize = 20;
@@ -239,64 +236,6 @@ fn machine(shared: &Shared) -> Option<MachineLaw> {
     Some(MachineLaw { suspension, left: left(scene.friction.as_ref()), motions })
 }
 
-/// What is left of the friction that sets a contact sliding once it slides as a whole.
-fn left(friction: Option<&Friction>) -> f64 {
-    match friction {
-        Some(Friction::StaticKinetic(law)) if law.r#static.si() > 0.0 => law.kinetic.si() / law.r#static.si(),
-        Some(
-            Friction::StaticKinetic(_)
-            | Friction::Coulomb(_)
-            | Friction::RateState(_)
-            | Friction::Stuck
-            | Friction::CoulombOrowan(_)
-            | Friction::Pressure(_),
-        )
-        | None => 1.0,
-    }
-}
-
-/// The motion along the surface with which a history ends.
-fn travel(shared: &Shared) -> Option<Travel> {
-    let entries = shared.scene.history.iter().enumerate().rev();
-    let mut glides = entries.filter_map(|(entry, of)| Some((entry, of.traits(entry, None, None).glide?)));
-    let (entry, (glide, motion)) = glides.next()?;
-    Some(Travel {
-        entry,
-        speeds: glide.speed.iter().map(|speed| speed.si()).collect(),
-        motion,
-        relaxation: lasting(shared),
-        start: if glide.is_steady() { Start::LeftOut } else { Start::Followed },
-    })
-}
-
-/// E*(t) of the bodies, elastic ones included.
-fn lasting(shared: &Shared) -> Arc<Relaxation> {
-    shared.read.relaxation.clone().unwrap_or_else(|| Arc::new(unrelaxed(shared)))
-}
-
-/// Who computes a contact that stays where it is.
-fn resting(shared: &Shared) -> ContactLaw {
-    let scene = &shared.scene;
-    let adhesion = scene.adhesion.as_ref();
-    match (shared.read.relaxation.clone(), scene.springs) {
-        (None, None) => match (yielding(shared), pinned(adhesion)) {
-            (Some(ball), _) => ContactLaw::Plastic(ball),
-            (None, Some(edge)) => ContactLaw::Continuous { relaxation: Arc::new(unrelaxed(shared)), edge: Some(edge) },
-            (None, None) => ContactLaw::Direct(elastic(adhesion)),
-        },
-        (None, Some(count)) => ContactLaw::Springs { count, work: adhesion.map(|adhesion| adhesion.traits().work) },
-        (Some(relaxation), asked) => viscoelastic(shared, relaxation, asked),
-    }
-}
-
-/// The ball of bodies that yield, the softer one first.
-fn yielding(shared: &Shared) -> Option<YieldingBall> {
-    let (one, other) = &shared.scene.bodies;
-    let weaker = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min)?;
-    let radius = shared.scene.shape.tip_radius()?;
-    Some(YieldingBall { radius, modulus: shared.pair.normal, limit: weaker })
-}
-
 /// A rough contact without friction.
 fn rough(shared: Shared, (surface, base): (&Arc<Surface>, Option<&Arc<dyn Profile>>)) -> RoughPlan {
     RoughPlan {
@@ -308,94 +247,6 @@ fn rough(shared: Shared, (surface, base): (&Arc<Surface>, Option<&Arc<dyn Profil
         travel: travel(&shared),
         shared,
     }
-}
-
-fn elastic(adhesion: Option<&Adhesion>) -> ElasticAdhesion {
-    let Some(AdhesionTraits { work, range, .. }) = adhesion.map(Adhesion::traits) else { return ElasticAdhesion::None };
-    match range {
-        Range::Vanishing(_) => ElasticAdhesion::Vanishing { work },
-        Range::Outside => ElasticAdhesion::Outside { work },
-        Range::Finite(stress) => ElasticAdhesion::Finite { work, stress },
-        Range::Fading(range) => ElasticAdhesion::Fading { work, range },
-    }
-}
-
-/// Turns of the depth from which on springs cost less than the strips of the continuous bed, the square of which is paid.
-const MANY_TURNS: usize = 128;
-
-/// The continuous bed, unless springs are asked for or the depth goes in very many pieces without adhesion.
-fn viscoelastic(shared: &Shared, relaxation: Arc<Relaxation>, asked: Option<NonZeroUsize>) -> ContactLaw {
-    let edge = held_edge(shared.scene.adhesion.as_ref());
-    let takes_many = shared.is_curved() || shared.scene.machine.is_some() || shared.turns() > MANY_TURNS;
-    let needed = (edge.is_none() && takes_many).then(|| SpringCount::of_accuracy(shared.accuracy()));
-    match asked.map(SpringCount::Asked).or(needed) {
-        Some(count) => ContactLaw::ViscoelasticSprings { relaxation, count },
-        None => ContactLaw::Continuous { relaxation, edge },
-    }
-}
-
-fn held_edge(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
-    let AdhesionTraits { work, closing, range, .. } = adhesion?.traits();
-    match range {
-        Range::Vanishing(edge) => {
-            edge.map(|edge| HeldEdge { work, closing: closing.unwrap_or(work), edge: edge.clone() })
-        }
-        Range::Outside | Range::Finite(_) | Range::Fading(_) => None,
-    }
-}
-
-/// The edge of elastic bodies that closes with less work than it opens with: it depends on what has been.
-fn pinned(adhesion: Option<&Adhesion>) -> Option<HeldEdge> {
-    let AdhesionTraits { work, closing, .. } = adhesion?.traits();
-    closing.map(|closing| HeldEdge { work, closing, edge: EdgeRule::Relaxed })
-}
-
-/// What the edges of a rough contact take and give.
-fn works(adhesion: &Adhesion) -> EdgeWorks {
-    let AdhesionTraits { work, closing, .. } = adhesion.traits();
-    EdgeWorks { opening: work, closing: closing.unwrap_or(work) }
-}
-
-/// Elastic bodies as bodies that remember nothing.
-fn unrelaxed(shared: &Shared) -> Relaxation {
-    Relaxation { equilibrium: shared.pair.normal, terms: Vec::new(), viscosity: 0.0 }
-}
-
-fn tangential(shared: &Shared, friction: &Friction) -> FrictionLaw {
-    let springs = shared.scene.springs;
-    let coefficient = match friction.slip() {
-        Slip::Local(coefficient) => coefficient,
-        Slip::Gross => return gross(shared, friction),
-        Slip::Nowhere => {
-            let work = elastic(shared.scene.adhesion.as_ref()).work_at_edge().unwrap_or(0.0);
-            return FrictionLaw::Stuck { work };
-        }
-    };
-    if let Friction::RateState(law) = friction
-        && !law.is_coulomb()
-    {
-        return FrictionLaw::RateState(law.clone());
-    }
-    match (shared.read.relaxation.clone(), springs) {
-        (None, None) => FrictionLaw::Memory { coefficient },
-        (None, Some(count)) => FrictionLaw::Springs { coefficient, count },
-        (Some(relaxation), asked) => {
-            FrictionLaw::Viscoelastic { coefficient, count: asked.unwrap_or(FRICTION_SPRINGS), relaxation }
-        }
-    }
-}
-
-fn gross(shared: &Shared, friction: &Friction) -> FrictionLaw {
-    let interface = interface(shared, friction);
-    match elastic(shared.scene.adhesion.as_ref()).work_at_edge().filter(|_| shared.scene.adhesion.is_some()) {
-        Some(work) => FrictionLaw::Peeling { interface, work },
-        None => FrictionLaw::Sliding(interface),
-    }
-}
-
-/// A friction that slips as a whole, with its table.
-fn interface(shared: &Shared, friction: &Friction) -> Interface {
-    Interface { friction: friction.clone(), strength: shared.read.strength.clone() }
 }
 
 fn impact_plan(shared: Shared, profile: Arc<dyn Profile>, impact: Impact) -> ImpactPlan {
