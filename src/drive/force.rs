@@ -615,4 +615,28 @@ mod tests {
             assert!(f64::from(pieces) < 2.0 / f64::sqrt(accuracy), "{accuracy:e}: {pieces} pieces");
         }
     }
+
+    /// The same once it is let go: its surface comes up as e^{−t/τ}, however little force tells of that.
+    #[test]
+    fn a_damped_contact_that_is_let_go_comes_up() {
+        const TAU: f64 = 0.1;
+        let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms: Vec::new(), viscosity: TAU }));
+        let ball: Arc<dyn Profile> = Arc::new(unit_ball());
+        let (d, accuracy) = (0.01, 1e-3);
+        let mut bed = GrowingBed::new(spectrum, ball.clone(), Layout::graded(ball.as_ref(), (1e-3, 0.15), 1000));
+        bed.follow(&Straight::between(0.0, d, 1.0)).unwrap();
+        bed.follow(&Straight::between(d, d, 100.0)).unwrap();
+        let force = bed.state().force;
+        let down = Ramp { from: force, rate: -force, accuracy, scale: force, stiffness: force / d };
+        press(&mut bed, &down, &[1.0]).unwrap();
+        let start = bed.state().indentation.unwrap();
+        let times = [0.05, 0.1, 0.2, 0.4, 1.0, 17.0];
+        let seen = press(&mut bed, &Ramp { from: 0.0, rate: 0.0, ..down }, &times).unwrap();
+        for (state, t) in seen.iter().zip(times) {
+            let depth = state.indentation.unwrap_or(0.0);
+            let right = start * (-t / TAU).exp();
+            // By a piece as by the whole: each keeps to the accuracy, and their errors fade as the depth does.
+            assert!((depth - right).abs() < 4.0 * accuracy * d, "{t}: {depth:e} {right:e}");
+        }
+    }
 }

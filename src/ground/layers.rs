@@ -245,7 +245,7 @@ impl Layers {
     /// The radius [m] at which the measure is `s` [m].
     fn radius_at(&self, s: f64) -> f64 {
         let thin = s / self.unit;
-        match self.punches.from_measure(thin) {
+        match self.punches.reaching(thin) {
             Some(octave) => {
                 let radius = octave.radius(thin);
                 self.asked_for(radius);

@@ -143,7 +143,7 @@ impl Punches {
     }
 
     /// The octave in which s(a) = `s`, in thicknesses, is reached; `None` beyond all.
-    pub(super) fn from_measure(&self, s: f64) -> Option<&Octave> {
+    pub(super) fn reaching(&self, s: f64) -> Option<&Octave> {
         (0..self.octaves.len()).map_while(|octave| self.kept(octave)).find(|kept| s <= kept.end)
     }
 

@@ -1,10 +1,11 @@
 //! Two bodies pressed together: their effective moduli, what they relax by, what lies below their surfaces.
 
-use super::body::{Body, Elastic};
-use super::layered::{self, Under};
+use super::alone::{Alone, Known, Stiffness, in_series};
+use super::elastic::Elastic;
+use super::layered::Under;
 use super::power_law::Times;
 use super::viscoelastic::instantly_stiff;
-use super::{Relaxation, Spectrum};
+use super::{Body, Relaxation, Spectrum, stacked};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
 use serde::Serialize;
@@ -36,23 +37,6 @@ impl Pair {
     }
 }
 
-/// Moduli of one body against a rigid one; infinite for a rigid body.
-pub(super) struct Stiffness {
-    pub(super) normal: f64,
-    tangential: f64,
-    /// (1−2ν)/(2(1−ν)), β against a rigid body.
-    coupling: f64,
-}
-
-impl Stiffness {
-    const RIGID: Self = Self { normal: f64::INFINITY, tangential: f64::INFINITY, coupling: 0.0 };
-
-    pub(super) fn new(normal: f64, poisson: f64) -> Self {
-        let tangential = normal * 2.0 * (1.0 - poisson) / (2.0 - poisson);
-        Self { normal, tangential, coupling: (0.5 - poisson) / (1.0 - poisson) }
-    }
-}
-
 /// Two bodies that are pressed together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Joined {
@@ -62,16 +46,6 @@ pub struct Joined {
     pub relaxation: Option<Relaxation>,
     /// What lies below the surfaces.
     pub under: Under,
-}
-
-/// One of two bodies, alone against a rigid one.
-pub(super) struct Alone {
-    /// Its moduli at once.
-    pub(super) stiffness: Stiffness,
-    /// What it relaxes by, if it gives at all.
-    pub(super) spectrum: Option<Spectrum>,
-    /// What lies below its surface.
-    pub(super) under: Under,
 }
 
 /// What `bodies` are together; `None` for two rigid ones, which make no pair.
@@ -115,13 +89,6 @@ pub fn joined(
     }))
 }
 
-/// What is known beside a body itself.
-#[derive(Clone, Copy)]
-pub(super) struct Known<'k> {
-    pub(super) tables: &'k dyn Tables,
-    pub(super) times: Option<Times>,
-}
-
 fn alone(body: &Body, path: &str, known: Known<'_>) -> Result<Alone, Vec<Problem>> {
     let under = Under::HalfSpaces;
     Ok(match body {
@@ -135,9 +102,9 @@ fn alone(body: &Body, path: &str, known: Known<'_>) -> Result<Alone, Vec<Problem
             let stiffness = Stiffness::new(at_once, body.poisson.si());
             Alone { stiffness, spectrum: Some(Spectrum::new(&relaxation)), under }
         }
-        Body::Layered(body) => layered::layered(body, path, known)?,
-        Body::Winkler(body) => layered::winkler(body),
-        Body::Graded(body) => layered::graded(body),
+        Body::Layered(body) => stacked::layered(body, path, known)?,
+        Body::Winkler(body) => stacked::winkler(body),
+        Body::Graded(body) => stacked::graded(body),
     })
 }
 
@@ -156,17 +123,6 @@ impl Pair {
     /// The same with E* = `normal` [Pa], if it is above zero, and G* in its ratio to it.
     fn as_stiff_as(self, normal: f64) -> Self {
         if normal > 0.0 { Self { normal, tangential: normal * (self.tangential / self.normal), ..self } } else { self }
-    }
-}
-
-/// The shares of two springs in the compliance of both in series, and their stiffness; one of them is finite.
-pub(super) fn in_series(one: f64, two: f64) -> ((f64, f64), f64) {
-    if one <= two {
-        let ratio = one / two;
-        ((1.0 / (1.0 + ratio), ratio / (1.0 + ratio)), one / (1.0 + ratio))
-    } else {
-        let ((second, first), together) = in_series(two, one);
-        ((first, second), together)
     }
 }
 

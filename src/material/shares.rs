@@ -1,7 +1,7 @@
 //! How two bodies share the displacement of a contact.
 
 use super::Body;
-use super::pair::in_series;
+use super::alone::in_series;
 
 /// The parts of the displacement of a contact that its two bodies take, which sum up to one.
 ///

@@ -1,7 +1,7 @@
 //! Bodies that relax: as a scene writes them, and their E*(t) against a rigid one.
 
 use super::Relaxation;
-use super::pair::Known;
+use super::alone::Known;
 use super::power_law::{PowerLaw, Times};
 use super::shift::{Shift, ShiftError};
 use crate::input::problem::Problem;

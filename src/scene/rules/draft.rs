@@ -270,8 +270,12 @@ impl<'s> Draft<'s> {
 
     /// Whether a body is followed as it glides or rolls.
     pub(super) fn moves_along(&self) -> Option<bool> {
+        self.knows_history_by_kind().then_some(())?;
+        let mut glides = self.written.entries.iter().filter(|entry| entry.glide.is_some());
         let follows = |entry: &EntryTraits<'_>| entry.glide.is_some_and(|(glide, _)| !glide.is_steady());
-        self.knows_history_by_kind().then(|| self.written.entries.iter().any(follows))
+        // How long it lasts tells, which is not known where the entry is mended.
+        let found = glides.find(|entry| self.as_written(entry).is_none_or(follows));
+        found.map_or(Some(false), |entry| self.as_written(entry).map(|_| true))
     }
 
     /// Whether a body rolls with a creepage or a tangential force prescribed.
