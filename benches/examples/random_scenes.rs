@@ -1,7 +1,8 @@
 //! Random scenes over the whole matrix, held against the laws that speak of them.
 //!
 //! `cargo run --release -p benches --example random_scenes -- [scenes [from [part …]]]`, of the combinations whose parts
-//! bear these names, such as `lying cylinder`. Scenes that take long are named as they end, and laws that are not kept.
+//! bear these names, such as `lying cylinder`. Scenes that take long are named as they end, and laws that are not kept;
+//! a scene alone is written out before it is run.
 
 use rayon::prelude::*;
 use springbed::check::matrix::{Cell, Kept, Law, Variation, Verdict, cells};
@@ -14,10 +15,15 @@ const LONG: Duration = Duration::from_secs(10);
 /// A combination that is computed, and the laws its scene was held against.
 type Tried<'c> = (&'c Cell, Vec<Kept>);
 
+/// The combination of the scene with the number `number`.
+fn combination(cells: &[Cell], number: u64) -> &Cell {
+    &cells[usize::try_from(number).unwrap_or(0) % cells.len()]
+}
+
 /// The scene with the number `number`: a combination, and other numbers.
 fn scene(cells: &[Cell], number: u64) -> Tried<'_> {
     let (variation, part) = Variation::numbered(number);
-    let cell = &cells[usize::try_from(number).unwrap_or(0) % cells.len()];
+    let cell = combination(cells, number);
     (cell, cell.laws(&variation, part))
 }
 
@@ -67,6 +73,10 @@ fn main() {
     if computed.is_empty() {
         println!("no combination is computed that has such parts");
         return;
+    }
+    if scenes == 1 {
+        let cell = combination(&computed, from);
+        println!("{}", cell.text(&Variation::numbered(from).0).unwrap_or_default());
     }
     let tried: Vec<Tried<'_>> = (from..from + scenes).into_par_iter().map(|number| told(&computed, number)).collect();
     let (ran, least, most) = spread(&tried);

@@ -83,6 +83,12 @@ const WEIGHT: f64 = 1e-10;
 const RECORDS: [u32; 2] = [400, 40];
 
 impl Cell {
+    /// The scene with other numbers as text, if there is one.
+    #[must_use]
+    pub fn text(&self, variation: &Variation) -> Option<String> {
+        self.written(variation).map(|written| written.told())
+    }
+
     /// Whether the scene with other numbers, cut at the part `part` of its ways, keeps the laws that speak of it; of
     /// none where it is refused.
     #[must_use]

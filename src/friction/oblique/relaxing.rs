@@ -263,7 +263,9 @@ mod tests {
             };
             let lost = along(flight(1.0)) - along(one.flight);
             let error = one.course.as_ref().unwrap().error * relaxing.ball.grip.reach() * 0.1 * 0.1 + 1e-6;
-            prop_assert!(lost > one.dissipated - error && one.dissipated >= 0.0, "{lost:e} {one:?}");
+            // A ball that rolls already loses nothing, and rounding what it has.
+            let rounding = f64::EPSILON * along(flight(1.0));
+            prop_assert!(lost > one.dissipated - error && one.dissipated >= -rounding, "{lost:e} {one:?}");
         }
     }
 }
