@@ -108,9 +108,12 @@ impl Watch {
         Ok(watch)
     }
 
-    /// The time [s] of the next look at which the contact has to stop.
+    /// The time [s] of the next look at which the contact has to stop; `None` where nothing is left to be found from there.
     pub fn next_stop(&self) -> Option<f64> {
-        self.seen.get(1).map(|glimpse| glimpse.time)
+        let next = self.seen.get(1)?;
+        // The next three looks are searched already: beyond them bodies would have to touch or part.
+        let is_searched = self.times.is_empty() && self.seen.get(2).is_none_or(|last| last.joined() == next.joined());
+        (!is_searched).then_some(next.time)
     }
 
     /// The contact has come to the next stop.

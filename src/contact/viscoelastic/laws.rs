@@ -276,7 +276,8 @@ proptest! {
     #![proptest_config(crate::laws::cases(48))]
 
     /// Cutting any motion of an adhesive bed anywhere changes nothing; what is lost at a joining or leaving by the
-    /// modulus at once is never negative. Bound: the panels' polynomials, relative to the load of the whole bed.
+    /// modulus at once is never negative. Bound: the panels' polynomials, relative to the load of the whole bed; of bodies
+    /// that only touch the square of the radius, Rd, that rounds as the depth does.
     #[test]
     fn cutting_a_motion_changes_nothing(
         terms in prop::collection::vec((0i32..30, -30i32..30), 0..3),
@@ -297,7 +298,9 @@ proptest! {
                 let part = f64::from(k) / f64::from(pieces);
                 often.reach(from + part * (to - from), over / f64::from(pieces)).unwrap();
             }
-            prop_assert!((once.radius() - often.radius()).abs() < 1e-9 * 3e-4, "{:e} {:e}", once.radius(), often.radius());
+            let (one, other) = (once.radius(), often.radius());
+            let touching = (one * one - other * other).abs() < 5e-3 * 64.0 * f64::EPSILON * 1e-5;
+            prop_assert!((one - other).abs() < 1e-9 * 3e-4 || touching, "{one:e} {other:e}");
             prop_assert!((once.force() - often.force()).abs() < 1e-9 * stiff, "{:e} {:e}", once.force(), often.force());
             let now = once.ledger().dissipated - once.surface_energy();
             prop_assert!(!shared || now >= lost - 1e-9 * stiff * 1e-5, "{lost:e} {now:e}");
