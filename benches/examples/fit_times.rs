@@ -76,22 +76,29 @@ fn fitted(name: &str, scene: &str, free: &[&str], curve: &Curve) -> Outcome<()> 
     })
 }
 
-/// A thin gel on glass: modulus, thickness and first touch, 1000 points.
+/// A thin gel on glass: modulus, thickness and first touch, 1000 points. No two gels are alike, for what is known of the layers
+/// of one fit serves the next.
 fn layered() -> Outcome<()> {
-    let gel = |young: &str, thickness: &str| {
+    let gel = |young: &str, poisson: f64, thickness: &str| {
         format!(
-            r#"(shape: Paraboloid(radius: "10 um"), bodies: (Layered(layers: [(body: Elastic(young: "{young}", poisson: 0.49),
-            thickness: "{thickness}")], base: Rigid, bond: Bonded), Rigid), "#
+            r#"(shape: Paraboloid(radius: "10 um"), bodies: (Layered(layers: [(body: Elastic(young: "{young}",
+            poisson: {poisson:?}), thickness: "{thickness}")], base: Rigid, bond: Bonded), Rigid), "#
         )
     };
     let depth: Vec<f64> = (0..1000).map(|k| 2e-9 * f64::from(k) - 0.5e-6).collect();
     let time: Vec<f64> = (0..depth.len()).map(|k| k as f64).collect();
-    let made = format!("{}{}", gel("2 kPa", "5 um"), r#"history: [Table("drive.csv")])"#);
+    let made = format!("{}{}", gel("2 kPa", 0.49, "5 um"), r#"history: [Table("drive.csv")])"#);
     let data = curve(None, depth.clone(), &forces(&made, &time, &depth)?);
-    let start = format!("{}{}", gel("1 kPa", "8 um"), r#"history: [Indent(to: "1 um", over: 1)])"#);
     let inside = "bodies.0.layers.0";
     let free = [format!("{inside}.body.young=10 Pa..100 kPa"), format!("{inside}.thickness=1 um..100 um")];
-    fitted("layer on glass, 1000 points, first touch and baseline", &start, &[&free[0], &free[1]], &data)
+    let mut poisson = 0.49;
+    told("layer on glass, 1000 points, first touch and baseline", || {
+        poisson -= 1e-9;
+        let start = format!("{}{}", gel("1 kPa", poisson, "8 um"), r#"history: [Indent(to: "1 um", over: 1)])"#);
+        let question = Question::new(&Scene::from_ron(&start)?, &free, Options::default())?;
+        black_box(question.fit(&data, &InMemory::default())?);
+        Ok(())
+    })
 }
 
 /// 64 × 64 curves of 1000 points on all threads, each made, fitted and forgotten.

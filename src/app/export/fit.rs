@@ -39,8 +39,10 @@ pub struct FitsRow {
     file: String,
     parameters: Vec<Estimate>,
     chi2: Option<f64>,
-    /// Whether the data speak against the scene, and the number of points that counted.
-    counted: Option<(bool, usize)>,
+    /// Whether the data speak against the scene.
+    rejected: Option<bool>,
+    /// Number of points that counted.
+    points: Option<usize>,
     notes: String,
 }
 
@@ -53,7 +55,8 @@ impl FitsRow {
             file: file.clone(),
             parameters: fit.parameters.clone(),
             chi2: fit.chi2,
-            counted: Some((fit.rejected, fit.used.len())),
+            rejected: Some(fit.rejected),
+            points: Some(fit.used.len()),
             notes: notes.join("; "),
         }
     }
@@ -61,7 +64,8 @@ impl FitsRow {
     /// Of a file that has no fit, and why.
     #[must_use]
     pub fn without_fit(file: String, why: &str) -> Self {
-        Self { file, parameters: Vec::new(), chi2: None, counted: None, notes: format!("not fitted: {why}") }
+        let notes = format!("not fitted: {why}");
+        Self { file, parameters: Vec::new(), chi2: None, rejected: None, points: None, notes }
     }
 
     fn cells(&self, paths: &[&str]) -> Vec<String> {
@@ -70,9 +74,9 @@ impl FitsRow {
             let of = |of: fn(&Estimate) -> Option<f64>| cell(one.and_then(of));
             [of(|one| Some(one.value)), of(|one| one.standard_error), of(|one| one.low), of(|one| one.high)]
         });
-        let (rejected, points) =
-            self.counted.map(|(rejected, points)| (rejected.to_string(), points.to_string())).unzip();
-        let tail = [cell(self.chi2), rejected.unwrap_or_default(), points.unwrap_or_default(), self.notes.clone()];
+        let rejected = self.rejected.map(|rejected| rejected.to_string()).unwrap_or_default();
+        let points = self.points.map(|points| points.to_string()).unwrap_or_default();
+        let tail = [cell(self.chi2), rejected, points, self.notes.clone()];
         [self.file.clone()].into_iter().chain(numbers).chain(tail).collect()
     }
 }

@@ -94,8 +94,9 @@ impl Layout {
     /// A contact that has just turned back has a load q(x) like √(a₀ − x) − c there, for the front came slower and
     /// slower; x as a function of q is smooth all the same, as both are smooth in the time of touch. So x(q) is led on
     /// to q = 0 by a polynomial through up to four springs, to h⁴, as many as agree with one fewer: beside a border of two
-    /// pasts two are left. The doubt is what another number of them changes, and how far off the free springs tell the edge, for only those of one past go on smoothly; it never exceeds the
-    /// way to the next spring.
+    /// pasts two are left. The doubt is what another number of them changes, and how far off the free springs tell the
+    /// edge, with their own doubt, for only those of one past go on smoothly; where they are not of one, it is the way to the
+    /// farther of the two springs between which the edge is.
     pub fn edge(&self, pressed: usize, signs: impl Fn(usize) -> f64) -> Edge {
         let Some(last) = pressed.checked_sub(1) else {
             // What touches within the first spring presses none.
@@ -113,7 +114,7 @@ impl Layout {
             return if wall { Edge { place: outer, doubt: 0.0 } } else { Edge { place: inner, doubt: outer - inner } };
         };
         let gaps = rising((pressed..self.len()).map(|j| (-signs(j), self.place[j])));
-        let from_outside = (gaps.len() > 1).then(|| led_to_zero(&gaps).clamp(inner, outer));
+        let from_outside = (gaps.len() > 1).then(|| [0, 1].map(|fewer| led_to_zero(&gaps[..gaps.len() - fewer])));
         let led: Vec<f64> = (2..=loads.len()).map(|count| led_to_zero(&loads[..count])).collect();
         // Springs of one past agree the better the more they are; beside a border of two pasts fewer are right.
         let change = |k: usize| (led[k] - led[k - 1]).abs();
@@ -122,10 +123,13 @@ impl Layout {
         let agree = best > 0 && change(best) < AGREE * (outer - inner);
         let is_one_past = agree && led[best] > inner && led[best] < outer;
         let place = between(if is_one_past { led[best] } else { led[0] });
-        let others = led.iter().map(|&other| between(other)).chain(from_outside);
-        let doubt = others.map(|other| (place - other).abs()).fold(0.0, f64::max);
-        let few = loads.len() < NODES || from_outside.is_none();
-        Edge { place, doubt: if few { outer - inner } else { doubt.min(outer - inner) } }
+        let apart = |other: f64| (place - between(other)).abs();
+        let inside = led.iter().map(|&other| apart(other)).fold(0.0, f64::max);
+        let outside = from_outside.map_or(0.0, |[all, fewer]| apart(all) + (all - fewer).abs());
+        let doubt = inside.max(outside);
+        let farther = (place - inner).max(outer - place);
+        let is_told = is_one_past && loads.len() == NODES && from_outside.is_some();
+        Edge { place, doubt: if is_told { doubt.min(farther) } else { farther } }
     }
 }
 

@@ -9,6 +9,7 @@
 //! assert!(with_friction.count() > 3);
 //! ```
 
+mod adhesion;
 mod depth;
 mod draft;
 mod glide;
@@ -131,12 +132,12 @@ pub const RULES: &[Rule] = &[
     Rule::once(Bodies, Adhesion, plastic::under_adhesion),
     Rule::once(Bodies, Friction, plastic::with_friction),
     Rule::once(Bodies, Springs, plastic::on_springs),
-    Rule::once(Adhesion, Bodies, parts::adhesion_between_bodies),
+    Rule::once(Adhesion, Bodies, adhesion::between_bodies),
     Rule::once(Adhesion, Bodies, power_law::under_adhesion),
     Rule::once(Bodies, Bodies, power_law::in_layers),
-    Rule::once(Adhesion, Adhesion, parts::closing_beyond_opening),
-    Rule::once(Adhesion, Shape, parts::range_on_shape),
-    Rule::once(Adhesion, Solver, parts::fading),
+    Rule::once(Adhesion, Adhesion, adhesion::closing_beyond_opening),
+    Rule::once(Adhesion, Shape, adhesion::range_on_shape),
+    Rule::once(Adhesion, Solver, adhesion::fading),
     Rule::once(Friction, Bodies, parts::friction_of_bodies_in_series),
     Rule::once(Friction, Bodies, parts::gross_sliding_of_viscoelastic),
     Rule::once(Friction, Shape, parts::peeling_on_section),
@@ -175,7 +176,7 @@ pub const RULES: &[Rule] = &[
     Rule::once(Machine, Solver, machine::on_pixels),
     Rule::entry(History, machine::in_history),
     Rule::entry(History, machine::beside),
-    Rule::once(Shape, Adhesion, parts::adhesion_on_shape),
+    Rule::once(Shape, Adhesion, adhesion::on_shape),
     Rule::once(Shape, Friction, parts::friction_on_shape),
     Rule::once(Shape, Springs, parts::springs_on_shape),
     Rule::many(Shape, Bodies, parts::viscoelastic_on_plane),

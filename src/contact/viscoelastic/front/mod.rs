@@ -156,10 +156,14 @@ impl Front<'_> {
         }
         let next = self.candidate(way, self.beside(way));
         let (urge, rounding) = (next.urge(self.spectrum, 0.0), next.rounding(self.spectrum));
-        if urge.abs() > rounding {
-            return urge > 0.0;
+        if urge > rounding {
+            return true;
         }
         let rate = next.urge_rate(self.spectrum, 0.0);
+        // An edge that waited would be past a limit that is reached within the shortest wait.
+        if urge + rate.max(0.0) * self.least < -rounding {
+            return false;
+        }
         // At a limit only just reached: whether it is passed is seen a little later.
         self.draws_at_touch(way, rate)
             || rate > 0.0 && next.urge_then(self.spectrum, &self.instants[1]) > -rounding

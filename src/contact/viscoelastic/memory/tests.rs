@@ -235,6 +235,14 @@ fn a_dashpot_that_just_touches() {
     steps_do_not_matter(&recipe, &[away, back], 3).unwrap();
 }
 
+/// A contact that ends within the first thousandth of a motion: the edge jumps first and goes on from there.
+#[test]
+fn an_end_soon_in_a_long_motion() {
+    let recipe = Recipe { equilibrium: None, terms: vec![(22, 2), (28, -25)], viscosity: Some(11) };
+    let to = |start: f64, end: f64, duration: f64| Motion { start, speed: (end - start) / duration, duration };
+    steps_do_not_matter(&recipe, &[to(0.0, 0.63, 1e3), to(0.63, 0.0, 1e2), to(0.0, 0.63, 1.0)], 2).unwrap();
+}
+
 /// Exact force 1.237 375 363 128 97 (quadrature to 30 digits); 500 springs are off by −0.25002 Δx².
 #[test]
 fn a_slow_motion_before_a_fast_one() {

@@ -20,12 +20,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod search;
+
+pub use search::speed_to;
+
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
-use crate::numerics::root;
-use std::cell::Cell;
 
 /// A prescribed force that goes linearly with time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,10 +120,6 @@ const SHORTEST: f64 = 1e-18;
 const AFTER_JUMP: f64 = 1e-3;
 /// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
 const MEETING: f64 = 1e-9;
-/// A change of the depth, relative to it, that no force tells: its rounding.
-const UNSEEN: f64 = 4.0 * f64::EPSILON;
-/// No speed is looked for beyond this [m/s].
-const FASTEST: f64 = 1e290;
 /// Places on a leap at which the contact is looked at.
 const LOOKS: u32 = 64;
 /// Least force asked for without adhesion, relative to the scale.
@@ -368,113 +366,11 @@ fn draws(contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<bo
     Ok(!contact.joined() && contact.look(&ahead(contact, MEETING * speed, duration))?.force < 0.0)
 }
 
-/// The speed at which a motion of the given duration ends with the force `force` [N]; `None` if the
-/// bodies part before.
-///
-/// # Errors
-/// The contact would outgrow the profile.
-pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
-    let state = contact.state();
-    let depth = state.indentation.unwrap_or(0.0);
-    let damping = damping(contact, state.stiffness);
-    let failed = Cell::new(None);
-    // Force beyond the prescribed one, and whether the bodies still touch.
-    let mut look = |speed: f64| match contact.look(&ahead(contact, speed, duration)) {
-        Ok(seen) => (seen.force - force, seen.contact_radius > 0.0),
-        Err(error) => {
-            failed.set(Some(error));
-            (f64::MAX, true)
-        }
-    };
-    // A guess, widened until it brackets the root: the force grows with the speed.
-    let still = look(0.0).0;
-    if still.abs() <= UNSEEN * state.stiffness * depth.abs() {
-        return Ok(Some(0.0));
-    }
-    let width = (first_way(&state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
-    let Some((inner, width)) = bracket(&mut look, still, width) else { return failed.get().map_or(Ok(None), Err) };
-    let speed = root::brent(|speed| look(speed).0, inner.min(width), inner.max(width)).unwrap_or(width);
-    // At the end of a profile the search ends where the force is not met.
-    let missed = failed.get().is_some() && look(speed).0.abs() > MET * force.abs();
-    match failed.get().filter(|_| missed || speed.abs() <= 0.0) {
-        Some(error) => Err(error),
-        None => Ok(Some(speed)),
-    }
-}
-
-/// By what the force of a contact of the stiffness `stiffness` [N/m] grows with its speed at once [N s/m], nearly: of its
-/// dashpot, zero without.
-fn damping(contact: &dyn ContactModel, stiffness: f64) -> f64 {
-    contact.memory().map_or(0.0, |spectrum| match (spectrum.viscosity(), spectrum.instantaneous()) {
-        (viscosity, modulus) if viscosity > 0.0 && modulus > 0.0 => stiffness * viscosity / modulus,
-        _ => 0.0,
-    })
-}
-
 /// How much force [N/m] a way is worth: by the stiffness, and where there is none, on a dashpot alone, as a part of the
 /// force what the way is of the depth.
 fn felt(state: &Normal) -> f64 {
     let as_part = state.indentation.filter(|&depth| depth > 0.0).map_or(0.0, |depth| state.force.abs() / depth);
     state.stiffness.max(as_part)
-}
-
-/// A first guess [m] of how far a contact moves to take the force `still` [N] too much or too little: that of its
-/// stiffness, and where nothing attracts no more than a cone needs, for what is pressed grows stiffer. Bodies apart
-/// have no stiffness but the way between them.
-fn first_way(state: &Normal, still: f64) -> f64 {
-    let (depth, attracts) = (state.indentation.unwrap_or(0.0).abs(), state.stored.surface < 0.0);
-    let linear = still.abs() / state.stiffness;
-    let way = if state.stiffness <= 0.0 {
-        depth
-    } else if attracts || depth <= 0.0 {
-        linear
-    } else {
-        2.0 * linear / (1.0 + (1.0 + 2.0 * linear / depth).sqrt())
-    };
-    way.max(LEAST_WAY * depth).max(LEAST_DEPTH)
-}
-
-/// The least first guess, as a part of the depth and in metres.
-const LEAST_WAY: f64 = 1e-12;
-const LEAST_DEPTH: f64 = 1e-21;
-
-/// Part of a force by which a root may miss it.
-const MET: f64 = 1e-9;
-
-/// Two speeds between which the force is met, from zero on and widened from `width` [m/s]; `still` is what it is too
-/// great by at rest [N]. `None` if no speed meets it.
-fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64) -> Option<(f64, f64)> {
-    let mut inner = 0.0;
-    while width.abs() < FASTEST {
-        let (residual, joined) = look(width);
-        if residual > 0.0 && !joined && still > 0.0 {
-            // Parted: the pull must be found before, if anywhere.
-            return last_pull(look, inner, width).map(|pull| (inner, pull));
-        }
-        if (residual > 0.0) != (still > 0.0) {
-            return Some((inner, width));
-        }
-        (inner, width) = (width, 2.0 * width);
-    }
-    None
-}
-
-/// Speeds tried between one that keeps the bodies together and one that parts them. Where the pull is stronger than
-/// prescribed for less than this, a shorter piece shows it.
-const TRIES: u32 = 12;
-
-/// A speed between one that keeps the bodies together and one that parts them at which the pull is
-/// stronger than prescribed.
-fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: f64, mut parted: f64) -> Option<f64> {
-    for _ in 0..TRIES {
-        let middle = 0.5 * (held + parted);
-        match look(middle) {
-            (residual, true) if residual <= 0.0 => return Some(middle),
-            (_, true) => held = middle,
-            (_, false) => parted = middle,
-        }
-    }
-    None
 }
 
 /// States at the times `records` [s] of a contact under a ramp of the force; the last one ends it.
