@@ -160,52 +160,67 @@ fn an_attraction_of_finite_range_is_that_of_maugis() {
     }
 }
 
-/// Without a jump an attraction loses nothing but what a pixel is worth, and the way the history is written does not matter, however few records.
+/// An attraction that ends takes hold of a disc at once when bodies come within its range: its radius is c = 8σ₀R/(πE*), where
+/// what σ₀ lifts at its edge, 4σ₀c/(πE*), is c²/2R, and lost is (2/3)σ₀²c³/E*, the work of the stress less what is stored. After
+/// that nothing jumps and nothing is lost, and the way the history is written does not matter, however few records.
 #[test]
-fn a_smooth_way_of_bodies_that_attract_loses_nothing() {
-    let more = format!("adhesion: Maugis(work: 0.05, stress: 20e3), steps: 4, {}", on_pixels(48));
+fn a_smooth_way_of_bodies_that_attract_loses_what_their_first_touch_does() {
+    let (stress, modulus) = (20e3, 2e6 / 0.75);
+    let radius = 8.0 * stress * 5e-3 / (PI * modulus);
+    let touch = 2.0 / 3.0 * stress * stress * radius.powi(3) / modulus;
+    let lost = |outcome: &Outcome| outcome.records.iter().map(|record| record.normal.dissipated).fold(0.0, f64::max);
     let there = "Indent(to: 10e-6, over: 1), Indent(to: 4e-6, over: 1)";
-    let whole = ball(&format!("{RUBBER}, Rigid"), there, &more);
+    let more = |grid: usize| format!("adhesion: Maugis(work: 0.05, stress: 20e3), steps: 4, {}", on_pixels(grid));
+    let [whole, finer] = [48, 96].map(|grid| ball(&format!("{RUBBER}, Rigid"), there, &more(grid)));
+    let [coarse, fine] = [&whole, &finer].map(|outcome| (lost(outcome) / touch - 1.0).abs());
+    assert!(coarse < 0.15 && fine < 0.05 && fine < 0.5 * coarse, "{coarse:e} {fine:e}");
     let halves = "Indent(to: 5e-6, over: 0.5), Indent(to: 10e-6, over: 0.5), Indent(to: 4e-6, over: 1)";
     let ways = [
-        ball(&format!("{RUBBER}, Rigid"), halves, &more),
-        ball(&format!("{RUBBER}, Rigid"), "Table(\"motion.csv\")", &more),
-        ball(&format!("Rigid, {RUBBER}"), there, &more),
+        ball(&format!("{RUBBER}, Rigid"), halves, &more(48)),
+        ball(&format!("{RUBBER}, Rigid"), "Table(\"motion.csv\")", &more(48)),
+        ball(&format!("Rigid, {RUBBER}"), there, &more(48)),
     ];
     for way in &ways {
         // The rounds of contact and attraction end at 1e-5 of the stress.
         assert!(apart(way, &whole, force) < 1e-5, "{}", apart(way, &whole, force));
     }
-    let lost = |outcome: &Outcome| outcome.records.iter().map(|record| record.normal.dissipated).fold(0.0, f64::max);
-    // As they come within reach, pixels are taken in one after another: less than one of them takes to part.
-    let pixel = 0.05 * (9e-4_f64 / 48.0).powi(2);
-    assert!(lost(&whole) < pixel, "{:e} of {pixel:e}", lost(&whole));
-    assert!(ways.iter().all(|way| (lost(way) - lost(&whole)).abs() < 1e-3 * pixel));
+    assert!(ways.iter().all(|way| (lost(way) - lost(&whole)).abs() < 1e-3 * touch));
 }
 
-/// JKR, as the range shrinks with the pixels: the force at a depth comes nearer, and so does the pull-off.
+/// JKR, as the range shrinks with the pixels: the force at a depth comes nearer, and so do the pull-off and what its jumps lose,
+/// which takes no notice of how many records there are.
 #[test]
 fn jkr_is_the_limit_of_small_pixels() {
-    let history = "Indent(to: 8e-6, over: 1), Retract(speed: 1e-5)";
     let error = |grid: usize| {
-        let more = format!("adhesion: Jkr(work: 0.05), steps: 16, {}", on_pixels(grid));
-        let outcome = ball(&format!("{RUBBER}, Rigid"), history, &more);
+        let of = |steps: usize| {
+            let more = format!("adhesion: Jkr(work: 0.05), steps: {steps}, {}", on_pixels(grid));
+            ball(&format!("{RUBBER}, Rigid"), "Indent(to: 8e-6, over: 1), Retract(speed: 1e-5)", &more)
+        };
+        let (outcome, more) = (of(16), of(40));
         let deepest = outcome.records.iter().find(|record| (record.time - 1.0).abs() < 1e-12).unwrap();
-        let bed = ball(&format!("{RUBBER}, Rigid"), "Indent(to: 8e-6, over: 1)", "adhesion: Jkr(work: 0.05)");
+        let bed = ball(
+            &format!("{RUBBER}, Rigid"),
+            "Indent(to: 8e-6, over: 1), Retract(speed: 1e-5)",
+            "adhesion: Jkr(work: 0.05)",
+        );
+        let there = bed.records.iter().find(|record| (record.time - 1.0).abs() < 1e-12).unwrap();
         let pull_off = 1.5 * PI * 0.05 * 5e-3;
         let losses: Vec<f64> = outcome.records.iter().map(|record| record.normal.dissipated).collect();
         assert!(losses.windows(2).all(|pair| pair[1] >= pair[0]), "{losses:?}");
-        // Snap-off, from the unstable end of the branch.
-        assert!(losses[losses.len() - 1] > losses[16], "{losses:?}");
+        let lost = |outcome: &Outcome| outcome.records.last().unwrap().normal.dissipated;
+        assert!((lost(&more) / lost(&outcome) - 1.0).abs() < 0.02, "{:e} {:e}", lost(&more), lost(&outcome));
         assert!(outcome.records.last().unwrap().pixels.unwrap().area <= 0.0);
         [
-            (force(deepest) / force(bed.records.last().unwrap()) - 1.0).abs(),
+            (force(deepest) / force(there) - 1.0).abs(),
             (-outcome.number("pull_off_force_n").unwrap() / pull_off - 1.0).abs(),
+            1.0 - lost(&outcome) / lost(&bed),
         ]
     };
     let (coarse, fine) = (error(32), error(96));
-    assert!(fine[0] < 0.5 * coarse[0] && fine[0] < 0.01, "{coarse:?} {fine:?}");
-    assert!(fine[1] < 0.06, "{coarse:?} {fine:?}");
+    // On few pixels the force is right by chance: one in a hundred of it is a pixel.
+    assert!(coarse[0] < 0.003 && fine[0] < 0.002, "{coarse:?} {fine:?}");
+    assert!(fine[1] < 0.03, "{coarse:?} {fine:?}");
+    assert!(fine[2] < 0.6 * coarse[2], "{coarse:?} {fine:?}");
 }
 
 /// An accuracy of a thousandth asks for less, not for no answer: gap and attraction find each other as they do by default,

@@ -4,7 +4,7 @@ use crate::halfspace::Solution;
 use ndarray::{Array2, Zip};
 
 /// What is left of bodies that yield under the hardness, as if each pixel were pushed in by itself.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Dent {
     /// Largest pressure \[Pa\].
     pub(super) hardness: f64,

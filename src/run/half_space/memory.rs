@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// by itself (Lee & Radok 1960, for a constant Poisson's ratio). With E*(t) = E∞ + ΣEᵢ e^(−t/τᵢ) that is
 /// p = E∞P + Σqᵢ + ηṖ with Maxwell's q̇ᵢ = EᵢṖ − qᵢ/τᵢ. In a step P is straight, and everything else is exact: a depth
 /// that is held relaxes without error however long the step.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Memory {
     relaxation: Arc<Relaxation>,
     /// P on each pixel.

@@ -35,6 +35,7 @@ mod steady;
 mod told;
 mod way;
 mod window;
+mod within;
 
 pub use heights::{Heights, ellipsoid, material};
 pub use state::radius_of;
@@ -78,7 +79,8 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
     let pressing = Pressing::of(plan, &heights, response.as_ref());
     let pressing = Pressing { tangential: rubbing::tangential_modulus(plan, &pressing), ..pressing };
     let rehearsed = Rehearsed::of(plan, &pressing);
-    let mut series = Series::new(plan, pressing, Depth::Whole, rehearsed.as_ref().map_or(1, |coarse| coarse.steps));
+    let depth = Depth::Whole { told: wanted.instants, energy: rehearsed.as_ref().map_or(0.0, Rehearsed::energy) };
+    let mut series = Series::new(plan, pressing, depth, rehearsed.as_ref().map_or(1, |coarse| coarse.steps));
     let records = series.follow(done)?;
     let glides = steady::steady(plan, &pressing, &records)?;
     let map = if wanted.fields { map(&pressing, &series, &glides)? } else { None };

@@ -1,6 +1,6 @@
 //! Pixels under way: what they remember, what pulls them, and what presses them next.
 
-use super::attraction::{Attraction, half_differences};
+use super::attraction::Attraction;
 use super::coupled::Coupled;
 use super::dent::Dent;
 use super::memory::{Memory, Step};
@@ -18,8 +18,6 @@ const ROUNDS: usize = 2000;
 /// Residual to which a contact is solved that an attraction changes again, whatever accuracy is asked for: less would be
 /// worked off in the next round, and more keeps gap and attraction from finding each other.
 const LOOSE: f64 = 1e-7;
-/// Rounds after which the slopes of the gap are taken as they are: pixels that touch and part in turns change them.
-const FLEXIBLE: usize = 40;
 /// Change of the attraction, as part of its stress, at which they have.
 const SETTLED: f64 = 1e-5;
 
@@ -36,6 +34,15 @@ pub(super) struct Pixels<'p> {
     /// Shear that is found together with the pressures.
     coupled: Option<Coupled<'p>>,
     /// Contact pressures of the last state.
+    last: Option<Array2<f64>>,
+}
+
+/// What a state leaves to the next.
+#[derive(Clone)]
+pub(super) struct Past {
+    memory: Option<Memory>,
+    pull: Option<Array2<f64>>,
+    dent: Option<Dent>,
     last: Option<Array2<f64>>,
 }
 
@@ -64,6 +71,24 @@ impl<'p> Pixels<'p> {
 
     pub(super) fn attraction(&self) -> Option<Attraction> {
         self.attraction
+    }
+
+    /// What the last state leaves to the next.
+    pub(super) fn past(&self) -> Past {
+        let Self { memory, pull, dent, last, .. } = self;
+        Past { memory: memory.clone(), pull: pull.clone(), dent: dent.clone(), last: last.clone() }
+    }
+
+    /// Whether the end of a step is the same on whatever steps it is come to, as long as they lead one way: a contact that
+    /// approaches or is withdrawn stays on its branch as far as that goes.
+    pub(super) fn keeps_its_branch(&self) -> bool {
+        self.memory.is_none() && self.dent.is_none()
+    }
+
+    /// Goes back to a state.
+    pub(super) fn go_back(&mut self, past: Past) {
+        let Past { memory, pull, dent, last } = past;
+        (self.memory, self.pull, self.dent, self.last) = (memory, pull, dent, last);
     }
 
     /// Bytes of what is kept from state to state.
@@ -132,8 +157,8 @@ impl<'p> Pixels<'p> {
         step: Option<&Step>,
         response: &SurfaceResponse,
     ) -> Result<Option<Solution>, HalfSpaceError> {
-        let (mut mixed, mut half) = (Mixed::default(), None);
-        for round in 0..ROUNDS {
+        let mut mixed = Mixed::default();
+        for _ in 0..ROUNDS {
             let (heights, beside) = self.lifted(step, response);
             let Some(control) = self.control(prescribed) else { return Ok(None) };
             let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
@@ -146,11 +171,7 @@ impl<'p> Pixels<'p> {
             contact.displacement += &beside;
             let Some(attraction) = self.attraction else { return Ok(Some(contact)) };
             let gap = self.gap(&contact);
-            let half = match &mut half {
-                Some(half) if round > FLEXIBLE => half,
-                last => last.insert(half_differences(&gap, boundary)),
-            };
-            let pull = attraction.pull(&gap, half);
+            let pull = attraction.pull(&gap, boundary);
             let before = self.pull.take().unwrap_or_else(|| Array2::zeros(pull.dim()));
             let change = most_apart(&before, &pull) / attraction.stress;
             self.last = Some(contact.pressure.clone());
@@ -226,9 +247,8 @@ impl<'p> Pixels<'p> {
             Some(memory) => area * memory.stored(displacement),
             None => self.pressing.elastic(pressure, displacement),
         };
-        let surface = self.attraction.map_or(0.0, |attraction| {
-            area * attraction.energy(&pressed.gap, &half_differences(&pressed.gap, self.pressing.boundary))
-        });
+        let surface =
+            self.attraction.map_or(0.0, |attraction| area * attraction.energy(&pressed.gap, self.pressing.boundary));
         pressed.stored = Energy { elastic, surface };
         pressed.dissipated = self.dissipated();
     }

@@ -3,6 +3,7 @@
 use super::heights::Heights;
 use super::series::{Depth, Series};
 use super::state::{Pressing, response};
+use crate::contact::state::Normal;
 use crate::run::SimulationError;
 use crate::run::record::{ErrorEstimate, Record};
 use crate::scene::law::PixelFriction;
@@ -69,6 +70,12 @@ impl Rehearsed {
             }
         }
         self
+    }
+
+    /// The largest energy \[J\] of its records.
+    pub(super) fn energy(&self) -> f64 {
+        let of = |normal: &Normal| normal.stored.stored().abs().max(normal.dissipated);
+        self.records.iter().flatten().map(|record| of(&record.normal)).fold(0.0, f64::max)
     }
 
     /// The error of the records on all of the pixels.

@@ -1,7 +1,9 @@
 //! A history on pixels: states one after the other, each starting from the pressure of the last.
 
+mod jumps;
+
 use super::distribution::Distribution;
-use super::ledger::{Entry, Ledger};
+use super::ledger::Ledger;
 use super::pixels::Pixels;
 use super::pressed::Pressed;
 use super::rubbing::{Rubbed, Rubbing, Sheared, Stroke};
@@ -17,10 +19,15 @@ use ndarray::Array2;
 use std::collections::HashMap;
 
 /// How much of each state is looked at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Depth {
-    /// All of it.
-    Whole,
+    /// All of it, with the jumps between records.
+    Whole {
+        /// Whether they are records too.
+        told: bool,
+        /// An energy \[J\] beside which what they lose is counted.
+        energy: f64,
+    },
     /// Where the contact is, and no more.
     Outline,
 }
@@ -36,6 +43,8 @@ pub(super) struct Series<'p> {
     known: HashMap<(bool, u64), State>,
     pixels: Pixels<'p>,
     ledger: Ledger,
+    /// Entry, time [s] and state on both sides of jumps since the last record.
+    jumps: Vec<(usize, f64, State)>,
     rubbing: Option<Rubbing<'p>>,
     /// Where the body has slid [m].
     slide: f64,
@@ -61,12 +70,14 @@ const EIGHTH: f64 = 8.0;
 /// Most records of a pull, in records of its entry.
 const PULLED: usize = 100;
 
-/// What is prescribed at the end of a step: where, and how long it takes [s].
+/// A step: what is prescribed where it begins and ends, how long it takes, and when it ends [s].
 #[derive(Debug, Clone, Copy)]
 struct Goal {
     control: Control,
+    from: f64,
     value: f64,
     over: f64,
+    time: f64,
     /// Slide [m].
     slide: f64,
     entry: usize,
@@ -75,7 +86,11 @@ struct Goal {
 impl<'p> Series<'p> {
     pub(super) fn new(plan: &'p HalfSpacePlan, pressing: Pressing<'p>, depth: Depth, steps: u32) -> Self {
         let (known, states, distributions) = (HashMap::new(), Vec::new(), Vec::new());
-        let (pixels, ledger) = (Pixels::new(plan, pressing), Ledger::default());
+        let (pixels, jumps) = (Pixels::new(plan, pressing), Vec::new());
+        let ledger = match depth {
+            Depth::Whole { energy, .. } => Ledger::beside(energy),
+            Depth::Outline => Ledger::default(),
+        };
         let (rubbing, slide, sheared) = (Rubbing::of(plan, pressing), 0.0, None);
         Self {
             plan,
@@ -85,6 +100,7 @@ impl<'p> Series<'p> {
             known,
             pixels,
             ledger,
+            jumps,
             rubbing,
             slide,
             sheared,
@@ -134,7 +150,7 @@ impl<'p> Series<'p> {
             }
             let (mut reached, from) = (0.0, self.slide);
             for part in stage.parts() {
-                let state = self.stretch((stage, control), (&way, from), [reached, part])?;
+                let state = self.stretch((stage, control, time), (&way, from), [reached, part])?;
                 asked = (control == Control::Force && state.parted).then(|| way.at(part));
                 reached = part;
                 self.push(&mut records, (stage.entry, time + part * way.over), state);
@@ -148,27 +164,31 @@ impl<'p> Series<'p> {
 
     /// The state at the end of a part of a stage, come to in equal steps from where the last part ended.
     ///
-    /// `from` is the slide \[m\] the stage began with, `part` the shares of it between which the way leads.
+    /// `began` is the time \[s\] and `from` the slide \[m\] the stage began with, `part` the shares of it between which the
+    /// way leads.
     fn stretch(
         &mut self,
-        (stage, control): (&Stage, Control),
+        (stage, control, began): (&Stage, Control, f64),
         (way, from): (&Way, f64),
         part: [f64; 2],
     ) -> Result<State, SimulationError> {
         let over = (part[1] - part[0]) * way.over;
         let slide = |part: f64| stage.tangential.at(from, part, way.over);
         let steps = f64::from(self.steps);
-        let goal = |part: f64| Goal {
+        let after = |step: u32| part[0] + (part[1] - part[0]) * f64::from(step) / steps;
+        let goal = |[start, end]: [f64; 2]| Goal {
             control,
-            value: way.at(part),
+            from: way.at(start),
+            value: way.at(end),
             over: over / steps,
-            slide: slide(part),
+            time: began + end * way.over,
+            slide: slide(end),
             entry: stage.entry,
         };
         for step in 1..self.steps {
-            self.pass(goal(part[0] + (part[1] - part[0]) * f64::from(step) / steps))?;
+            self.led(goal([step - 1, step].map(after)))?;
         }
-        let state = self.at(goal(part[1]))?;
+        let state = self.at(goal([after(self.steps - 1), part[1]]))?;
         let stroke =
             Stroke { control, values: part.map(|part| way.at(part)), slide: [self.slide, slide(part[1])], over };
         self.rub(stage.entry, state, stroke)
@@ -180,10 +200,14 @@ impl<'p> Series<'p> {
         let Some(attraction) = self.pixels.attraction() else {
             return self.leaking(0, state, || self.pressing.open(0.0));
         };
+        let depth = |step: u32| -attraction.reach() * f64::from(APPROACH - step) / f64::from(APPROACH);
+        let (control, over, time, slide, entry) = (Control::Indentation, 0.0, 0.0, 0.0, 0);
         for step in 0..=APPROACH {
-            let value = -attraction.reach() * f64::from(APPROACH - step) / f64::from(APPROACH);
-            state = self.at(Goal { control: Control::Indentation, value, over: 0.0, slide: 0.0, entry: 0 })?;
+            let (from, value) = (depth(step.saturating_sub(1)), depth(step));
+            state = self.at(Goal { control, from, value, over, time, slide, entry })?;
         }
+        // What led here is no part of the history.
+        self.jumps.clear();
         Ok(state)
     }
 
@@ -201,7 +225,8 @@ impl<'p> Series<'p> {
             let way = step * number as f64;
             time = start + way / speed;
             let (control, slide) = (Control::Indentation, self.slide);
-            let goal = Goal { control, value: from - way, over: step / speed, slide, entry: stage.entry };
+            let (before, value) = (from - step * (number - 1) as f64, from - way);
+            let goal = Goal { control, from: before, value, over: step / speed, time, slide, entry: stage.entry };
             let state = self.at(goal)?;
             self.push(records, (stage.entry, time), state);
             // What only fades has no end: out of the reach from which bodies come, nothing is left to tell.
@@ -220,13 +245,21 @@ impl<'p> Series<'p> {
         self.slide = stroke.slide[1];
         state.tangential = Some(tangential);
         let force = tangential.force.abs();
-        if self.depth == Depth::Whole && force > self.sheared.as_ref().map_or(0.0, |sheared| sheared.0) {
+        if self.depth != Depth::Outline && force > self.sheared.as_ref().map_or(0.0, |sheared| sheared.0) {
             self.sheared = rubbing.sheared().map(|sheared| (force, sheared)).or(self.sheared.take());
         }
         Ok(state)
     }
 
-    fn push(&mut self, records: &mut Vec<Record>, (entry, time): (usize, f64), mut state: State) {
+    /// A record, after those of the jumps on the way.
+    fn push(&mut self, records: &mut Vec<Record>, (entry, time): (usize, f64), state: State) {
+        for (entry, time, state) in std::mem::take(&mut self.jumps) {
+            self.record(records, (entry, time), state);
+        }
+        self.record(records, (entry, time), state);
+    }
+
+    fn record(&mut self, records: &mut Vec<Record>, (entry, time): (usize, f64), mut state: State) {
         if self.plan.surface().is_none() {
             // How wide the gap about a tip is in the mean is a matter of the window.
             (state.pixels.mean_gap, state.pixels.gap_percolates) = (None, true);
@@ -247,19 +280,6 @@ impl<'p> Series<'p> {
             records.push(record);
         }
         self.states.push(state);
-    }
-
-    fn prescribed(&self, goal: Goal) -> Prescribed {
-        match goal.control {
-            Control::Indentation => Prescribed::Indentation(self.pressing.touch + goal.value),
-            Control::Force => Prescribed::Force(goal.value),
-        }
-    }
-
-    /// A step between two records.
-    fn pass(&mut self, goal: Goal) -> Result<(), SimulationError> {
-        let advanced = self.pixels.advance(self.prescribed(goal), (goal.over, goal.slide));
-        advanced.map(drop).map_err(|error| self.refused(goal.entry, &error))
     }
 
     /// The state at a depth [m] from first touch or under a force [N].
@@ -283,49 +303,38 @@ impl<'p> Series<'p> {
                 }
             }
         };
-        // The last digits are those prescribed.
-        match control {
-            Control::Indentation => state.normal.indentation = Some(value),
-            Control::Force if state.parted => {}
-            Control::Force => state.normal.force = value,
-        }
+        goal.round(&mut state);
         Ok(state)
     }
 
     fn solved(&mut self, goal: Goal) -> Result<State, SimulationError> {
-        let prescribed = self.prescribed(goal);
-        let advanced = self
-            .pixels
-            .advance(prescribed, (goal.over, goal.slide))
-            .map_err(|error| self.refused(goal.entry, &error))?;
-        let Some(pressed) = advanced else {
-            return Ok(self.torn_off());
-        };
-        let partial = self.rubbing.as_ref().is_some_and(Rubbing::is_partial);
-        let stiffness = if self.depth == Depth::Whole || partial {
-            self.pressing.stiffness(&pressed.contact).map_err(|error| self.refused(goal.entry, &error))?
-        } else {
-            0.0
-        };
+        let Some(pressed) = self.led(goal)? else { return Ok(self.torn_off()) };
         self.rubbing.iter_mut().for_each(|rubbing| rubbing.press(Some(&pressed)));
-        let mut state = self.pressing.told(&pressed, stiffness);
-        if self.pixels.attraction().is_some() {
-            let normal = &mut state.normal;
-            let accounted = normal.stored.stored() + normal.dissipated;
-            let entry = normal.indentation.map(|depth| Entry { force: normal.force, depth, accounted });
-            normal.dissipated += self.ledger.lost(entry);
-        }
-        if self.plan.profile().is_some() && self.plan.surface().is_none() {
-            state.normal.contact_radius = self.radius(&pressed, &state);
-        }
-        state = self.leaking(goal.entry, state, || pressed.gap.clone())?;
-        if self.depth == Depth::Whole {
-            self.distributions.push(Distribution::of(&pressed, state.normal.force));
-        }
+        let state = self.told(goal.entry, &pressed, self.ledger.lost())?;
         let attracts = self.pixels.attraction().is_some();
         let size = |pressed: &Pressed| if attracts { pressed.contact.contact_area() } else { pressed.force() };
         if self.largest.as_ref().is_none_or(|kept| size(&pressed) > size(&kept.1)) {
-            self.largest = Some((prescribed, pressed));
+            self.largest = Some((self.prescribed(goal), pressed));
+        }
+        Ok(state)
+    }
+
+    /// What is told of a contact, after jumps that have lost `lost` \[J\].
+    fn told(&mut self, entry: usize, pressed: &Pressed, lost: f64) -> Result<State, SimulationError> {
+        let partial = self.rubbing.as_ref().is_some_and(Rubbing::is_partial);
+        let stiffness = if self.depth != Depth::Outline || partial {
+            self.pressing.stiffness(&pressed.contact).map_err(|error| self.refused(entry, &error))?
+        } else {
+            0.0
+        };
+        let mut state = self.pressing.told(pressed, stiffness);
+        state.normal.dissipated += lost;
+        if self.plan.profile().is_some() && self.plan.surface().is_none() {
+            state.normal.contact_radius = self.radius(pressed, &state);
+        }
+        state = self.leaking(entry, state, || pressed.gap.clone())?;
+        if self.depth != Depth::Outline {
+            self.distributions.push(Distribution::of(pressed, state.normal.force));
         }
         Ok(state)
     }
@@ -337,7 +346,7 @@ impl<'p> Series<'p> {
         mut state: State,
         gap: impl FnOnce() -> Array2<f64>,
     ) -> Result<State, SimulationError> {
-        if let (Some(fluid), Depth::Whole) = (self.plan.leak, self.depth) {
+        if let (Some(fluid), Depth::Whole { .. }) = (self.plan.leak, self.depth) {
             let through = self.pressing.leaks(&gap(), fluid).map_err(|error| self.refused(entry, &error))?;
             state.pixels.leak = through.map(|[fine, _]| fine);
             state.leak_apart =
@@ -357,7 +366,7 @@ impl<'p> Series<'p> {
         let mut state = self.pressing.apart(0.0);
         state.normal.indentation = None;
         state.pixels.mean_gap = None;
-        state.normal.dissipated = self.pixels.dissipated() + self.ledger.lost(None);
+        state.normal.dissipated = self.pixels.dissipated() + self.ledger.lost();
         state
     }
 
