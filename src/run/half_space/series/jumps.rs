@@ -14,7 +14,7 @@ const MOST_HALVINGS: u32 = 12;
 const LEAST_HALVINGS: u32 = 3;
 /// Part of the accuracy asked for that a jump may leave open of the energies, and the least that pixels tell.
 const LEFT_OPEN: f64 = 0.1;
-const LEAST_OPEN: f64 = 5e-4;
+const LEAST_OPEN: f64 = 2e-4;
 /// Part of what the trapezoid misses over a step below which what it misses over half of it is smooth.
 const SMOOTH: f64 = 0.25;
 
