@@ -17,6 +17,8 @@ const LEFT_OPEN: f64 = 0.1;
 const LEAST_OPEN: f64 = 2e-4;
 /// Part of what the trapezoid misses over a step below which what it misses over half of it is smooth.
 const SMOOTH: f64 = 0.25;
+/// Multiple of what a jump may leave open that a step may which is taken for smooth.
+const SHORT: f64 = 8.0;
 
 /// A step, or a part of it.
 #[derive(Clone, Copy)]
@@ -80,8 +82,9 @@ impl Series<'_> {
         let Some(before) = before else { return Ok(pressed) };
         let lost = before.1.lost();
         let limit = (LEFT_OPEN * self.plan.accuracy()).max(LEAST_OPEN);
-        // Over half of a smooth step the trapezoid misses an eighth.
-        let is_smooth = missing <= open && missing.abs() < SMOOTH * part.missed;
+        // Over half of a smooth step the trapezoid misses an eighth; beside a long one a small jump would not be seen.
+        let is_short = !self.ledger.counts(open, SHORT * limit);
+        let is_smooth = is_short && missing <= open && missing.abs() < SMOOTH * part.missed;
         // Slopes before and in a step may agree by chance.
         let is_seen_once = missing > open && part.halvings < LEAST_HALVINGS && self.ledger.counts(missing, limit);
         let is_open = is_seen_once || self.ledger.counts(open, limit) && !is_smooth;
