@@ -65,6 +65,8 @@ pub struct Judged {
     pub shift: Vec<f64>,
     /// −2 ln L, up to a constant of the columns.
     pub likelihood: f64,
+    /// ln(|R||XᵀR⁻¹X|), up to a constant of the columns.
+    pub volume: f64,
 }
 
 /// The largest correlation looked for.
@@ -115,7 +117,8 @@ impl Moments {
         let squares = (whole[(p, p)] - taken).max(0.0);
         let determinant = cholesky.as_ref().map_or(0.0, |root| root.l().diagonal().iter().map(|x| 2.0 * x.ln()).sum());
         let variance = squares * self.scales[p].powi(2) / freedom;
-        let likelihood = freedom * squares.max(f64::MIN_POSITIVE).ln() + determinant + self.of_noise(rho);
+        let volume = determinant + self.of_noise(rho);
+        let likelihood = freedom * squares.max(f64::MIN_POSITIVE).ln() + volume;
         let unscaled = |at: usize, x: f64| x * self.scales[p] / self.scales[at];
         let shift = cholesky.as_ref().map_or_else(Vec::new, |root| {
             root.solve(&tail).iter().enumerate().map(|(at, &x)| unscaled(at, x)).collect()
@@ -124,7 +127,7 @@ impl Moments {
             let scale = DMatrix::from_diagonal(&DVector::from_iterator(p, self.scales[..p].iter().map(|s| 1.0 / s)));
             &scale * root.inverse() * &scale
         });
-        Judged { correlation: rho, variance, inverse, normal: correlated(&normal), shift, likelihood }
+        Judged { correlation: rho, variance, inverse, normal: correlated(&normal), shift, likelihood, volume }
     }
 
     /// The most likely correlation, zero unless it is more than two standard errors from it.

@@ -28,7 +28,8 @@ fn with_forces(data: &Curve, mut of: impl FnMut(f64, f64) -> f64) -> Curve {
     data.answering(Drive::Depth, depth.iter().zip(force).map(|(&depth, &force)| of(depth, force)).collect())
 }
 
-/// Normal noise whose neighbours have the correlation ρ, by Box & Muller from a linear congruential generator.
+/// Normal noise whose neighbours have the correlation ρ, by Box & Muller from SplitMix64 (Steele, Lea & Flood 2014): of a linear
+/// congruential generator the draws of one seed after the other were alike enough to show a bias that was none.
 pub struct Noise {
     seed: u64,
     rho: f64,
@@ -37,7 +38,7 @@ pub struct Noise {
 
 impl Noise {
     pub fn new(seed: u64, rho: f64) -> Self {
-        let mut noise = Self { seed: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15), rho, last: 0.0 };
+        let mut noise = Self { seed: seed.wrapping_mul(0xD134_2543_DE82_EF95), rho, last: 0.0 };
         // What it starts from is forgotten: ten lengths of the longest correlation tried.
         (0..1000).for_each(|_| {
             noise.next();
@@ -46,8 +47,12 @@ impl Noise {
     }
 
     fn even(&mut self) -> f64 {
-        self.seed = self.seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.seed >> 11) as f64 + 0.5) / (1u64 << 53) as f64
+        self.seed = self.seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.seed;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^= z >> 31;
+        ((z >> 11) as f64 + 0.5) / (1u64 << 53) as f64
     }
 
     /// Of deviation one.
