@@ -77,6 +77,16 @@ pub enum BedError {
         "wear at this rate cannot be followed, for its numbers are too large: expected a smaller coefficient or a shorter way"
     )]
     Endless,
+    /// All of a line yields under less than a force.
+    #[error(
+        "{force:e} N are more than the {most:e} N that the hardness bears on all of the line: expected less force, or a larger hardness"
+    )]
+    Yields {
+        /// Normal force [N].
+        force: f64,
+        /// Largest force [N].
+        most: f64,
+    },
     /// The contact would become larger than the profile under a force.
     #[error("the contact outgrows the profile under the force {force:e} N")]
     Overloaded {

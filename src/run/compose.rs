@@ -12,7 +12,7 @@ use crate::contact::gliding::GlidingBed;
 use crate::contact::mapped::MappedContact;
 use crate::contact::model::ContactModel;
 use crate::contact::plastic::PlasticContact;
-use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact, gliding_line};
+use crate::contact::rough::{AdhesiveRough, RelaxingRough, RoughContact, YieldingRough, gliding_line};
 use crate::contact::springs::{SpringBed, reach_for};
 use crate::contact::viscoelastic::Spectrum;
 use crate::friction::contact::{
@@ -102,6 +102,8 @@ pub enum RoughNormal {
     Adhesive(AdhesiveRough),
     /// Of bodies that relax.
     Relaxing(Box<RelaxingRough>),
+    /// Of bodies that yield.
+    Yielding(Box<YieldingRough>),
 }
 
 /// The normal contact of a rough plan with the surface of a seed, bodies just touching.
@@ -110,13 +112,17 @@ pub enum RoughNormal {
 /// The surface cannot be made.
 pub fn rough_normal(plan: &RoughPlan, seed: u64) -> Result<RoughNormal, RoughError> {
     let (line, points, base) = (RoughLine::new(&plan.surface.rings, seed), plan.surface.points, plan.base.as_deref());
-    Ok(match (&plan.relaxation, plan.works) {
-        (Some(relaxation), _) => {
+    let modulus = plan.pair.normal;
+    Ok(match (&plan.relaxation, plan.works, plan.hardness) {
+        (Some(relaxation), _, _) => {
             let spectrum = Arc::new(Spectrum::new(relaxation));
             RoughNormal::Relaxing(Box::new(RelaxingRough::new(&line, points, spectrum, base)?))
         }
-        (None, Some(works)) => RoughNormal::Adhesive(AdhesiveRough::new(&line, points, plan.pair.normal, base, works)?),
-        (None, None) => RoughNormal::Elastic(RoughContact::new(&line, points, plan.pair.normal, base)?),
+        (None, Some(works), _) => RoughNormal::Adhesive(AdhesiveRough::new(&line, points, modulus, base, works)?),
+        (None, None, Some(hardness)) => {
+            RoughNormal::Yielding(Box::new(YieldingRough::new(&line, points, (modulus, hardness), base)?))
+        }
+        (None, None, None) => RoughNormal::Elastic(RoughContact::new(&line, points, modulus, base)?),
     })
 }
 
@@ -133,6 +139,7 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
             RoughNormal::Elastic(normal) => Box::new(normal),
             RoughNormal::Adhesive(normal) => Box::new(normal),
             RoughNormal::Relaxing(normal) => normal,
+            RoughNormal::Yielding(normal) => normal,
         });
     };
     let grip = plan.grip(coefficient);
@@ -148,8 +155,9 @@ pub fn rough(plan: &RoughPlan, seed: u64) -> Result<Box<dyn ContactModel>, Rough
             let friction = ViscoelasticFriction::new(bed, grip.tangential_modulus);
             Box::new(FrictionalContact::new(normal, Box::new(friction)))
         }
-        // Friction of patches that adhere is refused.
+        // Friction of patches that adhere or yield is refused.
         RoughNormal::Adhesive(normal) => Box::new(normal),
+        RoughNormal::Yielding(normal) => normal,
     })
 }
 

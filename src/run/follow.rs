@@ -76,6 +76,11 @@ pub(super) fn follow(plan: &Shared, contact: Box<dyn ContactModel>, wanted: Want
 }
 
 impl Run {
+    /// Depth [m] at which a retraction from where it is would part the bodies, where that depends on the present alone.
+    pub(super) fn parts_at(&self) -> Option<f64> {
+        self.contact.last_depth()?.ok()
+    }
+
     fn new(contact: Box<dyn ContactModel>, accuracy: f64, wanted: Wanted) -> Self {
         let mut run = Self {
             driver: Driver::new(contact.as_ref(), accuracy),

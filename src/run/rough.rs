@@ -23,6 +23,7 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
     let members = members(surface, done, |seed| member(plan, seed))?;
     let glides: Vec<Vec<SteadyState>> = members[..count].iter().map(|member| member.glides.clone()).collect();
     let glides = gliding::mean(&glides);
+    let dents = plan.hardness.and_then(|_| members[..count].iter().map(|member| member.parts_at).collect());
     let (all, pulls): (Vec<_>, Vec<_>) = members.into_iter().map(|member| (member.records, member.pulls)).unzip();
     let members = &all[..count];
     let ensemble = Ensemble::of(members);
@@ -31,6 +32,7 @@ pub(super) fn run(plan: &RoughPlan, done: &(dyn Fn(f64) + Sync)) -> Result<Outco
     if plan.works.is_some() {
         results.extend(pulled(&pulls[..count], records.last()));
     }
+    results.extend(dented(dents));
     results.extend(gliding::results(plan.travel.as_ref(), &records, &glides));
     results.extend(gliding::results_of_rough(plan.travel.as_ref(), &gliding::rubbing(plan, &glides)));
     Ok(Outcome {
@@ -72,14 +74,17 @@ pub(super) fn without_surface(seed: u64, error: &RoughError) -> SimulationError 
 pub(super) fn remarks(plan: &RoughPlan) -> Vec<String> {
     let adheres =
         "adhesion holds the patches of the line as it holds round contacts (Heß): nothing exact stands beside it";
-    let adheres = plan.works.map(|_| adheres.to_owned());
-    [format!("{VALIDITY}; indentation counts from first touch")].into_iter().chain(adheres).collect()
+    let yields = "each patch of the line bears the hardness on the circle it is wide: nothing exact stands beside it";
+    let rules = [plan.works.map(|_| adheres), plan.hardness.map(|_| yields)].into_iter().flatten().map(str::to_owned);
+    [format!("{VALIDITY}; indentation counts from first touch")].into_iter().chain(rules).collect()
 }
 
 /// What is known of one surface.
 struct Member {
     records: Vec<Record>,
     pulls: Pulls,
+    /// Depth at which the bodies would part [m].
+    parts_at: Option<f64>,
     /// Steady states, of a surface of the scene itself.
     glides: Vec<SteadyState>,
 }
@@ -106,13 +111,22 @@ impl Pulls {
 fn member(plan: &RoughPlan, seed: u64) -> Result<Member, SimulationError> {
     let contact = compose::rough(plan, seed).map_err(|error| without_surface(seed, &error))?;
     let run = follow(plan, contact, Wanted { instants: false, ..Wanted::NOTHING })?;
-    let pulls = Pulls::of(run.jumps());
+    let (pulls, parts_at) = (Pulls::of(run.jumps()), run.parts_at());
     let glides = if plan.surface.seeds.contains(&seed) {
         gliding::steady_line(plan, &RoughLine::new(&plan.surface.rings, seed), &run.records)?
     } else {
         Vec::new()
     };
-    Ok(Member { records: run.records, pulls, glides })
+    Ok(Member { records: run.records, pulls, parts_at, glides })
+}
+
+/// The depth at which bodies that have yielded part, the mean over the members, and how much it scatters.
+fn dented(depths: Option<Vec<f64>>) -> Vec<Named> {
+    let Some(depths) = depths else { return Vec::new() };
+    let Some(scatter) = Scatter::of(&depths) else { return Vec::new() };
+    let deviation = (depths.len() > 1).then_some(("residual_depth_deviation", scatter.deviation));
+    let named = |(name, depth): (&'static str, f64)| Named::number(name, Unit::METRE, depth);
+    [("residual_depth", scatter.mean)].into_iter().chain(deviation).map(named).collect()
 }
 
 /// The results of adhesion: forces are means over the members, if all have one.

@@ -124,10 +124,11 @@ impl RoughPlan {
     #[must_use]
     pub fn parts(&self) -> Parts {
         let springs = self.surface.points;
-        let name = match (&self.relaxation, self.works) {
-            (Some(_), _) => "rough viscoelastic bed",
-            (None, Some(_)) => "rough adhesive bed",
-            (None, None) => "rough bed",
+        let name = match (&self.relaxation, self.works, self.hardness) {
+            (Some(_), _, _) => "rough viscoelastic bed",
+            (None, Some(_), _) => "rough adhesive bed",
+            (None, None, Some(_)) => "rough yielding bed",
+            (None, None, None) => "rough bed",
         };
         let (name, past, order) = if self.moves_along() {
             ("gliding bed of a rough line", ", each with a past of its own, exact in time", "springs in their places")
@@ -145,6 +146,7 @@ impl RoughPlan {
         for (part, there) in [
             ("relaxation", self.relaxation.is_some()),
             ("adhesive patches", self.works.is_some()),
+            ("hardness", self.hardness.is_some()),
             ("Coulomb springs", self.coefficient.is_some()),
             (Component::Gliding.name(), self.travel.is_some()),
         ] {
@@ -259,16 +261,20 @@ impl RoughImpactPlan {
     #[must_use]
     pub fn parts(&self) -> Parts {
         let parts = self.rough.parts();
-        let (solver, driven) = match (&self.rough.relaxation, self.rough.works) {
-            (Some(_), _) => (
+        let (solver, driven) = match (&self.rough.relaxation, self.rough.works, self.rough.hardness) {
+            (Some(_), _, _) => (
                 "mass on the rough viscoelastic bed",
                 "the springs remember: m d̈ = −F in straight steps of the depth, halved until they agree",
             ),
-            (None, Some(_)) => (
+            (None, None, Some(_)) => (
+                "mass on the rough yielding bed",
+                "the springs give way: m d̈ = −F in straight steps of the depth, halved until they agree",
+            ),
+            (None, Some(_), _) => (
                 "harmonic motions on the rough adhesive bed",
                 "between two springs that close or open the mass swings freely: speeds from the energy, times in closed form, no step is taken",
             ),
-            (None, None) => (
+            (None, None, None) => (
                 "harmonic motions on the rough bed",
                 "between the touch of two springs the mass swings freely: speeds from the energy, times in closed form, no step is taken",
             ),

@@ -289,7 +289,8 @@ fn rough_bodies_strike() {
     assert!((0..=50).all(|k| (force[k] - force[50 - k]).abs() < 1e-9 * most && depth[k] < deepest * (1.0 + 1e-12)));
 
     let rubber = "Viscoelastic(poisson: 0.5, shear: (equilibrium: \"0.5 MPa\", terms: [(modulus: \"0.5 MPa\", time: \"1 ms\")]))";
-    for (bodies, adhesion) in [(rubber, ""), (elastic, "adhesion: Jkr(work: 0.01, closing: 0.005),")] {
+    let wax = "Plastic(young: \"3 MPa\", poisson: 0.5, hardness: \"20 kPa\")";
+    for (bodies, adhesion) in [(rubber, ""), (elastic, "adhesion: Jkr(work: 0.01, closing: 0.005),"), (wax, "")] {
         let (folder, said) = of(", seeds: 4", bodies, adhesion, "[\"0.1 m/s\", \"0.3 m/s\"]");
         assert!(said.contains("members"), "{said}");
         let impacts = table(folder.path(), ".impacts.csv");
@@ -302,6 +303,40 @@ fn rough_bodies_strike() {
     for name in ["restitution", "restitution_deviation", "contact_time_deviation_s", "sticking_members", "rms_slope"] {
         assert!(json.contains(&format!("\"{name}\"")), "{name}: {json}");
     }
+}
+
+/// A rough surface that yields: below the largest force all is elastic, over the dents; the same in rows of a table of the
+/// motion; what is lost is the area of the loop; friction and adhesion are refused with both names.
+#[test]
+fn a_rough_metal_keeps_its_dents() {
+    let scene = |history: &str, more: &str| {
+        format!(
+            "(shape: RoughLine({SPECTRUM} length: \"100 um\", points: 4096, seeds: 3),
+            bodies: (Plastic(young: \"200 GPa\", poisson: 0.3, hardness: \"2 GPa\"), Rigid), {more} history: {history})"
+        )
+    };
+    let history = "[Press(to: 1e-3, over: 1), Press(to: 0, over: 1), Press(to: 1e-3, over: 1), Press(to: 0, over: 1)]";
+    let (folder, said) = run(&scene(history, "steps: 400,"), None, &[]);
+    assert!(said.contains("residual depth deviation"), "{said}");
+    let records = table(folder.path(), ".csv");
+    let of = |name: &str| column(&records, name);
+    let (force, depth, lost) = (of("force_n"), of("indentation_m"), of("dissipated_j"));
+    let work: f64 = (1..force.len()).map(|k| 0.5 * (force[k] + force[k - 1]) * (depth[k] - depth[k - 1])).sum();
+    assert!((work / lost[1600] - 1.0).abs() < 1e-3, "{work:e} {:e}", lost[1600]);
+    assert!(lost[1600] > 0.1 * of("stored_j")[400] && (lost[1600] / lost[400] - 1.0).abs() < 1e-12);
+    // On the way back and in again the same states.
+    assert!((0..=400).all(|k| (depth[800 + k] - depth[800 - k]).abs() < 1e-9 * depth[400]), "{depth:?}");
+    let dent = depth[800];
+    let json: serde_json::Value = serde_json::from_str(&table(folder.path(), ".json")).unwrap();
+    assert!((json["results"]["residual_depth_m"].as_f64().unwrap() / dent - 1.0).abs() < 1e-9, "{json}");
+
+    let deepest = format!("{:e}", depth[400]);
+    let straight = format!("[Indent(to: {deepest}, over: 1), Indent(to: 0, over: 1)]");
+    let (whole, _) = run(&scene(&straight, ""), None, &[]);
+    let rows = format!("time_s,indentation_m\n0,0\n0.3,{:e}\n1,{deepest}\n2,0\n", 0.3 * depth[400]);
+    let (cut, _) = run(&scene("[Table(\"map\")]", ""), Some(rows.as_bytes()), &[]);
+    let last = |folder: &TempDir| column(&table(folder.path(), ".csv"), "dissipated_j").last().copied().unwrap();
+    assert!((last(&whole) / last(&cut) - 1.0).abs() < 1e-12);
 }
 
 /// Rubber on a rough surface, slid: full slip carries μF while F relaxes.

@@ -5,6 +5,8 @@ use crate::check::theory::{
     Westergaard, area_fraction, flat_punch_load, gaussian_tail, low_load_area_slope, single_harmonic_load,
 };
 use crate::check::ways;
+use crate::contact::model::{ContactModel, Straight};
+use crate::contact::rough::YieldingRough;
 use crate::numerics::quadrature;
 use crate::shape::rough::{Border, HeightMap, Rings, RoughError, RoughLine, RoughnessSpectrum, rough_surface};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -54,6 +56,14 @@ pub(super) const CASES: &[Case] = &[
     )
     .weak("a ratio")
     .by(harmonics),
+    Case::new(
+        "rough/hardness under a smooth ball",
+        Proof::Bound,
+        1.1e-3,
+        "springs E*(d − x²/R) up to the cap 2H√(Rd − x²), in closed form; caps of a long patch are behind by 1/1024, and springs at the edge count as whole ones, Δx/a = 6e-5 of the force",
+    )
+    .weak("one patch: of many nothing exact is known, see the half-space beside configs/yielding_ground.ron")
+    .by(capped_ball),
     Case::new(
         "rough/wave in gross sliding",
         Proof::Rounding,
@@ -108,6 +118,22 @@ fn seal() -> Attempt<Pairs> {
 fn harmonics() -> Attempt<Pairs> {
     let load = |k| single_harmonic_load(k, 1e-3, (1e7, 0.1));
     Ok(vec![(load(297) / load(5), (297.0_f64 / 5.0).powi(2))])
+}
+
+/// R = E* = 1 and H = 0.05: from the depth 4H²R/E*² on the middle yields.
+fn capped_ball() -> Attempt<Pairs> {
+    let (hardness, count) = (0.05, 20_001);
+    let width = 0.6 / f64::from(count);
+    let gaps: Vec<f64> = (0..count).map(|k| (width * (f64::from(k) - 1e4)).powi(2)).collect();
+    let mut contact = YieldingRough::of_gaps(&gaps, width, (1.0, hardness))?;
+    let mut pair = |depth: f64| -> Attempt<(f64, f64)> {
+        contact.follow(&Straight::between(0.0, depth, 1.0))?;
+        let (a, inner) = (depth.sqrt(), (depth - 4.0 * hardness * hardness).max(0.0).sqrt());
+        let capped = 2.0 * hardness * (inner * (depth - inner * inner).sqrt() + depth * (inner / a).asin());
+        let elastic = |x: f64| 2.0 * (depth * x - x.powi(3) / 3.0);
+        Ok((contact.state().force, capped + elastic(a) - elastic(inner)))
+    };
+    [5e-3, 0.02, 0.04, 0.06].into_iter().map(&mut pair).collect()
 }
 
 fn wave() -> Attempt<Pairs> {

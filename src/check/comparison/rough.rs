@@ -4,7 +4,8 @@ use super::{Candidate, Compared, Contest};
 use crate::check::case::Attempt;
 use crate::check::row::{Computed, Found, Setting};
 use crate::check::study::Method;
-use crate::contact::rough::RoughBed;
+use crate::contact::model::{ContactModel, Pull};
+use crate::contact::rough::{RoughBed, YieldingRough};
 use crate::scene::plan::RoughPlan;
 use crate::shape::Boundary;
 use crate::shape::rough::RoughLine;
@@ -90,10 +91,24 @@ impl Rough {
 
     fn line(&self, seed: u64, points: usize) -> Attempt<Computed> {
         let line = RoughLine::new(&self.plan.surface.rings, seed);
-        let bed = RoughBed::under(&line, points, self.plan.pair.normal, |x| self.plan.reduced(x))?;
+        let modulus = self.plan.pair.normal;
+        if let Some(hardness) = self.plan.hardness {
+            let base = self.plan.base.as_deref();
+            return self.yielded(YieldingRough::new(&line, points, (modulus, hardness), base)?);
+        }
+        let bed = RoughBed::under(&line, points, modulus, |x| self.plan.reduced(x))?;
         let depth = |force: f64| bed.at_force(force).indentation;
         let found = self.found([depth(BELOW * self.force), depth(self.force)], bed.first_touch());
         Ok(Computed { found, bytes: 24 * points, ..Computed::default() })
+    }
+
+    fn yielded(&self, mut line: YieldingRough) -> Attempt<Computed> {
+        let mut depth = |force: f64| -> Attempt<f64> {
+            line.press(&Pull { force, slide: 0.0, sliding_speed: 0.0, duration: 1.0 }).transpose()?;
+            Ok(line.state().indentation.unwrap_or(0.0))
+        };
+        let found = self.found([depth(BELOW * self.force)?, depth(self.force)?], 0.0);
+        Ok(Computed { found, bytes: line.effort().bytes, ..Computed::default() })
     }
 
     /// The state from the indentations at nine tenths of the force and at the force.
@@ -139,7 +154,9 @@ mod surface {
 mod surface {
     use super::super::GRIDS;
     use super::{Arc, Attempt, BELOW, Boundary, Computed, Found, Method, Rough, Setting};
-    use crate::halfspace::{HalfSpaceError, Prescribed, PressedMap, Settings, Start, bytes_needed, solve};
+    use crate::halfspace::{
+        HalfSpaceError, Prescribed, PressedMap, Settings, Start, SurfaceResponse, bytes_needed, solve_on,
+    };
     use crate::run::half_space::Heights;
     use crate::scene::surface::Source;
 
@@ -147,6 +164,8 @@ mod surface {
     const TOLERANCE: f64 = 1e-6;
     /// Most pixels of all members on one grid, unless a coarser one would not carry the roughness.
     const MOST_PIXELS: usize = 1 << 20;
+    /// The same of bodies that yield, whose depth is searched for.
+    const MOST_YIELDING: usize = 1 << 16;
     /// Coarsest map made from a larger one.
     const COARSEST: usize = 24;
 
@@ -178,7 +197,8 @@ mod surface {
                 bytes_needed([least; 2], Boundary::Free) as f64
             ));
         };
-        let affordable = |grid: usize| grid * grid * rough.seeds().len() <= MOST_PIXELS;
+        let most = if rough.plan.hardness.is_some() { MOST_YIELDING } else { MOST_PIXELS };
+        let affordable = |grid: usize| grid * grid * rough.seeds().len() <= most;
         Ok(fine.into_iter().filter(|&grid| grid == first || affordable(grid)).collect())
     }
 
@@ -194,10 +214,12 @@ mod surface {
         let Heights { values: heights, pixel } = &heights(rough, grid, seed)?;
         let (touch, pixel) = (heights.iter().copied().fold(f64::INFINITY, f64::min), *pixel);
         let settings = Settings { tolerance: TOLERANCE, ..Settings::default() };
+        let response = SurfaceResponse::over(None, heights.dim().into(), pixel, rough.boundary)
+            .yielding_under(rough.plan.hardness.unwrap_or(f64::INFINITY));
         let at = |force: f64, start: Start<'_>| {
             let (modulus, control) = (rough.plan.pair.normal, Prescribed::Force(force));
             let problem = PressedMap { heights: heights.view(), pixel, modulus, boundary: rough.boundary, control };
-            solve(&problem, start, &settings)
+            solve_on(&response, &problem, start, &settings)
         };
         let here = at(rough.force, Start::Coarser)?;
         let below = at(BELOW * rough.force, Start::Pressure(here.pressure.view()))?;

@@ -213,7 +213,7 @@ const GRADES: ByKind = [
 const YIELDING: ByKind = [
     Case("plastic/heat of a loop"),
     Laws(Other),
-    Laws(Other),
+    Case("rough/hardness under a smooth ball"),
     Laws(Other),
     Case("half-space/a body too hard to yield"),
     Laws(Other),

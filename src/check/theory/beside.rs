@@ -66,7 +66,7 @@ pub fn of_roughness(plan: &Plan, force: f64, stiffness: f64) -> Vec<String> {
 fn hardness(plan: &Plan) -> Option<(f64, String)> {
     let bodies = [&plan.scene.bodies.0, &plan.scene.bodies.1];
     let least = |of: fn(&Body) -> Option<f64>| bodies.into_iter().filter_map(of).reduce(f64::min);
-    if let (Plan::HalfSpace(_), Some(hardness)) = (plan, least(Body::hardness)) {
+    if let Some(hardness) = least(Body::hardness) {
         return Some((hardness, "the hardness given".to_owned()));
     }
     least(Body::yield_stress).map(|stress| (HARDNESS * stress, format!("hardness {HARDNESS} times the yield stress")))
@@ -87,7 +87,9 @@ impl NominallyFlat {
     #[must_use]
     pub fn of(plan: &Plan) -> Option<Self> {
         let bare = match plan {
-            Plan::Rough(_) | Plan::RoughImpact(_) => plan.rough().is_some_and(|rough| rough.works.is_none()),
+            Plan::Rough(_) | Plan::RoughImpact(_) => {
+                plan.rough().is_some_and(|rough| rough.works.is_none() && rough.hardness.is_none())
+            }
             Plan::HalfSpace(pixels) => {
                 let elastic = pixels.relaxation.is_none() && pixels.hardness.is_none() && pixels.ground.is_none();
                 elastic && pixels.attraction == ElasticAdhesion::None

@@ -1,4 +1,4 @@
-//! Rough lines on beds of independent springs: elastic, relaxing, adhesive.
+//! Rough lines on beds of independent springs: elastic, relaxing, adhesive, yielding.
 //!
 //! # Examples
 //! ```
@@ -22,6 +22,7 @@ mod patches;
 mod persson;
 mod relaxing;
 mod told;
+mod yielding;
 
 pub use adhesive::AdhesiveRough;
 pub use bed::{BedState, RoughBed};
@@ -30,6 +31,7 @@ pub use gliding::gliding_line;
 pub use ground::EdgeWorks;
 pub use persson::PerssonGlide;
 pub use relaxing::RelaxingRough;
+pub use yielding::YieldingRough;
 
 /// What a rough bed is good for, to be shown beside its results.
 pub const VALIDITY: &str = "approximate: force and stiffness of a rough line stand for those of the isotropic surface; its contact length does not give the real contact area";

@@ -5,7 +5,6 @@ use super::table::{self, ImpactRow};
 use super::{RECORDS, failed, results};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
-use crate::contact::rough::RelaxingRough;
 use crate::contact::state::Normal;
 use crate::drive::impact::{Projectile, Rebound, SpringPassage};
 use crate::run::SimulationError;
@@ -129,14 +128,27 @@ fn follow(
             passed(&passage, contact, count).map_err(refused)
         }
         RoughNormal::Relaxing(contact) => {
-            let time = time(contact, impact).map_err(|error| SimulationError::Refused(error.to_string()))?;
-            let struck = Struck { contact: contact.as_ref(), impact, time };
-            let run = struck.settled(plan.accuracy(), plan.scene.accuracy.is_some()).map_err(refused)?;
-            let moments = count.map(|count| struck.again(&run, count)).transpose().map_err(refused)?;
-            let moments = moments.unwrap_or_default();
-            Ok(Struggle { rebound: run.rebound, moments, pull_off_force: 0.0, bytes: run.bytes })
+            stepped(plan, contact.as_ref(), (impact, contact.stopped_at(impact.energy(), impact.speed)), count)
+        }
+        RoughNormal::Yielding(contact) => {
+            stepped(plan, contact.as_ref(), (impact, contact.stopped_at(impact.energy())), count)
         }
     }
+}
+
+/// An impact in steps, and the depth [m] that the mass does not pass if nothing relaxes or yields.
+fn stepped(
+    plan: &RoughImpactPlan,
+    contact: &dyn ContactModel,
+    (impact, stopped_at): (Projectile, Result<f64, RoughError>),
+    count: Option<usize>,
+) -> Result<Struggle, SimulationError> {
+    let refused = |source: ContactError| failed(source.into());
+    let depth = stopped_at.map_err(|error| SimulationError::Refused(error.to_string()))?;
+    let struck = Struck { contact, impact, time: ELASTIC * depth / impact.speed };
+    let run = struck.settled(plan.accuracy(), plan.scene.accuracy.is_some()).map_err(refused)?;
+    let moments = count.map(|count| struck.again(&run, count)).transpose().map_err(refused)?;
+    Ok(Struggle { rebound: run.rebound, moments: moments.unwrap_or_default(), pull_off_force: 0.0, bytes: run.bytes })
 }
 
 /// A way through elastic springs, seen on a contact.
@@ -147,9 +159,4 @@ fn passed(passage: &SpringPassage, contact: &dyn ContactModel, count: Option<usi
     let moments = count.map(|count| passage.moments(contact.copy().as_mut(), count)).transpose()?;
     let moments = moments.unwrap_or_default();
     Ok(Struggle { rebound, moments, pull_off_force: passage.pull_off_force(), bytes: passage.bytes() })
-}
-
-/// Time [s] of the impact on bodies that do not relax.
-fn time(contact: &RelaxingRough, impact: Projectile) -> Result<f64, RoughError> {
-    Ok(ELASTIC * contact.stopped_at(impact.energy(), impact.speed)? / impact.speed)
 }

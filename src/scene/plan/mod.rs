@@ -190,6 +190,8 @@ pub struct RoughPlan {
     pub relaxation: Option<Arc<Relaxation>>,
     /// What an edge of its patches takes and gives, if the bodies adhere.
     pub works: Option<EdgeWorks>,
+    /// Hardness [Pa], if the bodies yield.
+    pub hardness: Option<f64>,
     /// Coefficient μ of Coulomb friction.
     pub coefficient: Option<f64>,
     /// The steady motion along the surface at the end, if there is one.

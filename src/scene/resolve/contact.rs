@@ -29,10 +29,15 @@ pub(super) fn resting(shared: &Shared) -> ContactLaw {
     }
 }
 
+/// Largest pressure [Pa] that both bodies bear, if one of them yields.
+pub(super) fn hardness(shared: &Shared) -> Option<f64> {
+    let (one, other) = &shared.scene.bodies;
+    [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min)
+}
+
 /// The ball of bodies that yield, the softer one first.
 pub(super) fn yielding(shared: &Shared) -> Option<YieldingBall> {
-    let (one, other) = &shared.scene.bodies;
-    let weaker = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min)?;
+    let weaker = hardness(shared)?;
     let radius = shared.scene.shape.tip_radius()?;
     Some(YieldingBall { radius, modulus: shared.pair.normal, limit: weaker })
 }

@@ -3,7 +3,7 @@
 mod contact;
 mod tangential;
 
-use contact::{elastic, held_edge, lasting, pinned, resting, unrelaxed, works, yielding};
+use contact::{elastic, hardness, held_edge, lasting, pinned, resting, unrelaxed, works, yielding};
 use tangential::{interface, left, tangential, travel};
 
 use super::law::{ContactLaw, ImpactLaw, MachineLaw, PixelFriction, WearLaw};
@@ -24,7 +24,7 @@ use crate::friction::oblique::{Ball, SOLID};
 use crate::friction::{Friction, Slip};
 use crate::input::problem::Problem;
 use crate::input::table::Tables;
-use crate::material::{Body, Under};
+use crate::material::Under;
 use crate::scene::history::{EntryTraits, Impact, space};
 use crate::shape::{Pad, Profile, Shape};
 use crate::wear::Wear;
@@ -183,8 +183,7 @@ fn on_pixels(shared: Shared, indenter: PixelledIndenter, asked: HalfSpace) -> Ha
     let boundary = asked.boundary.unwrap_or_else(|| pixelled::suiting(&indenter));
     let size = pixelled::size(&indenter, asked.grid, window);
     let (relaxation, attraction) = (shared.read.relaxation.clone(), elastic(shared.scene.adhesion.as_ref()));
-    let (one, other) = &shared.scene.bodies;
-    let hardness = [one, other].into_iter().filter_map(Body::hardness).reduce(f64::min);
+    let hardness = hardness(&shared);
     let ground = shared.read.ground.clone();
     let travel = travel(&shared);
     let friction = shared.scene.friction.as_ref().map(|friction| match friction.slip() {
@@ -243,6 +242,7 @@ fn rough(shared: Shared, (surface, base): (&Arc<Surface>, Option<&Arc<dyn Profil
         base: base.cloned(),
         relaxation: shared.read.relaxation.clone(),
         works: shared.scene.adhesion.as_ref().map(works),
+        hardness: hardness(&shared),
         coefficient: None,
         travel: travel(&shared),
         shared,

@@ -24,10 +24,13 @@ pub(super) fn on_viscoelastic(draft: &Draft<'_>) -> Option<Problem> {
     )
 }
 
-/// Thornton's solution is that of a ball.
+/// Thornton's solution is that of a ball; a rough line has its patches.
 pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
     (yields(draft)? && !draft.chooses_solver()?).then_some(())?;
     let shape = draft.shape()?;
+    if shape.is_rough() {
+        return None;
+    }
     if let Shape::Paraboloid(_) | Shape::Sphere(_) | Shape::Spheres(_) = shape {
         return None;
     }
@@ -35,7 +38,7 @@ pub(super) fn on_shape(draft: &Draft<'_>) -> Option<Problem> {
     refused(
         "bodies",
         format!(
-            "Plastic under {name} cannot be computed, for yielding is known in closed form below a ball: expected Paraboloid(radius: …), Sphere(radius: …) or Spheres(…), or Elastic(…) with a yield_stress"
+            "Plastic under {name} cannot be computed, for yielding is known in closed form below a ball and by the hardness on a rough line: expected Paraboloid(radius: …), Sphere(radius: …), Spheres(…) or a rough shape, or Elastic(…) with a yield_stress"
         ),
     )
 }

@@ -67,13 +67,17 @@ fn moved(table: &Table, x: &Column<Record>, y: &Column<Record>) -> Option<[Point
     let column = |of: &Column<Record>, what: &str| table.column(&format!("{}_{what}", of.quantity));
     let means = points(column(x, "mean")?, column(y, "mean")?);
     let deviations = points(column(x, "deviation")?, column(y, "deviation")?);
+    let largest = means.iter().flatten().map(|mean| mean.1.abs()).fold(0.0, f64::max);
     Some([1.0, -1.0].map(|sign: f64| {
         let moved = |mean: (f64, f64), by: (f64, f64)| {
-            if by.1 > 0.0 { (mean.0, mean.1 + sign * by.1) } else { (mean.0 + sign * by.0, mean.1) }
+            if by.1 > SCATTERS * largest { (mean.0, mean.1 + sign * by.1) } else { (mean.0 + sign * by.0, mean.1) }
         };
         means.iter().zip(&deviations).map(|(mean, by)| Some(moved((*mean)?, (*by)?))).collect()
     }))
 }
+
+/// Part of the largest force beyond which it scatters: what is prescribed is met to rounding.
+const SCATTERS: f64 = 1e-9;
 
 /// Hurst exponent of a nominally flat self-affine surface.
 fn hurst(plan: &RoughPlan) -> Option<f64> {
