@@ -34,6 +34,8 @@ pub struct Master {
     pub shifts: Vec<(f64, f64)>,
     /// Standard errors of log₁₀ a_T, in the same order, by what one spectrum leaves of all moduli; zero at the reference.
     pub errors: Vec<f64>,
+    /// b_T of each, in the same order: one where the moduli do not go with the temperature.
+    pub vertical: Vec<f64>,
     /// C₁ and C₂ [K] of Williams, Landel & Ferry; `None` where the shifts have no such law.
     pub wlf: Option<(f64, f64)>,
     /// The moduli, over b_T if they go with the temperature, over reduced frequencies a_T f.
@@ -92,7 +94,9 @@ impl Sweeps {
         let reduced = level.shifted(&groups, &logs);
         let spectrum = reduced.spectrum()?;
         let shifts: Vec<(f64, f64)> = means.iter().copied().zip(logs.iter().map(|log| log / LN_10)).collect();
-        Ok(Master { reference: means[zero], wlf: wlf(&shifts, means[zero]), shifts, errors, reduced, spectrum })
+        let factor = |t: &f64| if self.entropic { t / means[zero] } else { 1.0 };
+        let (vertical, wlf) = (means.iter().map(factor).collect(), wlf(&shifts, means[zero]));
+        Ok(Master { reference: means[zero], wlf, shifts, errors, vertical, reduced, spectrum })
     }
 
     /// Moduli over b_T, as they would be at the temperature `reference` [K].
@@ -346,7 +350,9 @@ mod tests {
         // As of moduli that do not go with it.
         assert!(levelled.spectrum.deviation < 2.4e-3, "{}", levelled.spectrum.deviation);
         assert!(plain.spectrum.deviation > 5.0 * levelled.spectrum.deviation, "{}", plain.spectrum.deviation);
-        for &(t, found) in &levelled.shifts {
+        assert!(plain.vertical.iter().all(|factor| (factor - 1.0).abs() <= 0.0));
+        for (&(t, found), factor) in levelled.shifts.iter().zip(&levelled.vertical) {
+            assert!((factor / (t / 300.0) - 1.0).abs() < 1e-3, "{t} {factor}");
             assert!((found - log(t)).abs() < 0.01, "{t} {found} {}", log(t));
         }
     }

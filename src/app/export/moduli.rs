@@ -33,20 +33,22 @@ struct Shift {
     temperature_k: f64,
     log10_shift: f64,
     standard_error: f64,
+    vertical_shift: f64,
 }
 
 impl Shifted {
     fn of(master: &Master) -> Self {
-        let shift = |(&(temperature_k, log10_shift), &standard_error): (&(f64, f64), &f64)| Shift {
+        let shift = |((&(temperature_k, log10_shift), &standard_error), &vertical_shift)| Shift {
             temperature_k,
             log10_shift,
             standard_error,
+            vertical_shift,
         };
         Self {
             reference_k: master.reference,
             wlf_c1: master.wlf.map(|law| law.0),
             wlf_c2_k: master.wlf.map(|law| law.1),
-            shifts: master.shifts.iter().zip(&master.errors).map(shift).collect(),
+            shifts: master.shifts.iter().zip(&master.errors).zip(&master.vertical).map(shift).collect(),
         }
     }
 }
@@ -121,12 +123,13 @@ pub fn spectrum_text(file: &str, spectrum: &Spectrum, master: Option<&Master>) -
 /// The text cannot be put together.
 pub fn shifts_table(master: &Master) -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["temperature_k", "log10_shift", "standard_error", "wlf_log10_shift"])?;
-    for (&(temperature, log), &error) in master.shifts.iter().zip(&master.errors) {
+    writer.write_record(["temperature_k", "log10_shift", "standard_error", "vertical_shift", "wlf_log10_shift"])?;
+    for ((&(temperature, log), &error), &vertical) in master.shifts.iter().zip(&master.errors).zip(&master.vertical) {
         writer.write_record([
             cell(Some(temperature)),
             cell(Some(log)),
             cell(Some(error)),
+            cell(Some(vertical)),
             cell(master.law(temperature)),
         ])?;
     }
