@@ -264,6 +264,20 @@ pub fn in_place() -> Options {
     Options { drive, contact, baseline: Baseline::Absent, ..Options::default() }
 }
 
+/// An edge that closes with less than it opens with: both works from one curve, in and out.
+#[test]
+fn works_of_both_ways_are_told_apart() {
+    let two = GEL
+        .replace("work: \"20 mJ/m^2\"", "work: \"20 mJ/m^2\", closing: \"5 mJ/m^2\"")
+        .replace("history:", "steps: 60, history:");
+    let start = scene(&two.replace("40 kPa", "60 kPa").replace("20 mJ", "30 mJ").replace("\"5 mJ", "\"8 mJ"));
+    let free = [GEL_FREE[0], GEL_FREE[1], "adhesion.closing=1 mJ/m^2..1 J/m^2"];
+    let found = fit(&start, &free, &torn_off(&two), in_place()).unwrap();
+    near(&found, "bodies.0.young", 40e3, 1e-6);
+    near(&found, "adhesion.work", 0.02, 1e-6);
+    near(&found, "adhesion.closing", 0.005, 1e-6);
+}
+
 #[test]
 fn rows_on_jumps_are_left_out_and_told() {
     let data = torn_off(GEL);
