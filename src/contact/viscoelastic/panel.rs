@@ -70,6 +70,9 @@ pub(super) struct Panel {
     pub inner: f64,
     pub outer: f64,
     pub held: bool,
+    /// What its springs share with those of the same past, of which they are a smooth function together; zero where
+    /// they share nothing.
+    pub past: u64,
     /// Whether the springs are known, not their sums alone; those held by no element have no states.
     is_known: bool,
     /// Node by node: element loads [N/m] of springs held; modes and rest [m] of free ones.
@@ -173,6 +176,7 @@ impl PanelDraft {
             inner: self.inner,
             outer: self.outer,
             held,
+            past: 0,
             is_known: true,
             memory: vec![0.0; dim],
             kept: vec![1.0; dim],
@@ -288,7 +292,8 @@ impl Panel {
     pub(super) fn unknown(spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let (totals, states) = (Totals::new(spectrum), Arc::new([]));
         let (memory, kept) = (Vec::new(), Vec::new());
-        Self { inner, outer, held: false, is_known: false, states, memory, kept, totals, missed: 0.0, greatest: 0.0 }
+        let (missed, greatest) = (0.0, 0.0);
+        Self { inner, outer, held: false, past: 0, is_known: false, states, memory, kept, totals, missed, greatest }
     }
 
     /// Panels side by side, all held or all free, as one of which only the sums are known; `None` of none.
@@ -334,7 +339,13 @@ impl Panel {
 
     /// The panel in two, cut at `x`.
     pub(super) fn cut(&self, spectrum: &Spectrum, x: f64) -> [Self; 2] {
-        [self.part(spectrum, self.inner, x), self.part(spectrum, x, self.outer)]
+        [(self.inner, x), (x, self.outer)]
+            .map(|(inner, outer)| Self { past: self.past, ..self.part(spectrum, inner, outer) })
+    }
+
+    /// Whether its springs and those of the next panel are of one past.
+    pub(super) fn goes_on_in(&self, next: &Self) -> bool {
+        self.past > 0 && self.past == next.past && self.held == next.held
     }
 
     /// One panel for two, if one polynomial tells both.
@@ -355,7 +366,8 @@ impl Panel {
             [self.inner, 0.5 * (self.inner + self.outer), next.inner, 0.5 * (next.inner + next.outer), next.outer];
         let draft_missed = self.missed.max(next.missed).max(draft.tail);
         let smooth = draft.tail <= (2.0 * ROUNDING).max(tolerance) * greatest && ends.into_iter().all(seam);
-        smooth.then(|| Self { missed: draft_missed, greatest, ..draft.finished(spectrum, 0.0).0 })
+        let past = if self.past == next.past { self.past } else { 0 };
+        smooth.then(|| Self { past, missed: draft_missed, greatest, ..draft.finished(spectrum, 0.0).0 })
     }
 
     /// What is integrated over the springs held: 2 dx [m].

@@ -71,7 +71,7 @@ pub struct Free {
 
 impl Free {
     /// Whether there is nothing left to recover.
-    fn is_at_rest(&self) -> bool {
+    pub(super) fn is_at_rest(&self) -> bool {
         self.modes.iter().all(|z| z.abs() <= 0.0)
     }
 }
@@ -267,17 +267,26 @@ impl Spectrum {
 
     /// Displacement u [m] of a free spring after the time `t`.
     pub fn recovered(&self, free: &Free, t: f64) -> f64 {
+        if free.is_at_rest() {
+            return free.rest;
+        }
         free.rest + self.modes().iter().zip(&free.modes).map(|(mode, z)| z * (-t / mode.time).exp()).sum::<f64>()
     }
 
     /// Speed u̇ [m/s] of a free spring after the time `t`.
     pub fn recovery_speed(&self, free: &Free, t: f64) -> f64 {
+        if free.is_at_rest() {
+            return 0.0;
+        }
         let part = |(mode, z): (&super::Mode, &f64)| -z / mode.time * (-t / mode.time).exp();
         self.modes().iter().zip(&free.modes).map(part).sum()
     }
 
     /// The modes of a free spring after the time `t`, in place.
     pub fn recover(&self, free: &mut Free, t: f64) {
+        if free.is_at_rest() {
+            return;
+        }
         for (mode, z) in self.modes().iter().zip(&mut free.modes) {
             *z *= (-t / mode.time).exp();
         }
@@ -285,6 +294,10 @@ impl Spectrum {
 
     /// Element loads of a free spring: what a pressed one starts from.
     pub fn loads_of_free(&self, free: &Free, s: &mut [f64]) {
+        if free.is_at_rest() {
+            s.fill(0.0);
+            return;
+        }
         for (i, (term, s)) in self.terms().iter().zip(s).enumerate() {
             let part = |(mode, z): (&super::Mode, &f64)| z * mode.inverse_gaps[i];
             *s = -term.modulus * term.time * self.modes().iter().zip(&free.modes).map(part).sum::<f64>();

@@ -111,6 +111,13 @@ impl Front<'_> {
     pub(super) fn crossing(&self, candidate: &EdgeSpring, level: f64) -> Option<f64> {
         let urge = |t: f64| candidate.urge(self.spectrum, t) - level;
         let rate = |t: f64| candidate.urge_rate(self.spectrum, t);
+        if let Spring::Free(free) = &candidate.spring
+            && free.is_at_rest()
+        {
+            // Straight towards a spring that stands still.
+            let at = -urge(0.0) / candidate.seen.speed;
+            return (0.0..=self.motion.duration).contains(&at).then_some(at);
+        }
         let (mut before, mut rising) = (0.0, rate(0.0) > 0.0);
         for at in &self.instants[1..] {
             let t = at.time;

@@ -52,18 +52,38 @@ pub struct Memory {
     panels: Vec<Panel>,
     /// Number of panels held; they come first.
     held: usize,
+    /// Number of pasts that springs have had so far.
+    pasts: u64,
     depth: f64,
     speed: f64,
     time: f64,
     work: f64,
     /// Whether work is counted: a look needs none.
     counts: bool,
-    /// Of a look that does not know all springs: whether it has asked for another one.
-    is_asked_too_much: Option<Arc<AtomicBool>>,
+    /// What a look knows that does not know all springs.
+    sight: Option<Sight>,
+}
+
+/// What a look at the bed knows of its springs.
+#[derive(Debug, Clone)]
+struct Sight {
+    /// Part of the radius beside the edge in which it knows those that have been let go.
+    beside_edge: f64,
+    /// Whether it has asked for another one.
+    is_asked_too_much: Arc<AtomicBool>,
+}
+
+impl Sight {
+    fn of(beside_edge: f64) -> Option<Self> {
+        Some(Self { beside_edge, is_asked_too_much: Arc::default() })
+    }
 }
 
 /// Panels on either side of the edge that a look at the bed knows one by one.
 const NEAR: usize = 24;
+/// Part of the radius beside the edge in which a look knows the springs that have been let go, if it needs any: where the
+/// edge only goes back none is asked for.
+const BESIDE_EDGE: f64 = 1e-3;
 
 impl Memory {
     /// A bed never touched, the indenter just above it.
@@ -76,12 +96,13 @@ impl Memory {
             attraction: None,
             panels,
             held: 0,
+            pasts: 0,
             depth: 0.0,
             speed: 0.0,
             time: 0.0,
             work: 0.0,
             counts: true,
-            is_asked_too_much: None,
+            sight: None,
         }
     }
 
@@ -184,23 +205,24 @@ impl Memory {
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn force_after(&self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
-        let whole = || Self { counts: false, ..self.clone() };
-        let mut bed = self.outline();
-        let mut outcome = bed.advance(speed, duration);
-        if bed.fails() {
-            bed = Self { is_asked_too_much: Some(Arc::default()), ..whole() };
-            outcome = bed.advance(speed, duration);
+        let whole = |sight: Option<Sight>| Self { counts: false, sight, ..self.clone() };
+        let looks: [&dyn Fn() -> Self; 4] =
+            [&|| self.outline(0.0), &|| self.outline(BESIDE_EDGE), &|| whole(Sight::of(BESIDE_EDGE)), &|| whole(None)];
+        let mut seen = Ok((0.0, 0.0));
+        for look in looks {
+            let mut bed = look();
+            let outcome = bed.advance(speed, duration);
+            seen = outcome.map(|()| (bed.force(), bed.radius()));
+            if !bed.fails() {
+                break;
+            }
         }
-        if bed.fails() {
-            bed = whole();
-            outcome = bed.advance(speed, duration);
-        }
-        outcome.map(|()| (bed.force(), bed.radius()))
+        seen
     }
 
     /// The bed as a look needs it, however many panels lie behind: those near the edge and the one at the axis, and of the
     /// others, which all move alike, the sums. A look that leads to them has to be made at the whole bed.
-    fn outline(&self) -> Self {
+    fn outline(&self, beside_edge: f64) -> Self {
         let (axis, first) = (self.held.min(1), self.held.saturating_sub(NEAR));
         let last = (self.held + NEAR).min(self.panels.len());
         let (inner, outer) = (self.panels.get(axis..first).unwrap_or(&[]), &self.panels[last..]);
@@ -211,13 +233,12 @@ impl Memory {
         panels.extend(Panel::sum_of(&self.spectrum, outer));
         let held = self.held - inner.len() + usize::from(!inner.is_empty());
         let (spectrum, profile) = (self.spectrum.clone(), self.profile.clone());
-        let is_asked_too_much = Some(Arc::default());
-        Self { spectrum, profile, panels, held, counts: false, is_asked_too_much, ..*self }
+        Self { spectrum, profile, panels, held, counts: false, sight: Sight::of(beside_edge), ..*self }
     }
 
     /// Whether a look has asked for a spring that it does not know.
     fn fails(&self) -> bool {
-        self.is_asked_too_much.as_ref().is_some_and(|asked| asked.load(Ordering::Relaxed))
+        self.sight.as_ref().is_some_and(|sight| sight.is_asked_too_much.load(Ordering::Relaxed))
     }
 
     /// The panel at the distance `x` from the axis, at the edge the one whose springs may go `way`.
@@ -227,8 +248,8 @@ impl Memory {
             Way::Opening => k.min(self.held.saturating_sub(1)),
             Way::Closing => k.max(self.held),
         });
-        if let (Some(asked), true) = (&self.is_asked_too_much, panel.is_some_and(Panel::is_sum)) {
-            asked.store(true, Ordering::Relaxed);
+        if let (Some(sight), true) = (&self.sight, panel.is_some_and(Panel::is_sum)) {
+            sight.is_asked_too_much.store(true, Ordering::Relaxed);
         }
         panel
     }

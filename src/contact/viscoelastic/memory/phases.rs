@@ -18,9 +18,6 @@ const PROGRESS: f64 = 1e-4;
 /// Phases that get nowhere before the edge stands still for a while.
 const MOST_STALLS: u32 = 256;
 
-/// Part of the radius beside the edge in which a look at the bed knows the springs that have been let go.
-const BESIDE_EDGE: f64 = 1e-3;
-
 /// What is left of a motion on the way through it.
 pub(super) struct Walk {
     pub rest: Motion,
@@ -94,7 +91,7 @@ impl Memory {
     /// What happens first in a motion.
     fn next(&self, motion: &Motion, least: f64) -> Result<PhaseStep, BedError> {
         let see = |way: Way, x: f64| self.seen(way, x);
-        let borders: Vec<f64> = self.panels.iter().map(|panel| panel.outer).collect();
+        let borders = self.borders();
         let front = self.front(motion, least, &borders, &see);
         let (phase, way) = front.phase();
         let mut ended = None;
@@ -115,6 +112,12 @@ impl Memory {
             EdgePhase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
         };
         Ok(PhaseStep { duration, change, ended })
+    }
+
+    /// Radii [m] at which springs of one past end.
+    fn borders(&self) -> Vec<f64> {
+        let ends = |k: usize| self.panels.get(k + 1).is_none_or(|next| !self.panels[k].goes_on_in(next));
+        (0..self.panels.len()).filter(|&k| ends(k)).map(|k| self.panels[k].outer).collect()
     }
 
     fn front<'b>(
@@ -149,12 +152,16 @@ impl Memory {
         let edge = self.radius();
         let (inner, outer) = (edge.min(to), edge.max(to));
         let lived = |x: f64| self.lived(way, x, motion, instant(x));
-        if self.is_asked_too_much.is_none() || way == Way::Closing {
+        let Some(sight) = self.sight.as_ref().filter(|_| way == Way::Opening) else {
             return self.changed(way, (inner, outer), motion, &lived);
-        }
-        // Of springs let go a look asks for those beside the edge alone.
-        let told = (inner + BESIDE_EDGE * outer).min(outer);
-        let mut change = self.changed(way, (inner, told), motion, &lived);
+        };
+        // Of springs let go a look asks for those beside the edge at most.
+        let told = (inner + sight.beside_edge * outer).min(outer);
+        let mut change = if told > inner {
+            self.changed(way, (inner, told), motion, &lived)
+        } else {
+            Change { inner, outer, panels: Vec::new(), work: 0.0 }
+        };
         if told < outer {
             change.panels.push(Panel::unknown(&self.spectrum, told, outer));
         }
@@ -195,7 +202,10 @@ impl Memory {
         // Beside the work so far a piece of no length or speed has none.
         let impulse = if motion.speed.abs() > 0.0 { (self.work / motion.speed).abs() } else { f64::MAX };
         let grain = Grain { scale, impulse, tolerance: self.tolerance(), floor: 2.0 * f64::EPSILON * most };
-        let (panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, lived);
+        let (mut panels, work) = panels(&self.spectrum, &borders, motion.speed, grain, lived);
+        for panel in &mut panels {
+            panel.past = self.pasts + borders.partition_point(|&border| border <= panel.inner) as u64;
+        }
         Change { inner, outer, panels, work }
     }
 
@@ -263,6 +273,7 @@ impl Memory {
                 panel.pass(&alike);
             }
         }
+        self.pasts = change.panels.iter().map(|panel| panel.past).fold(self.pasts, u64::max);
         let count = change.panels.len();
         self.panels.splice(first..last, change.panels);
         self.merge(first, first + count);
