@@ -14,6 +14,7 @@
 
 mod adhesive;
 mod bed;
+mod dents;
 mod elastic;
 mod ends;
 mod gliding;
