@@ -79,7 +79,7 @@ pub enum BedError {
     Endless,
     /// All of a line yields under less than a force.
     #[error(
-        "{force:e} N are more than the {most:e} N that the hardness bears on all of the line: expected less force, or a larger hardness"
+        "{force:.4e} N are more than the {most:.4e} N that the hardness bears on all of the line: expected less force, or a larger hardness"
     )]
     Yields {
         /// Normal force [N].
