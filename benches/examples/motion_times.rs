@@ -2,7 +2,7 @@
 //!
 //! Whole runs on as many threads as there are, the median of repeats: a rough line of 10⁴ points that glides over a body of
 //! ten terms at forty speeds; a ball shaken 10⁵ strokes, to the limit of its fretting wear; sliders in stick and slip
-//! with some 10⁴ events. With words behind it, those rows alone whose names have one of them: `-- glide wear`.
+//! with 10⁴ events, slips and sticks. With words behind it, those rows alone whose names have one of them: `-- glide wear`.
 
 use springbed::prelude::*;
 use springbed::run::record::Outcome;
@@ -34,12 +34,12 @@ const WEAR: &str = "(shape: Paraboloid(radius: 0.01),
     friction: Coulomb(coefficient: 0.3), wear: Archard(coefficient: 1e-12),
     history: [Indent(to: 1e-6, over: 1), Shake(amplitude: 182.142857143e-9, frequency: 100, cycles: 50000)])";
 
-/// A polymer ball that jumps some 3700 times in a machine of the damping `damping` [N s/m].
+/// A polymer ball that jumps 5000 times in a machine of the damping `damping` [N s/m].
 fn stick_slip(damping: f64) -> String {
     format!(
         "(shape: Paraboloid(radius: 5e-3), bodies: (Elastic(young: 3e9, poisson: 0.4), Elastic(young: 3e9, poisson: 0.4)),
         friction: StaticKinetic(static: 0.5, kinetic: 0.3), machine: (mass: 0.05, stiffness: 2e3, damping: {damping}),
-        history: [Press(to: 2, over: 1), Drive(speed: 1e-2, over: 210)])"
+        history: [Press(to: 2, over: 1), Drive(speed: 1e-2, over: 287)])"
     )
 }
 

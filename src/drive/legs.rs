@@ -180,7 +180,7 @@ impl Driver {
         let begin = self.stage.now;
         let depth = depth_of(contact);
         let (to, end) = match &mut self.stage.remainder {
-            Remainder::Records | Remainder::Done => return Ok(None),
+            Remainder::Records | Remainder::Idle | Remainder::Done => return Ok(None),
             &mut Remainder::Straight(to) => {
                 self.stage.remainder = Remainder::Done;
                 (to, self.stage.course.over)

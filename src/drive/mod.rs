@@ -118,6 +118,8 @@ enum Remainder {
     Chords(Chords),
     /// Under a prescribed force.
     Force(ForceDrive),
+    /// A damped contact at no force: the indenter rests on a surface that comes up by itself.
+    Idle,
     /// Nothing is left.
     Done,
 }
@@ -241,6 +243,10 @@ impl Driver {
             contact.leave();
             self.parted = true;
         }
+        if course.over > 0.0 && from.max(to) <= 2.0 * force::touching(scale) && from.min(to) >= 0.0 && idles(contact) {
+            self.stage.remainder = Remainder::Idle;
+            return Ok(());
+        }
         let along = self.creep.take();
         self.creep = along.as_ref().map(|creep| creep.after(to, course.over));
         self.stage.remainder = Remainder::Force(ForceDrive::new(ramp, duration, along, self.parted));
@@ -272,11 +278,13 @@ impl Driver {
     pub fn advance(&mut self, contact: &mut dyn ContactModel, part: f64) -> Result<Vec<Occurrence>, ContactError> {
         let mut occurrences = Vec::new();
         let until = part * self.stage.course.over;
-        if let Remainder::Records = self.stage.remainder {
-            self.step(contact, part, &mut occurrences)?;
-        } else {
-            self.walk(contact, until, &mut occurrences)?;
-            self.meet(contact, until)?;
+        match self.stage.remainder {
+            Remainder::Records => self.step(contact, part, &mut occurrences)?,
+            Remainder::Idle => self.idle(contact, until)?,
+            Remainder::Straight(_) | Remainder::Chords(_) | Remainder::Force(_) | Remainder::Done => {
+                self.walk(contact, until, &mut occurrences)?;
+                self.meet(contact, until)?;
+            }
         }
         self.stage.now = until;
         contact.settle()?;
@@ -289,6 +297,20 @@ impl Driver {
         if let Some(instant) = force.met(contact, until)? {
             let slide = self.stage.slide_at(until);
             contact.follow(&Straight { slide, ..instant })?;
+        }
+        Ok(())
+    }
+
+    /// At no force up to the time `until` [s]: what rests on a free surface changes nothing of it. The indenter is taken away,
+    /// and put down again where the surface is then.
+    fn idle(&self, contact: &mut dyn ContactModel, until: f64) -> Result<(), ContactError> {
+        let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
+        let (slide, sliding_speed) = (self.stage.slide_at(until), self.stage.sliding_speed());
+        let up = ahead(contact, -depth_of(contact) / instant, instant);
+        contact.follow(&Straight { to: 0.0, slide: self.stage.slide_at(self.stage.now), ..up })?;
+        contact.follow(&Straight { slide, sliding_speed, ..Straight::between(0.0, 0.0, until - self.stage.now) })?;
+        if let Some(speed) = force::speed_to(contact, force::touching(self.largest), instant)? {
+            contact.follow(&Straight { slide, ..ahead(contact, speed, instant) })?;
         }
         Ok(())
     }
@@ -378,6 +400,11 @@ impl Driver {
     pub fn last_loop(&self) -> Option<Loop> {
         self.cycle.moduli()
     }
+}
+
+/// Whether a contact at no force does nothing but rest: it is damped, and nothing attracts.
+fn idles(contact: &dyn ContactModel) -> bool {
+    force::is_damped(contact) && contact.state().stored.surface >= 0.0
 }
 
 /// Energy stored and lost [J].

@@ -39,7 +39,7 @@ pub use driven::chords;
 pub use fretting::{FrettingMap, WearMap};
 pub use rate_state::{RateState, SlipRate, StateLaw};
 pub use strength::{Strength, StrengthCurve};
-pub use turning::{Branch, Corner, Grip, Pose, TangentialMemory, TangentialState};
+pub use turning::{Branch, Corner, Grip, Pose, PowerBranch, TangentialMemory, TangentialState};
 pub use viscoelastic::ViscoelasticBed;
 
 use crate::input::quantity::{Modulus, Ratio};

@@ -42,7 +42,7 @@ use super::load::{LinearProduct, LoadCurve, NormalLoad, SpringDepth};
 use super::slipped::{Node, SlideStep, slip_work};
 pub use crate::contact::model::Pose;
 use crate::shape::Profile;
-pub use branch::Branch;
+pub use branch::{Branch, PowerBranch};
 use std::cmp::Ordering;
 use std::sync::Arc;
 pub use whole::Corner;

@@ -57,6 +57,10 @@ impl Profile for Paraboloid {
         true
     }
 
+    fn power(&self) -> Option<f64> {
+        Some(2.0)
+    }
+
     fn edge(&self, d: f64) -> Option<f64> {
         Some(self.radius.si().sqrt() * d.max(0.0).sqrt())
     }

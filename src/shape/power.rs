@@ -84,6 +84,10 @@ impl Profile for Power {
             * quadrature::equal_panels(slope, (0.0, arcosh_of_ratio(a, r)), self.longest_panel())
     }
 
+    fn power(&self) -> Option<f64> {
+        Some(self.exponent.si())
+    }
+
     fn edge(&self, d: f64) -> Option<f64> {
         Some((d.max(0.0) / self.factor()).powf(1.0 / self.exponent.si()))
     }
@@ -161,6 +165,10 @@ impl Profile for Cone {
         let half = 0.5 * a.atan2(root_of_difference(r, a));
         let (sine, cosine) = half.sin_cos();
         2.0 * self.slope.si() * r * sine * (2.0 * half * cosine - sine)
+    }
+
+    fn power(&self) -> Option<f64> {
+        Some(1.0)
     }
 
     fn edge(&self, d: f64) -> Option<f64> {

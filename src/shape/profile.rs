@@ -91,6 +91,11 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         edge_by_search(self, d)
     }
 
+    /// n of a profile that is a power g ∝ xⁿ of the radius all the way; `None` of others.
+    fn power(&self) -> Option<f64> {
+        None
+    }
+
     /// Radius [m] up to which g = 0 (the flat of a truncated cone), else 0.
     fn flat_radius(&self) -> f64 {
         0.0

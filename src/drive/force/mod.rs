@@ -346,8 +346,13 @@ impl ForceDrive {
     }
 }
 
+/// Least force [N] asked for without adhesion, of forces up to `scale` [N]: where there is none the bodies just touch.
+pub(super) fn touching(scale: f64) -> f64 {
+    TOUCH * scale
+}
+
 /// Whether the force of a contact jumps with its speed.
-fn is_damped(contact: &dyn ContactModel) -> bool {
+pub(super) fn is_damped(contact: &dyn ContactModel) -> bool {
     contact.joined() && contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0)
 }
 

@@ -123,6 +123,62 @@ fn looks_do_not_change_a_motion() {
     assert!((end.slide / cut.slide - 1.0).abs() < 1e-9, "{end:?} {cut:?}");
 }
 
+/// A ball that does not tell of what power it is.
+#[derive(Debug)]
+struct Unnamed(Paraboloid);
+
+impl Profile for Unnamed {
+    fn height(&self, r: f64) -> f64 {
+        self.0.height(r)
+    }
+
+    fn reduced(&self, x: f64) -> f64 {
+        self.0.reduced(x)
+    }
+
+    fn reduced_slope(&self, x: f64) -> f64 {
+        self.0.reduced_slope(x)
+    }
+
+    fn load_integral(&self, a: f64) -> f64 {
+        self.0.load_integral(a)
+    }
+
+    fn edge(&self, d: f64) -> Option<f64> {
+        self.0.edge(d)
+    }
+
+    fn scale(&self) -> f64 {
+        self.0.scale()
+    }
+}
+
+/// A swing by its series slips, sticks and loses what one by extrapolation does, and as often.
+#[test]
+fn a_series_is_the_motion_by_extrapolation() {
+    let paraboloid = Paraboloid { radius: Length::new(1.0).unwrap() };
+    for (stiffness, damping, left) in [(0.02, 0.0, 0.5), (0.02, 0.05, 0.8), (0.3, 0.01, 0.2), (2.0, 0.3, 0.7)] {
+        let suspension = Suspension { mass: 1.0, stiffness, damping };
+        let run = |profile: Arc<dyn Profile>| {
+            let mut mass = Drawn::new(suspension, pressed(profile, 0.4), left);
+            let mut moments = Vec::new();
+            for (until, drawn) in [(600.0, 0.05), (900.0, -0.03), (1200.0, 0.2)] {
+                mass.draw(drawn);
+                moments.extend(changes(&mut mass, until));
+            }
+            (moments, mass.state(), mass.tangential().dissipated.unwrap())
+        };
+        let (series, steps) = (run(Arc::new(paraboloid.clone())), run(Arc::new(Unnamed(paraboloid.clone()))));
+        assert!(!series.0.is_empty() && series.0.len() == steps.0.len(), "{} {}", series.0.len(), steps.0.len());
+        for (one, other) in series.0.iter().zip(&steps.0) {
+            assert!((one.state.time / other.state.time - 1.0).abs() < 1e-11, "{one:?} {other:?}");
+        }
+        assert!((series.1.work / steps.1.work - 1.0).abs() < 1e-9, "{:?} {:?}", series.1, steps.1);
+        assert!((series.1.damped - steps.1.damped).abs() < 1e-9 * series.1.work, "{:?} {:?}", series.1, steps.1);
+        assert!((series.2 / steps.2 - 1.0).abs() < 1e-9, "{:e} {:e}", series.2, steps.2);
+    }
+}
+
 /// A mass that has ceased to swing creeps; one whose entry is cut so often that it is always followed slips at the same times.
 #[test]
 fn a_creep_is_the_motion_without_swings() {

@@ -31,6 +31,27 @@ impl Branch<'_> {
     }
 }
 
+/// A force F(w) = F₀ + S(1 − (1 − w/W)^p) along the way w, as that of a branch on a profile g ∝ xⁿ, p = 1 + 1/n.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PowerBranch {
+    /// S [N].
+    pub share: f64,
+    /// W [m], the way at whose end the axis slips.
+    pub whole: f64,
+    /// p.
+    pub exponent: f64,
+}
+
+impl Branch<'_> {
+    /// The same as a power of the way that is left to the axis; `None` where the load is none of the depth.
+    #[must_use]
+    pub fn power(&self) -> Option<PowerBranch> {
+        let exponent = 1.0 + self.memory.curve.profile.power()?.recip();
+        let whole = (self.memory.at.indentation - self.below.0) / self.below.1;
+        Some(PowerBranch { share: self.weight * self.from.1, whole, exponent })
+    }
+}
+
 impl TangentialMemory {
     /// The force on the way in the direction `ahead`, 1 or −1; `None` of a contact that slips as a whole in that direction.
     #[must_use]
@@ -81,6 +102,10 @@ mod tests {
                     let way = 0.01 * f64::from(part) * (memory.next_corner(ahead).slide - memory.at.slide);
                     let force = memory.force_at(Pose { indentation: 1.0, slide: memory.at.slide + way }).unwrap();
                     prop_assert!((branch.force(way) - force).abs() < 1e-14 * memory.limit(), "{ahead} {:e} {force:e}", branch.force(way));
+                    let Some(power) = branch.power() else { continue };
+                    let left = (1.0 - way / power.whole).max(0.0);
+                    let by_power = branch.force(0.0) + power.share * (1.0 - left.powf(power.exponent));
+                    prop_assert!((by_power - force).abs() < 1e-14 * memory.limit(), "{ahead} {by_power:e} {force:e}");
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 mod creeping;
 mod forces;
+mod series;
 mod stuck;
 
 use super::sliding::Slide;

@@ -3,6 +3,7 @@
 use super::super::MachineError;
 use super::creeping::Creep;
 use super::forces::{Approach, Sticking};
+use super::series::Series;
 use super::{Drawn, DrawnMoment, DrawnState, Phase, TOLERANCE};
 use crate::friction::Corner;
 use crate::numerics::extrapolation::Stepper;
@@ -18,10 +19,25 @@ const MOST_SWINGS: f64 = 2e5;
 const STILL: f64 = 1e-11;
 /// Radians of the fastest swing that a step may take.
 const HALF_SWING: f64 = 2.5;
+/// A mass surely comes to a corner if it keeps more than 1 over this of its speed.
+const SURE: f64 = 2.0;
 /// Shortest step of an approach, relative to all of it.
 const COARSEST: f64 = 1e-3;
 /// Part of the way that slips a contact as a whole below which there is none left.
 const CLOSE: f64 = 1e-13;
+
+/// The end of a step: its duration [s], and way, speed, work and loss.
+type End = (f64, [f64; 4]);
+
+/// How a step ends.
+enum Step {
+    /// At a corner of the memory.
+    Passes(End),
+    /// Where the mass turns.
+    Turns(End),
+    /// Anywhere.
+    Goes(End),
+}
 
 impl Drawn {
     /// The forces while the mass goes on in the direction `ahead`, 1 or −1.
@@ -44,32 +60,71 @@ impl Drawn {
             return self.slip(ahead).map(Some);
         }
         let longest = until - self.state.time;
-        let near = left <= self.state.speed.abs() * longest.min(self.stepper.next());
-        if near && let Some(landed) = self.approach(left, ahead).filter(|landed| landed.0 <= longest) {
+        if corner.is_last
+            && self.surely_comes(left, ahead)
+            && let Some(landed) = self.approach(left, ahead).filter(|landed| landed.0 <= longest)
+        {
             return self.pass(landed, (corner, ahead));
         }
+        let Some(step) = self.one_step(longest, (left, ahead)) else { return Err(self.stalled()) };
+        match step {
+            Step::Passes(landed) => return self.pass(landed, (corner, ahead)),
+            Step::Turns(turn) => self.turn(turn)?,
+            Step::Goes(end) => self.moved(end, longest, until),
+        }
+        Ok(None)
+    }
+
+    /// Whether a mass the way `left` [m] before the last corner, in the direction `ahead`, gets there within a step, whatever
+    /// the friction does on the way: it grows up to there.
+    fn surely_comes(&self, left: f64, ahead: f64) -> bool {
+        let (sticking, speed) = (self.sticking(ahead), self.state.speed.abs());
+        let suspension = self.suspension;
+        let over = SURE * left / speed;
+        let pulled = ahead * sticking.pull(0.0, ahead * left) - suspension.stiffness * self.drawn.abs() * over;
+        let held = self.memory.limit() + suspension.damping * speed - pulled;
+        let end = speed * speed - 2.0 * held / suspension.mass * left;
+        over <= SURE * HALF_SWING * sticking.radian() && end > speed * speed / (SURE * SURE)
+    }
+
+    /// One step of at most `longest` [s], before a corner the way `left` [m] ahead.
+    fn one_step(&mut self, longest: f64, (left, ahead): (f64, f64)) -> Option<Step> {
+        let sticking = self.sticking(ahead);
+        let Some(series) = Series::new(&sticking, self.state.speed) else {
+            return self.extrapolated(longest, (left, ahead));
+        };
+        let step = series.reach().min(longest);
+        let at = |time: f64| {
+            let [way, speed, work, damped] = series.at(time);
+            (time, [way, speed, self.state.work + work, self.state.damped + damped])
+        };
+        let turn = series.turns(step, ahead).map(at);
+        let end = turn.unwrap_or_else(|| at(step));
+        if ahead * end.1[0] > left {
+            let mut landed = at(series.meets(ahead * left, end.0));
+            landed.1[0] = ahead * left;
+            return Some(Step::Passes(landed));
+        }
+        Some(if turn.is_some() { Step::Turns(end) } else { Step::Goes(end) })
+    }
+
+    /// The same by extrapolation, whatever the load.
+    fn extrapolated(&mut self, longest: f64, (left, ahead): (f64, f64)) -> Option<Step> {
         let from = [0.0, self.state.speed, self.state.work, self.state.damped];
         let (mut stepper, mut motion) = (self.stepper, self.sticking(ahead));
         let most = longest.min(HALF_SWING * motion.radian());
-        let Some((step, to)) = stepper.step(&mut motion, &from, most) else { return Err(self.stalled()) };
+        let (step, to) = stepper.step(&mut motion, &from, most)?;
         // A mass may turn twice in a step, and a loop of the memory with it.
         let dip = if from[1] * to[1] > 0.0 { stepper.dip(&mut motion, (&from, &to), (step, 1)) } else { None };
         let (step, to) = dip.unwrap_or((step, to));
-        let passes = ahead * to[0] > left;
         let turns = ahead * to[1] < 0.0;
         let turn = if turns { stepper.landing(&mut motion, (&from, &to), (step, 1, 0.0)) } else { None };
-        let beyond = turn.is_none_or(|turn| ahead * turn.1[0] > left);
-        let passed =
-            if passes && beyond { stepper.landing(&mut motion, (&from, &to), (step, 0, ahead * left)) } else { None };
+        // It may turn behind the corner, and be back before it at the end of the step.
+        let (over, end) = turn.unwrap_or((step, to));
+        let passes = ahead * end[0] > left;
+        let passed = if passes { stepper.landing(&mut motion, (&from, &end), (over, 0, ahead * left)) } else { None };
         self.stepper = stepper;
-        if let Some(landed) = passed {
-            return self.pass(landed, (corner, ahead));
-        }
-        match turn {
-            Some(turn) => self.turn(turn)?,
-            None => self.moved((step, to), longest, until),
-        }
-        Ok(None)
+        Some(passed.map(Step::Passes).or(turn.map(Step::Turns)).unwrap_or(Step::Goes((step, to))))
     }
 
     /// Where the mass is going: 1 or −1.
