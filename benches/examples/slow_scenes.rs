@@ -17,8 +17,14 @@ const LIQUID: &str = "bodies: (Viscoelastic(poisson: 0.5, shear: (terms: [(modul
 const RELAXED: &str = "adhesion: Jkr(work: 0.05, edge: Relaxed)";
 
 /// Name, shape, bodies with their attraction, history.
-const SCENES: [[&str; 4]; 9] = [
+const SCENES: [[&str; 4]; 10] = [
     ["Kelvin–Voigt half released", BALL, KELVIN_VOIGT, "Press(to: 5e-3, over: 1), Press(to: 2.5e-3, over: 1)"],
+    [
+        "Kelvin–Voigt let go",
+        BALL,
+        KELVIN_VOIGT,
+        "Press(to: 1e-3, over: 1), Press(to: 0, over: 0.01), HoldForce(over: 10)",
+    ],
     ["relaxed edge under a force", BALL, "", "Press(to: 5e-3, over: 1), Press(to: -4e-4, over: 1)"],
     ["sine under adhesion", BALL, "", "Indent(to: 1e-5, over: 1), Oscillate(amplitude: 2e-6, frequency: 1, cycles: 5)"],
     ["wavy relaxed edge", WAVY, "", "Press(to: 5e-3, over: 1), Press(to: -7e-3, over: 1)"],

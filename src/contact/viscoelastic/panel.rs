@@ -8,8 +8,9 @@
 use super::Spectrum;
 use super::alike::Alike;
 use super::spring::{Free, Spring};
-use super::totals::Totals;
+use super::totals::{Numbers, Totals};
 use crate::numerics::quadrature;
+use smallvec::smallvec;
 use std::sync::{Arc, LazyLock};
 
 /// Nodes of a panel: polynomials of degree fifteen.
@@ -78,9 +79,9 @@ pub(super) struct Panel {
     /// Node by node: element loads [N/m] of springs held; modes and rest [m] of free ones.
     states: Arc<[f64]>,
     /// Element loads [N/m] from the motion since then, alike for all springs held.
-    memory: Vec<f64>,
+    memory: Numbers,
     /// What is left of the states since then.
-    kept: Vec<f64>,
+    kept: Numbers,
     /// Sums over the panel, of both halves of the bed.
     totals: Totals,
     /// What the polynomial misses of a state [N/m] or [m].
@@ -90,14 +91,15 @@ pub(super) struct Panel {
 }
 
 /// The states of springs as numbers in a row.
-fn numbers(spring: Spring) -> Vec<f64> {
-    match spring {
-        Spring::Pressed(loads) => loads,
-        Spring::Free(mut free) => {
-            free.modes.push(free.rest);
-            free.modes
+fn numbers<'s>(springs: impl IntoIterator<Item = &'s Spring>) -> Vec<f64> {
+    let mut row = Vec::new();
+    for spring in springs {
+        match spring {
+            Spring::Pressed(loads) => row.extend_from_slice(loads),
+            Spring::Free(free) => row.extend(free.modes.iter().chain([&free.rest])),
         }
     }
+    row
 }
 
 /// Places of the nodes and what is integrated at each: 2 dx.
@@ -111,6 +113,8 @@ struct PanelDraft {
     inner: f64,
     outer: f64,
     springs: Vec<Lived>,
+    /// Their states as numbers in a row.
+    states: Vec<f64>,
     /// Greatest number of a state.
     greatest: f64,
     /// The last coefficients of the polynomials, and what they miss at the ends.
@@ -122,28 +126,27 @@ struct PanelDraft {
 impl PanelDraft {
     fn new(inner: f64, outer: f64, lived: &dyn Fn(f64) -> Lived) -> Self {
         let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| lived(x)).collect();
-        let states: Vec<Vec<f64>> = springs.iter().map(|lived| numbers(lived.spring.clone())).collect();
-        let greatest = states.iter().flatten().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let dim = states.first().map_or(0, Vec::len);
+        let states = numbers(springs.iter().map(|lived| &lived.spring));
+        let greatest = states.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let dim = states.len() / NODES;
         let mut tail = 0f64;
         for j in 0..dim {
             for row in &RULE.last {
-                let coefficient: f64 = row.iter().zip(&states).map(|(r, state)| r * state[j]).sum();
+                let coefficient: f64 = row.iter().zip(states.chunks_exact(dim)).map(|(r, state)| r * state[j]).sum();
                 tail = tail.max(coefficient.abs());
             }
         }
-        let flat: Vec<f64> = states.into_iter().flatten().collect();
         // On this side of the borders: beyond them springs have another past.
         let within = (16.0 * f64::EPSILON * outer).min(0.25 * (outer - inner));
         for (end, at) in [(inner + within, -1.0), (outer - within, 1.0)] {
-            let there = numbers(lived(end).spring);
-            for (seen, value) in interpolated(&flat, at).iter().zip(&there) {
+            let there = numbers([&lived(end).spring]);
+            for (seen, value) in interpolated(&states, at).iter().zip(&there) {
                 // The polynomial grows towards its ends: it is no better there than a hundredth of this.
                 tail = tail.max(0.01 * (seen - value).abs());
             }
         }
         let impulse = impulse_and_tail(&springs).map(|value| value * (outer - inner));
-        Self { inner, outer, springs, greatest, tail, impulse }
+        Self { inner, outer, springs, states, greatest, tail, impulse }
     }
 
     fn is_smooth(&self, greatest: f64, grain: Grain) -> bool {
@@ -170,7 +173,7 @@ impl PanelDraft {
             work += w * speed * lived.impulse;
         }
         let held = self.springs.iter().all(|lived| matches!(lived.spring, Spring::Pressed(_)));
-        let states: Arc<[f64]> = self.springs.into_iter().flat_map(|lived| numbers(lived.spring)).collect();
+        let states: Arc<[f64]> = self.states.into();
         let dim = states.len() / NODES;
         let panel = Panel {
             inner: self.inner,
@@ -178,8 +181,8 @@ impl PanelDraft {
             held,
             past: 0,
             is_known: true,
-            memory: vec![0.0; dim],
-            kept: vec![1.0; dim],
+            memory: smallvec![0.0; dim],
+            kept: smallvec![1.0; dim],
             totals,
             missed: self.tail,
             greatest: self.greatest,
@@ -202,7 +205,8 @@ fn shares(y: f64) -> [f64; NODES] {
     let weights: [f64; NODES] = std::array::from_fn(|k| rule.barycentric[k] / (y - rule.nodes[k]));
     let all = weights.iter().sum::<f64>();
     if all.is_finite() {
-        return weights.map(|weight| weight / all);
+        let part = all.recip();
+        return weights.map(|weight| weight * part);
     }
     // At a node itself.
     weights.map(|weight| if weight.is_finite() { 0.0 } else { 1.0 })
@@ -211,18 +215,10 @@ fn shares(y: f64) -> [f64; NODES] {
 /// The states between the nodes, at −1 ≤ y ≤ 1.
 fn interpolated(states: &[f64], y: f64) -> Vec<f64> {
     let dim = states.len() / NODES;
-    let (mut sum, mut below) = (vec![0.0; dim], 0.0);
-    for (k, node) in RULE.nodes.iter().enumerate() {
-        let row = &states[k * dim..(k + 1) * dim];
-        let away = y - node;
-        if away.abs() <= 0.0 {
-            return row.to_vec();
-        }
-        let weight = RULE.barycentric[k] / away;
-        below += weight;
-        sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
+    let mut sum = vec![0.0; dim];
+    for (share, row) in shares(y).iter().zip(states.chunks_exact(dim.max(1))) {
+        sum.iter_mut().zip(row).for_each(|(sum, value)| *sum += share * value);
     }
-    sum.iter_mut().for_each(|sum| *sum /= below);
     sum
 }
 
@@ -291,7 +287,7 @@ impl Panel {
     /// Free springs of which nothing is known.
     pub(super) fn unknown(spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let (totals, states) = (Totals::new(spectrum), Arc::new([]));
-        let (memory, kept) = (Vec::new(), Vec::new());
+        let (memory, kept) = (Numbers::new(), Numbers::new());
         let (missed, greatest) = (0.0, 0.0);
         Self { inner, outer, held: false, past: 0, is_known: false, states, memory, kept, totals, missed, greatest }
     }
@@ -334,7 +330,8 @@ impl Panel {
         let here = |x: f64| Lived { spring: self.spring(x), impulse: 0.0 };
         let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| here(x)).collect();
         let (greatest, tail) = (self.greatest * self.left(), self.missed * self.left());
-        PanelDraft { inner, outer, springs, greatest, tail, impulse: [0.0; 2] }.finished(spectrum, 0.0).0
+        let states = numbers(springs.iter().map(|lived| &lived.spring));
+        PanelDraft { inner, outer, springs, states, greatest, tail, impulse: [0.0; 2] }.finished(spectrum, 0.0).0
     }
 
     /// The panel in two, cut at `x`.
@@ -356,10 +353,9 @@ impl Panel {
         let lived = |x: f64| Lived { spring: if x < next.inner { self } else { next }.spring(x), impulse: 0.0 };
         let draft = PanelDraft::new(self.inner, next.outer, &lived);
         let greatest = draft.greatest.max(self.greatest * self.left()).max(next.greatest * next.left());
-        let flat: Vec<f64> = draft.springs.iter().flat_map(|lived| numbers(lived.spring.clone())).collect();
         let seam = |x: f64| {
-            let one = interpolated(&flat, (2.0 * x - self.inner - next.outer) / (next.outer - self.inner));
-            let both = numbers(lived(x).spring);
+            let one = interpolated(&draft.states, (2.0 * x - self.inner - next.outer) / (next.outer - self.inner));
+            let both = numbers([&lived(x).spring]);
             one.iter().zip(&both).all(|(one, both)| (one - both).abs() <= (4.0 * ROUNDING).max(tolerance) * greatest)
         };
         let ends =

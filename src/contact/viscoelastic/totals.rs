@@ -3,22 +3,26 @@
 use super::Spectrum;
 use super::alike::{Alike, Fading};
 use super::spring::Spring;
+use smallvec::{SmallVec, smallvec};
+
+/// One number per Maxwell element or mode; up to four of them stand where they are kept.
+pub(super) type Numbers = SmallVec<[f64; 4]>;
 
 /// Σ w sᵢ and Σ w sᵢ² over pressed springs, Σ w zₘ² over free ones; w is the weight of a spring [m].
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Totals {
     /// Σ w sᵢ [N].
-    pub loads: Vec<f64>,
+    pub loads: Numbers,
     /// Σ w sᵢ² [N²/m].
-    pub squares: Vec<f64>,
+    pub squares: Numbers,
     /// Σ w zₘ² [m³].
-    pub modes: Vec<f64>,
+    pub modes: Numbers,
 }
 
 impl Totals {
     pub(super) fn new(spectrum: &Spectrum) -> Self {
-        let zeros = vec![0.0; spectrum.terms().len()];
-        Self { loads: zeros.clone(), squares: zeros, modes: vec![0.0; spectrum.modes().len()] }
+        let zeros: Numbers = smallvec![0.0; spectrum.terms().len()];
+        Self { loads: zeros.clone(), squares: zeros, modes: smallvec![0.0; spectrum.modes().len()] }
     }
 
     /// Adds a spring of the weight `w`.
