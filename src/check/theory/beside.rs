@@ -1,7 +1,9 @@
 //! What theories say of a scene, beside what is computed.
 
 use super::ground;
-use super::{GreenwoodWilliamson, SummitStatistics, area_fraction, contact_conductance, plasticity_index};
+use super::{
+    GreenwoodWilliamson, StiffnessLaw, SummitStatistics, area_fraction, contact_conductance, plasticity_index,
+};
 use crate::contact::state::Normal;
 use crate::material::Body;
 use crate::numerics::root::RootError;
@@ -112,6 +114,19 @@ impl NominallyFlat {
     #[must_use]
     pub fn area(&self) -> f64 {
         self.area
+    }
+
+    /// The power of the force [N] through points of the stiffness [N/m]; `None` for fewer than two.
+    #[must_use]
+    pub fn stiffness_law(&self, points: &[(f64, f64)]) -> Option<StiffnessLaw> {
+        StiffnessLaw::fitted(points, (self.modulus, self.roughness.rms_height, self.area.sqrt()))
+    }
+
+    /// Stiffness [N/m] under a force [N] by such a law.
+    #[must_use]
+    pub fn stiffness(&self, law: StiffnessLaw, force: f64) -> f64 {
+        let whole = self.modulus * self.area.sqrt();
+        law.prefactor * whole * (force / (whole * self.roughness.rms_height)).powf(law.exponent)
     }
 
     /// Share of the nominal area that touches under a force [N], after Persson.

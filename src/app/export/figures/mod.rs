@@ -184,7 +184,10 @@ fn force(plan: &Plan, outcome: &Outcome) -> Vec<Panel> {
             over_time.into_iter().chain([rough::against_depth(outcome)]).collect()
         }
         Plan::Pad(_) => [&FORCE, &JOINED_SHARE].map(against_depth).into(),
-        Plan::Plane(_) | Plan::HalfSpace(_) => vec![against_depth(force_of(plan))],
+        Plan::Plane(_) => vec![against_depth(force_of(plan))],
+        Plan::HalfSpace(_) => {
+            std::iter::once(against_depth(force_of(plan))).chain(pixels::stiffness(plan, outcome)).collect()
+        }
         Plan::Impact(_) => {
             let over_time = impacts::over_time(records, [force_of(plan), radius_of(plan)]);
             over_time.into_iter().chain([against_depth(force_of(plan))]).collect()

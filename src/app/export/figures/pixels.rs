@@ -1,12 +1,13 @@
 //! A contact on pixels: its area over the force, the map of its pressure, how often pressures and gaps occur.
 
-use super::curve::{axis_of, few, of_records, short};
+use super::curve::{axis_of, few, log, of_records, short};
 use super::friction::from_first_slide;
 use super::gliding;
+use super::rough::beside_the_law;
 use super::slides;
 use crate::app::figure::{Axis, Cells, Hue, Line, Mark, Marks, Panel, Points, Series};
 use crate::check::theory::NominallyFlat;
-use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, STICK_AREA, TIME};
+use crate::run::record::{AREA, ContactMap, FORCE, INDENTATION, LEAK, Outcome, Record, STICK_AREA, STIFFNESS, TIME};
 use crate::run::table::Table;
 use crate::scene::Plot;
 use crate::scene::law::{ElasticAdhesion, PixelFriction};
@@ -82,6 +83,23 @@ pub fn area(scene: &Plan, plan: &HalfSpacePlan, outcome: &Outcome) -> Panel {
         Some(flat) => theories(flat, outcome).into_iter().fold(panel.with(computed("computed")), Panel::with),
         None => panel.with(computed("")),
     }
+}
+
+/// Stiffness over the force of a rough contact that is flat as a whole, with the power of the force nearest to it.
+pub fn stiffness(scene: &Plan, outcome: &Outcome) -> Option<Panel> {
+    let flat = NominallyFlat::of(scene)?;
+    let pressed = |record: &Record| record.normal.force > 0.0 && record.normal.stiffness > 0.0;
+    let records: Vec<Record> = outcome.records.iter().filter(|record| pressed(record)).copied().collect();
+    let points: Vec<_> = records.iter().map(|record| (record.normal.force, record.normal.stiffness)).collect();
+    let law = flat.stiffness_law(&points)?;
+    let ends = points.iter().fold((f64::INFINITY, 0.0_f64), |ends, at| (ends.0.min(at.0), ends.1.max(at.0)));
+    let name = format!("{:.2} E*L (F/E*hL)^{:.2}", law.prefactor, law.exponent);
+    let line = [ends.0, ends.1].map(|force| Some((force, flat.stiffness(law, force))));
+    let panel = Panel::new(log(axis_of(&FORCE)), log(axis_of(&STIFFNESS)))
+        .with(Series::new("computed", of_records(&records, &FORCE, &STIFFNESS)).marks(Marks::As(Mark::Point)))
+        .with(Series::new(name, line).line(Line::Dashed))
+        .note("L side of the nominal area, h rms height; the conductance of heat and current is 2k/(E*(ρ₁+ρ₂)) (Barber 2003).");
+    Some(beside_the_law(panel, &scene.scene))
 }
 
 /// What theories of the real contact say up to the largest force.

@@ -2,10 +2,11 @@
 
 use super::curve::{axis_of, log, of_records, points};
 use crate::app::figure::{Axis, Guide, Line, Panel, Points, Series};
+use crate::check::theory::stiffness_exponent;
 use crate::run::record::{FORCE, INDENTATION, Outcome, Record, STIFFNESS};
 use crate::run::table::{Column, Table};
-use crate::scene::Plot;
 use crate::scene::plan::RoughPlan;
+use crate::scene::{Plot, Scene};
 use crate::shape::rough::{RoughLine, SpectrumSource};
 use crate::shape::{Family, RoughShape};
 
@@ -34,14 +35,15 @@ fn stiffness(plan: &RoughPlan, outcome: &Outcome) -> Panel {
     }
     let panel = banded(outcome, &FORCE, &STIFFNESS);
     let panel = Panel { x: log(panel.x), y: log(panel.y), ..panel };
-    let panel = match hurst(plan) {
-        Some(hurst) => {
-            let exponent = 1.0 / (1.0 + hurst);
-            panel.guide(Guide::slope(exponent, format!("slope 1/(1+H) = {exponent:.3}")))
-        }
+    beside_the_law(panel, &plan.scene).note(APPROXIMATE)
+}
+
+/// Stiffness over force in decades, with the slope of the law that self-affine surfaces follow at small loads.
+pub fn beside_the_law(panel: Panel, scene: &Scene) -> Panel {
+    match hurst(scene).map(stiffness_exponent) {
+        Some(exponent) => panel.guide(Guide::slope(exponent, format!("slope 1/(1+H) = {exponent:.3}"))),
         None => panel,
-    };
-    panel.note(APPROXIMATE)
+    }
 }
 
 /// What is said of the stiffness.
@@ -80,8 +82,8 @@ fn moved(table: &Table, x: &Column<Record>, y: &Column<Record>) -> Option<[Point
 const SCATTERS: f64 = 1e-9;
 
 /// Hurst exponent of a nominally flat self-affine surface.
-fn hurst(plan: &RoughPlan) -> Option<f64> {
-    match plan.scene.shape.family() {
+fn hurst(scene: &Scene) -> Option<f64> {
+    match scene.shape.family() {
         Family::Line(RoughShape { base: None, spectrum: SpectrumSource::SelfAffine(spectrum), .. }) => {
             Some(spectrum.hurst.si())
         }
