@@ -26,6 +26,7 @@ const INVERSES: [f64; TERMS] = {
     }
     inverses
 };
+
 /// Nodes of the rule for what the damper takes: the square of a speed that is resolved by 25 terms, as far as it is trusted.
 const NODES: usize = 16;
 /// Pairs (node, weight) on [0, 1].
@@ -96,16 +97,17 @@ impl<'s, 'm> Series<'s, 'm> {
         self.radian * allowed(TERMS - 1).min(allowed(TERMS - 2)).min(LONGEST)
     }
 
-    /// Way [m], over τ.
+    /// Way [m] after the time `at`, in τ.
     fn way(&self, at: f64) -> f64 {
         self.terms.iter().rev().fold(0.0, |sum, term| sum * at + term)
     }
 
-    /// dx/ds, which is τẋ, and d²x/ds²: each without its first term, over s, where `from` is 2 and 3.
+    /// dx/ds, which is τẋ, where `from` is 1; without its first term and over s, where `from` is 2.
     fn slope(&self, at: f64, from: usize) -> f64 {
         (from..TERMS).rev().fold(0.0, |sum, j| sum * at + j as f64 * self.terms[j])
     }
 
+    /// d²x/ds².
     fn bend(&self, at: f64) -> f64 {
         (2..TERMS).rev().fold(0.0, |sum, j| sum * at + (j * (j - 1)) as f64 * self.terms[j])
     }
