@@ -1,5 +1,6 @@
 //! A history on pixels: states one after the other, each starting from the pressure of the last.
 
+mod attracted;
 mod jumps;
 
 use super::distribution::Distribution;
@@ -62,13 +63,6 @@ const ROUNDING: u32 = 12;
 fn key(control: Control, value: f64) -> (bool, u64) {
     (control == Control::Force, value.to_bits().wrapping_add(1 << (ROUNDING - 1)) >> ROUNDING)
 }
-
-/// Steps in which bodies that attract each other come from out of reach to their touch.
-const APPROACH: u32 = 16;
-/// Fewest records of a pull over the range of the attraction.
-const EIGHTH: f64 = 8.0;
-/// Most records of a pull, in records of its entry.
-const PULLED: usize = 100;
 
 /// A step: what is prescribed where it begins and ends, how long it takes, and when it ends [s].
 #[derive(Debug, Clone, Copy)]
@@ -192,49 +186,6 @@ impl<'p> Series<'p> {
         let stroke =
             Stroke { control, values: part.map(|part| way.at(part)), slide: [self.slide, slide(part[1])], over };
         self.rub(stage.entry, state, stroke)
-    }
-
-    /// The state at touch; bodies that attract each other have come there from out of reach.
-    fn touched(&mut self) -> Result<State, SimulationError> {
-        let mut state = self.pressing.apart(0.0);
-        let Some(attraction) = self.pixels.attraction() else {
-            return self.leaking(0, state, || self.pressing.open(0.0));
-        };
-        let depth = |step: u32| -attraction.reach() * f64::from(APPROACH - step) / f64::from(APPROACH);
-        let (control, over, time, slide, entry) = (Control::Indentation, 0.0, 0.0, 0.0, 0);
-        for step in 0..=APPROACH {
-            let (from, value) = (depth(step.saturating_sub(1)), depth(step));
-            state = self.at(Goal { control, from, value, over, time, slide, entry })?;
-        }
-        // What led here is no part of the history.
-        self.jumps.clear();
-        Ok(state)
-    }
-
-    /// Withdraws the indenter until nothing holds it.
-    fn pull_off(
-        &mut self,
-        records: &mut Vec<Record>,
-        (stage, speed): (&Stage, f64),
-        (start, from): (f64, f64),
-    ) -> Result<f64, SimulationError> {
-        let [range, reach] = self.pixels.attraction().map_or([0.0; 2], |pull| [pull.range(), pull.reach()]);
-        let step = (from / stage.records as f64).max(range / EIGHTH);
-        let mut time = start;
-        for number in 1..=PULLED * stage.records {
-            let way = step * number as f64;
-            time = start + way / speed;
-            let (control, slide) = (Control::Indentation, self.slide);
-            let (before, value) = (from - step * (number - 1) as f64, from - way);
-            let goal = Goal { control, from: before, value, over: step / speed, time, slide, entry: stage.entry };
-            let state = self.at(goal)?;
-            self.push(records, (stage.entry, time), state);
-            // What only fades has no end: out of the reach from which bodies come, nothing is left to tell.
-            if state.parted || (state.count == 0 && goal.value < -reach) {
-                break;
-            }
-        }
-        Ok(time)
     }
 
     /// What holds the body back along the surface in a state, and what has led there.
