@@ -126,6 +126,7 @@ pub enum BranchError {
 /// Most of Newton's steps to a root nearby, and the part of the parameter below which one is followed by less than rounding.
 const STEPS_NEARBY: usize = 8;
 const MET: f64 = 1e-10;
+
 /// The stable branches of an equilibrium curve under one kind of control.
 #[derive(Debug, Clone)]
 pub struct Branches {
@@ -210,7 +211,8 @@ impl Branches {
         loop {
             let Some(bottom) = self.turning.minimum_below(at) else { return Ok(curve.start()) };
             if bottom.value <= target {
-                return self.root_between(curve, (bottom.s, at), target);
+                let nearby = self.nearby(curve, at, target);
+                return nearby.map_or_else(|| self.root_between(curve, (bottom.s, at), target), Ok);
             }
             if bottom.s <= curve.start() {
                 return Ok(curve.start());
