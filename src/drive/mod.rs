@@ -191,6 +191,7 @@ impl Driver {
         let from = if pulled { self.pull } else { prescribed(contact, &present, course.control) };
         self.pull = if course.control == Control::Force { course.normal.at(from, 1.0, course.over) } else { 0.0 };
         let remainder = Remainder::Records;
+        let idled = matches!(self.stage.remainder, Remainder::Idle);
         self.stage = ActiveStage { course, from, slide, shaken: None, now: 0.0, remainder, leg: None, middle: None };
         if contact.memory().is_none() {
             return Ok(());
@@ -199,7 +200,7 @@ impl Driver {
             self.stage.shaken = Some(Chords::new(slide, wave, course.over, self.accuracy.max(SHAKEN)));
         }
         match course.control {
-            Control::Force => self.begin_force(contact)?,
+            Control::Force => self.begin_force(contact, idled)?,
             Control::Indentation => self.begin_depth(contact)?,
         }
         self.stage.leg = self.next_leg(contact)?;
@@ -228,7 +229,8 @@ impl Driver {
         Ok(())
     }
 
-    fn begin_force(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
+    /// What has `idled` in the stage before goes on so, whether it still touches or not.
+    fn begin_force(&mut self, contact: &mut dyn ContactModel, idled: bool) -> Result<(), ContactError> {
         let (course, from) = (self.stage.course, self.stage.from);
         let to = if let Path::To(to) = course.normal { to } else { from };
         self.creep = self.creep.take().filter(|creep| creep.grows_until(to));
@@ -243,7 +245,11 @@ impl Driver {
             contact.leave();
             self.parted = true;
         }
-        if course.over > 0.0 && from.max(to) <= 2.0 * force::touching(scale) && from.min(to) >= 0.0 && idles(contact) {
+        if course.over > 0.0
+            && from.max(to) <= 2.0 * force::touching(scale)
+            && from.min(to) >= 0.0
+            && (idled || idles(contact))
+        {
             self.stage.remainder = Remainder::Idle;
             return Ok(());
         }
