@@ -35,6 +35,7 @@ mod chords;
 pub mod course;
 mod cycle;
 pub mod force;
+mod idle;
 pub mod impact;
 mod instants;
 mod legs;
@@ -245,11 +246,7 @@ impl Driver {
             contact.leave();
             self.parted = true;
         }
-        if course.over > 0.0
-            && from.max(to) <= 2.0 * force::touching(scale)
-            && from.min(to) >= 0.0
-            && (idled || idles(contact))
-        {
+        if course.over > 0.0 && idle::at_no_force((from, to), scale) && (idled || idle::rests(contact)) {
             self.stage.remainder = Remainder::Idle;
             return Ok(());
         }
@@ -303,20 +300,6 @@ impl Driver {
         if let Some(instant) = force.met(contact, until)? {
             let slide = self.stage.slide_at(until);
             contact.follow(&Straight { slide, ..instant })?;
-        }
-        Ok(())
-    }
-
-    /// At no force up to the time `until` [s]: what rests on a free surface changes nothing of it. The indenter is taken away,
-    /// and put down again where the surface is then.
-    fn idle(&self, contact: &mut dyn ContactModel, until: f64) -> Result<(), ContactError> {
-        let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
-        let (slide, sliding_speed) = (self.stage.slide_at(until), self.stage.sliding_speed());
-        let up = ahead(contact, -depth_of(contact) / instant, instant);
-        contact.follow(&Straight { to: 0.0, slide: self.stage.slide_at(self.stage.now), ..up })?;
-        contact.follow(&Straight { slide, sliding_speed, ..Straight::between(0.0, 0.0, until - self.stage.now) })?;
-        if let Some(speed) = force::speed_to(contact, force::touching(self.largest), instant)? {
-            contact.follow(&Straight { slide, ..ahead(contact, speed, instant) })?;
         }
         Ok(())
     }
@@ -406,11 +389,6 @@ impl Driver {
     pub fn last_loop(&self) -> Option<Loop> {
         self.cycle.moduli()
     }
-}
-
-/// Whether a contact at no force does nothing but rest: it is damped, and nothing attracts.
-fn idles(contact: &dyn ContactModel) -> bool {
-    force::is_damped(contact) && contact.state().stored.surface >= 0.0
 }
 
 /// Energy stored and lost [J].

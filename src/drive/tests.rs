@@ -54,33 +54,37 @@ fn a_surface_comes_up_by_itself_at_no_force() {
     let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms: Vec::new(), viscosity: TAU }));
     let ball: Arc<dyn Profile> = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
     let by_force = |normal, over| Course { control: Control::Force, ..by_depth(normal, over) };
-    let led = |records: u32| {
+    // However often the two seconds are cut into entries, and an entry into records.
+    let led = |(entries, records): (u32, u32)| {
         let mut contact = ContinuousContact::new(Memory::new(spectrum.clone(), ball.clone()));
         let mut driver = Driver::new(&contact, 1e-6);
         for course in [by_force(Path::To(1e-3), 1.0), by_force(Path::To(0.0), 0.01)] {
             driver.begin(&mut contact, course, 0.0).unwrap();
             driver.advance(&mut contact, 1.0).unwrap();
         }
-        driver.begin(&mut contact, by_force(Path::Stay, 2.0), 0.0).unwrap();
         let start = driver.state(&contact).indentation.unwrap();
-        let mut depths = Vec::new();
-        for k in 1..=records {
-            let part = f64::from(k) / f64::from(records);
-            driver.advance(&mut contact, part).unwrap();
-            let state = driver.state(&contact);
-            assert!(state.force <= 1e-11, "{state:?}");
-            let (depth, right) = (state.indentation.unwrap(), start * (-2.0 * part / TAU).exp());
-            // The indenter is put down to a force of 1e-9 of the largest one, and began from one.
-            assert!((depth / right - 1.0).abs() < 1e-7 + 1e-12 * start / right, "{part}: {depth:e} {right:e}");
-            depths.push(depth);
+        for entry in 0..entries {
+            driver.begin(&mut contact, by_force(Path::Stay, 2.0 / f64::from(entries)), 0.0).unwrap();
+            for k in 1..=records {
+                let part = f64::from(k) / f64::from(records);
+                driver.advance(&mut contact, part).unwrap();
+                let state = driver.state(&contact);
+                assert!(state.force <= 1e-11, "{state:?}");
+                let time = 2.0 * (f64::from(entry) + part) / f64::from(entries);
+                let (depth, right) = (state.indentation.unwrap(), start * (-time / TAU).exp());
+                // The indenter is put down to a force of 1e-9 of the largest one, and began from one.
+                assert!((depth / right - 1.0).abs() < 1e-7 + 1e-12 * start / right, "{time}: {depth:e} {right:e}");
+            }
         }
         driver.begin(&mut contact, by_force(Path::To(1e-3), 1.0), 0.0).unwrap();
         driver.advance(&mut contact, 1.0).unwrap();
         driver.state(&contact)
     };
-    let (few, many) = (led(2), led(40));
+    let few = led((1, 2));
     let off = |one: Option<f64>, other: Option<f64>| (one.unwrap() / other.unwrap() - 1.0).abs();
-    assert!(off(few.indentation, many.indentation) < 1e-9 && off(few.contact_radius, many.contact_radius) < 1e-6);
+    for many in [led((1, 40)), led((7, 3)), led((40, 1))] {
+        assert!(off(few.indentation, many.indentation) < 1e-9 && off(few.contact_radius, many.contact_radius) < 1e-6);
+    }
 }
 
 /// A ramp cut anywhere into entries, and however many records there are: the same contact, to rounding.

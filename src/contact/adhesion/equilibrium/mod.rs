@@ -123,9 +123,11 @@ pub enum BranchError {
     Root(#[from] root::RootError),
 }
 
-/// Most of Newton's steps to a root nearby, and the part of the parameter below which one is followed by less than rounding.
+/// Most of Newton's steps to a root nearby, and the part of the parameter below which one is followed by less than rounding
+/// where what is left of Q is a small part of it too: beside the rim of a flat the slope is infinite, and any step short.
 const STEPS_NEARBY: usize = 8;
 const MET: f64 = 1e-10;
+const LEFT: f64 = 1e-7;
 
 /// The stable branches of an equilibrium curve under one kind of control.
 #[derive(Debug, Clone)]
@@ -295,12 +297,14 @@ impl Branches {
         }
         let mut at = s;
         for _ in 0..STEPS_NEARBY {
-            let step = (curve.value(self.control, at) - target) / curve.slope(self.control, at);
+            let value = curve.value(self.control, at);
+            let left = value - target;
+            let step = left / curve.slope(self.control, at);
             let next = at - step;
             if !(next > low && next < curve.end()) {
                 return None;
             }
-            if step.abs() <= MET * at {
+            if step.abs() <= MET * at && left.abs() <= LEFT * (value.abs() + target.abs()) {
                 return Some(next);
             }
             at = next;
