@@ -29,7 +29,7 @@
 
 use super::creep::Creep;
 use super::error::{BedError, ContactError, PlaneError};
-use super::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Pose, Pull, Straight};
+use super::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Pose, Pull, Straight, TangentialBed};
 use super::state::{Normal, Tangential};
 use crate::material::Spectrum;
 use crate::shape::{Profile, Rim};
@@ -142,6 +142,11 @@ impl ContactModel for MappedContact {
 
     fn tangential(&self) -> Option<Tangential> {
         self.bed.tangential().map(|tangential| self.told_tangential(tangential))
+    }
+
+    fn separate(&self) -> Option<(Box<dyn ContactModel>, Box<dyn TangentialBed>)> {
+        let (normal, springs) = self.bed.separate()?;
+        Some((Box::new(Self::new(normal, self.profile.clone())), springs))
     }
 
     fn sheared(&self) -> Normal {

@@ -163,6 +163,31 @@ impl Loading for Loaded {
     }
 }
 
+/// Springs of friction that go along a normal motion without asking it, taken out of a contact.
+pub trait TangentialBed: Send {
+    /// Goes on at the normal and the tangential speed `speeds` [m/s] for `duration` [s]; the work ∫F_x du_x it takes [J].
+    fn go(&mut self, speeds: (f64, f64), duration: f64) -> f64;
+
+    /// The work [J] of going on so, and whether a spring would stick at the end; the bed stays as it is.
+    fn look(&self, speeds: (f64, f64), duration: f64) -> (f64, bool);
+
+    /// Present state.
+    fn state(&self) -> Tangential;
+
+    /// Energy [J] its springs have lost so far as they relax.
+    fn relaxed(&self) -> f64;
+
+    /// Displacement [m] at which the contact slides as a whole.
+    fn gives_at(&self) -> f64;
+
+    /// From now on friction is the part `part` of what it was; what springs carry above it they let go at once, which is
+    /// lost.
+    fn give_way(&mut self, part: f64);
+
+    /// The springs as they are, on their own.
+    fn copy(&self) -> Box<dyn TangentialBed>;
+}
+
 /// A contact: it follows straight pieces of (d, u_x) and can be looked at without being moved.
 ///
 /// What a contact knows better than by being followed it says itself: the answer to a force that it finds at once
@@ -237,6 +262,12 @@ pub trait ContactModel: Send {
 
     /// What is joined of a contact in many pieces that stand for themselves.
     fn pieces(&self) -> Option<Joined> {
+        None
+    }
+
+    /// The normal contact and the springs of friction as they are, each on its own, where the normal motion does not ask
+    /// them.
+    fn separate(&self) -> Option<(Box<dyn ContactModel>, Box<dyn TangentialBed>)> {
         None
     }
 

@@ -146,25 +146,98 @@ impl ViscoelasticBed {
         }
     }
 
-    /// Moves at the normal speed `speed` and the tangential speed `slide` [m/s] for `duration` [s].
-    pub fn advance(&mut self, (speed, slide): (f64, f64), duration: f64) {
-        let motion = Motion { start: self.depth, speed, duration };
-        let slide = if self.reach > 0.0 { slide / self.reach } else { 0.0 };
-        let spectrum = self.spectrum.as_ref();
+    /// Moves at the normal speed `speed` and the tangential speed `slide` [m/s] for `duration` [s]; the work ∫F_x du_x it
+    /// takes on the way [J].
+    pub fn advance(&mut self, (speed, slide): (f64, f64), duration: f64) -> f64 {
+        let step = BedStep::new(&self.spectrum, (speed, self.scaled(slide)), duration);
         let mut all = Rubbed::default();
-        for (j, (normal, tangential)) in self.springs.iter_mut().enumerate() {
-            let seen = Motion { start: motion.start - self.layout.height[j], ..motion };
-            let before = std::mem::replace(normal, Spring::Pressed(Vec::new()));
-            *normal = before.follow(spectrum, &seen, &mut |piece| {
-                let rubbed = tangential.follow(spectrum, piece, slide);
-                all.lost += self.layout.weight[j] * rubbed.lost;
-                all.work += self.layout.weight[j] * rubbed.work;
-            });
+        for (j, spring) in self.springs.iter_mut().enumerate() {
+            let (place, weight) = (self.depth - self.layout.height[j], self.layout.weight[j]);
+            let rubbed = match step.sticking(place, spring) {
+                Some(rubbed) => {
+                    step.carry(spring);
+                    rubbed
+                }
+                None => step.follow(place, spring),
+            };
+            all.lost += weight * rubbed.lost;
+            all.work += weight * rubbed.work;
         }
         self.dissipated += self.coefficient * self.reach * all.lost;
-        self.work += self.coefficient * self.reach * all.work;
-        self.depth = motion.end();
-        self.speeds = (speed, slide);
+        let work = self.coefficient * self.reach * all.work;
+        self.work += work;
+        self.depth = Motion { start: self.depth, speed, duration }.end();
+        self.speeds = (speed, step.slide);
+        work
+    }
+
+    /// The work [J] that [`advance`](Self::advance) would take, and whether a spring would stick at its end; the bed stays
+    /// as it is.
+    #[must_use]
+    pub fn look(&self, (speed, slide): (f64, f64), duration: f64) -> (f64, bool) {
+        let step = BedStep::new(&self.spectrum, (speed, self.scaled(slide)), duration);
+        let (mut work, mut sticks) = (0.0, false);
+        for (j, spring) in self.springs.iter().enumerate() {
+            let (place, weight) = (self.depth - self.layout.height[j], self.layout.weight[j]);
+            if let Some(rubbed) = step.sticking(place, spring) {
+                work += weight * rubbed.work;
+                sticks = true;
+                continue;
+            }
+            if let Some(slipping) = step.slipping(place, spring) {
+                work += weight * slipping;
+                continue;
+            }
+            let mut spring = spring.clone();
+            work += weight * step.follow(place, &mut spring).work;
+            sticks = sticks || is_stuck(&spring).unwrap_or(false);
+        }
+        (self.coefficient * self.reach * work, sticks)
+    }
+
+    /// A displacement or speed along the surface, divided by m.
+    fn scaled(&self, slide: f64) -> f64 {
+        if self.reach > 0.0 { slide / self.reach } else { 0.0 }
+    }
+
+    /// From now on the coefficient of friction is the part `part` of what it was. What springs carry above it they let
+    /// go at once, and what that frees is lost to friction.
+    pub fn give_way(&mut self, part: f64) {
+        let before = self.stored();
+        (self.coefficient, self.reach) = (part * self.coefficient, part * self.reach);
+        let spectrum = self.spectrum.as_ref();
+        for ((normal, own), height) in self.springs.iter_mut().zip(&self.layout.height) {
+            own.divide(part);
+            let (Spring::Pressed(loads), SpringGrip::Held { displacement, loads: along, slip }) = (&*normal, own)
+            else {
+                continue;
+            };
+            if part >= 1.0 {
+                *slip = SlipState::No;
+                continue;
+            }
+            let at_rest = |u: f64, loads: &[f64]| spectrum.equilibrium() * u + loads.iter().sum::<f64>();
+            let carried = at_rest(*displacement, along);
+            let (above, side) = (carried.abs() - at_rest(self.depth - height, loads), carried.signum());
+            if above <= 0.0 {
+                continue;
+            }
+            // It gives at once, all elements with it, unless a dashpot holds it.
+            let back = if spectrum.viscosity() > 0.0 { 0.0 } else { side * above / spectrum.instantaneous() };
+            *displacement -= back;
+            for (own, term) in along.iter_mut().zip(spectrum.terms()) {
+                *own -= term.modulus * back;
+            }
+            *slip = SlipState::Towards(side);
+        }
+        self.speeds.1 /= part;
+        self.dissipated += before - self.stored();
+    }
+
+    /// Displacement [m] at which the contact slides as a whole, of springs that do not relax.
+    #[must_use]
+    pub fn gives_at(&self) -> f64 {
+        self.reach * self.depth.max(0.0)
     }
 
     /// Number of springs.
@@ -243,20 +316,151 @@ impl ViscoelasticBed {
     /// Number of springs under the indenter, and how many of them stick.
     #[must_use]
     pub fn held(&self) -> (usize, usize) {
-        let held = self.springs.iter().filter_map(|(normal, own)| match (normal, own) {
-            (Spring::Pressed(_), SpringGrip::Held { slip, .. }) => Some(usize::from(*slip == SlipState::No)),
-            _ => None,
+        let held = self.springs.iter().filter_map(is_stuck);
+        held.fold((0, 0), |(pressed, stuck), one| (pressed + 1, stuck + usize::from(one)))
+    }
+}
+
+/// Whether a spring sticks, if it is under the indenter.
+fn is_stuck((normal, own): &(Spring, SpringGrip)) -> Option<bool> {
+    match (normal, own) {
+        (Spring::Pressed(_), SpringGrip::Held { slip, .. }) => Some(*slip == SlipState::No),
+        (Spring::Pressed(_) | Spring::Free(_), _) => None,
+    }
+}
+
+/// A step of all springs at the same speeds, with what it does to the load of each term worked out once.
+struct BedStep<'s> {
+    spectrum: &'s Spectrum,
+    speed: f64,
+    slide: f64,
+    duration: f64,
+    terms: Vec<TermStep>,
+    /// What a displacement adds to the speed at which a spring let go recovers [1/s].
+    recovery: f64,
+}
+
+/// What a step does to a Maxwell element.
+struct TermStep {
+    /// e^(−T/τ), and Eτ(1 − e^(−T/τ)) [Pa s], what a speed adds.
+    kept: f64,
+    added: f64,
+    /// Mean of e^(−t/τ) over the step, and that of what a speed adds [Pa s].
+    faded: f64,
+    grown: f64,
+    /// What its load adds to the speed at which a spring let go recovers [m/s per N/m].
+    recovery: f64,
+}
+
+impl<'s> BedStep<'s> {
+    fn new(spectrum: &'s Spectrum, (speed, slide): (f64, f64), duration: f64) -> Self {
+        let of = |(i, term): (usize, &Element)| {
+            let y = duration / term.time;
+            let (kept, lost) = decay(y);
+            let (added, grown) = (term.modulus * term.time * lost, term.modulus * duration * grown(y));
+            let pulled = |mode: &Mode| mode.compliance * mode.inverse_gaps[i] / mode.time;
+            let recovery = term.time * spectrum.modes().iter().map(pulled).sum::<f64>();
+            TermStep { kept, added, faded: faded(y), grown, recovery }
+        };
+        let terms = spectrum.terms().iter().enumerate().map(of).collect();
+        let compliant = spectrum.modes().iter().map(|mode| mode.compliance / mode.time);
+        let recovery = -spectrum.equilibrium() * compliant.sum::<f64>();
+        Self { spectrum, speed, slide, duration, terms, recovery }
+    }
+
+    /// ∫q dt [N s/m] of a spring that begins at `u` with the element loads `loads` and goes at `speed`.
+    fn load_over_time(&self, u: f64, loads: &[f64], speed: f64) -> f64 {
+        let held = self.terms.iter().zip(loads).map(|(term, load)| load * term.faded + term.grown * speed);
+        let steady =
+            self.spectrum.equilibrium() * (u + 0.5 * speed * self.duration) + self.spectrum.viscosity() * speed;
+        self.duration * (steady + held.sum::<f64>())
+    }
+
+    /// The work of a spring that slips all the step, over μm; `None` where it does not.
+    fn slipping(&self, place: f64, (normal, own): &(Spring, SpringGrip)) -> Option<f64> {
+        let (Spring::Pressed(pressed), SpringGrip::Held { displacement, loads, slip: SlipState::Towards(side) }) =
+            (normal, own)
+        else {
+            return None;
+        };
+        if self.speed < 0.0 && self.load(place, pressed, self.speed) < 0.0 {
+            return None;
+        }
+        let elements = self.terms.iter().zip(pressed.iter().zip(loads));
+        let pulled = elements.map(|(term, (down, along))| term.recovery * (down - side * along));
+        let recovers = self.recovery * (place - side * displacement) + pulled.sum::<f64>();
+        let slips = recovers > self.speed - side * self.slide;
+        slips.then(|| side * self.slide * self.load_over_time(place, pressed, self.speed))
+    }
+
+    /// Load [N/m] at the end of the step of a spring that begins at `u` with the element loads `loads` and goes at `speed`.
+    fn load(&self, u: f64, loads: &[f64], speed: f64) -> f64 {
+        let elements = self.terms.iter().zip(loads).map(|(term, load)| term.kept * load + term.added * speed);
+        self.spectrum.equilibrium() * (u + speed * self.duration)
+            + elements.sum::<f64>()
+            + self.spectrum.viscosity() * speed
+    }
+
+    /// What a spring takes that sticks all the step; `None` where it does not. The load of the normal spring less or plus
+    /// that along the surface is the load of a spring that, once it begins to fall, falls to its end: its sign there tells.
+    fn sticking(&self, place: f64, (normal, own): &(Spring, SpringGrip)) -> Option<Rubbed> {
+        let (Spring::Pressed(pressed), SpringGrip::Held { displacement, loads, slip: SlipState::No }) = (normal, own)
+        else {
+            return None;
+        };
+        let (down, along) = (self.load(place, pressed, self.speed), self.load(*displacement, loads, self.slide));
+        let stays = |load: f64, speed: f64| speed >= 0.0 || load >= 0.0;
+        let sticks = stays(down, self.speed)
+            && stays(down - along, self.speed - self.slide)
+            && stays(down + along, self.speed + self.slide);
+        sticks.then(|| Rubbed { lost: 0.0, work: self.slide * self.load_over_time(*displacement, loads, self.slide) })
+    }
+
+    /// A spring that sticks all the step, to its end.
+    fn carry(&self, (normal, own): &mut (Spring, SpringGrip)) {
+        let (Spring::Pressed(pressed), SpringGrip::Held { displacement, loads, .. }) = (normal, own) else { return };
+        for ((term, down), along) in self.terms.iter().zip(pressed).zip(loads) {
+            *down = term.kept * *down + term.added * self.speed;
+            *along = term.kept * *along + term.added * self.slide;
+        }
+        *displacement += self.slide * self.duration;
+    }
+
+    /// A spring from event to event, to the end of the step.
+    fn follow(&self, place: f64, (normal, own): &mut (Spring, SpringGrip)) -> Rubbed {
+        let seen = Motion { start: place, speed: self.speed, duration: self.duration };
+        let mut all = Rubbed::default();
+        let before = std::mem::replace(normal, Spring::Pressed(Vec::new()));
+        *normal = before.follow(self.spectrum, &seen, &mut |piece| {
+            let rubbed = own.follow(self.spectrum, piece, self.slide);
+            all.lost += rubbed.lost;
+            all.work += rubbed.work;
         });
-        held.fold((0, 0), |(pressed, stuck), one| (pressed + 1, stuck + one))
+        all
     }
 }
 
 impl SpringGrip {
+    /// The same displacement and loads, divided by the part `part` of what m was.
+    fn divide(&mut self, part: f64) {
+        let all = match self {
+            Self::Held { displacement, loads, .. } => std::iter::once(displacement).chain(loads),
+            Self::Free(free) => std::iter::once(&mut free.rest).chain(&mut free.modes),
+        };
+        all.for_each(|value| *value /= part);
+    }
+
     /// Energy stored [N], over μm.
     fn stored(&self, spectrum: &Spectrum) -> f64 {
+        let of = |displacement: f64, loads: &[f64]| {
+            let elements = spectrum.terms().iter().zip(loads).map(|(term, load)| load * load / term.modulus);
+            0.5 * (spectrum.equilibrium() * displacement * displacement + elements.sum::<f64>())
+        };
+        if let Self::Held { displacement, loads, .. } = self {
+            return of(*displacement, loads);
+        }
         let (displacement, loads, _) = self.touched(spectrum);
-        let elements = spectrum.terms().iter().zip(&loads).map(|(term, load)| load * load / term.modulus);
-        0.5 * (spectrum.equilibrium() * displacement * displacement + elements.sum::<f64>())
+        of(displacement, &loads)
     }
 
     /// Follows a stretch of the normal motion while the indenter slides at the speed `slide`.

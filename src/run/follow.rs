@@ -81,6 +81,21 @@ impl Run {
         self.contact.last_depth()?.ok()
     }
 
+    /// What the last stage has prescribed: a depth or a force.
+    pub(super) fn control(&self) -> Control {
+        self.control
+    }
+
+    /// Tangential displacement at the end [m].
+    pub(super) fn slide(&self) -> f64 {
+        self.slide
+    }
+
+    /// What leads the contact, as the history leaves it.
+    pub(super) fn driver(&self) -> &Driver {
+        &self.driver
+    }
+
     fn new(contact: Box<dyn ContactModel>, accuracy: f64, wanted: Wanted) -> Self {
         let mut run = Self {
             driver: Driver::new(contact.as_ref(), accuracy),

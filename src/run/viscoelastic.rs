@@ -67,6 +67,7 @@ pub(super) fn reach(plan: &RoundPlan, spectrum: &Arc<Spectrum>) -> f64 {
             (_, Path::To(_) | Path::Stay | Path::Steady { .. } | Path::UntilParted { .. }) => {}
         }
     }
+    time += plan.machine.iter().flat_map(|law| &law.motions).map(|motion| motion.over).sum::<f64>();
     depth = depth.max(struck(plan, spectrum, depth));
     let creep = Creep::new(spectrum.clone(), plan.profile.clone()).after(force, 0.0).after(force, time);
     let deepest = depth.max(creep.indentation().unwrap_or(0.0));

@@ -1,7 +1,7 @@
 //! Contacts in a machine, run as whole scenes, against closed forms.
 
 use crate::check::case::{Attempt, Case, Pairs, Proof};
-use crate::check::sketch::{Sketch, ball, beside, elastic, ends, result, si};
+use crate::check::sketch::{Sketch, ball, beside, elastic, ends, relaxing, result, si};
 use crate::drive::machine::{Carried, DrawnMass, GRAVITY, RatedMass, Suspension, Threshold, threshold};
 use crate::friction::RateState;
 use crate::material::Relaxation;
@@ -25,6 +25,9 @@ pub(super) const CASES: &[Case] = &[
     Case::new("machine/slips of a punch", Proof::Rounding, 1e-9, "what sticks is a spring: the spring is drawn out to μ_s F where the swing of the mass has died down")
         .weak("overdamped")
         .by(punch),
+    Case::new("machine/slips of a punch on rubber", Proof::Rounding, 1e-9, "each slip begins at μ_s times the force it has relaxed to, F = 2b[E∞d + Σ Eᵢvτᵢ(1 − e^(−1/τᵢ))e^(−(t − 1)/τᵢ)]; both by springs exact in time")
+        .weak("the force of a slip, not when it begins")
+        .by(punch_on_rubber),
     Case::new("machine/the ledger of stick and slip", Proof::Rounding, 1e-10, "work of the drive = kinetic + spring + contact + friction + damper, some 1e4 steps of 1e-13")
         .weak("one scene; the property tests take any")
         .by(ledger),
@@ -114,6 +117,17 @@ fn punch() -> Attempt<Pairs> {
     let along = stiffness * drawn / whole;
     let right = 0.6 / along + damping / whole;
     Ok(vec![(result(&outcome, "first_slip_time_s")? - 1.0, right)])
+}
+
+fn punch_on_rubber() -> Attempt<Pairs> {
+    let rubber = Relaxation { equilibrium: 0.4, terms: vec![(0.5, 3.0), (0.3, 40.0)], viscosity: 0.0 };
+    let scene = Sketch::of(flat()).ground(relaxing(&rubber)).indent(1.0, 1.0).steps(20).static_kinetic(0.4, 0.2);
+    let outcome = scene.machine(1.0, 0.05, 0.1).drive(0.3, 80.0).run()?;
+    let (starts, forces) = (column(&outcome, "slips", "start_time")?, column(&outcome, "slips", "static_force")?);
+    let left =
+        |time: f64, (modulus, tau): &(f64, f64)| modulus * tau * -(-1.0 / tau).exp_m1() * (-(time - 1.0) / tau).exp();
+    let right = |time: f64| 0.8 * (0.4 + rubber.terms.iter().map(|term| left(time, term)).sum::<f64>());
+    Ok(starts.iter().zip(&forces).map(|(&time, &force)| (force, right(time))).collect())
 }
 
 fn ledger() -> Attempt<Pairs> {
@@ -206,7 +220,7 @@ fn coulomb_limit() -> Attempt<Pairs> {
 fn lies() -> Attempt<Pairs> {
     let rubber = Relaxation { equilibrium: 1e6, terms: vec![(3e6, 2e-3)], viscosity: 0.0 };
     let (radius, mass) = (5e-3, 4e-3);
-    let scene = Sketch::of(ball(radius)).ground(crate::check::sketch::relaxing(&rubber)).accuracy(1e-2);
+    let scene = Sketch::of(ball(radius)).ground(relaxing(&rubber)).accuracy(1e-2);
     let outcome = scene.machine(mass, 0.0, 0.0).fall(0.02, 3.0).steps(20).run()?;
     let depth: f64 = (0.75 * mass * GRAVITY / (1e6 * radius.sqrt())).powf(2.0 / 3.0);
     beside(&outcome, &[("final_force_n", mass * GRAVITY), ("final_indentation_m", depth)])

@@ -35,7 +35,7 @@ mod sliding;
 mod stability;
 mod stepped;
 
-pub use drawn::{Drawn, DrawnMoment, DrawnState, Turnover};
+pub use drawn::{Drawn, DrawnMoment, DrawnState, SteppedDrawn, Turnover};
 pub use mass::{Happening, Mass, MassMoment, MassState};
 pub use rated::{RatedMass, RatedState};
 pub use stability::{Carried, Threshold, threshold};
@@ -114,6 +114,9 @@ pub trait DrawnMass: Send {
     /// Draws on at the speed `speed` [m/s] from now on.
     fn draw(&mut self, speed: f64);
 
+    /// From now on the depth of the contact changes at the speed `speed` [m/s].
+    fn lead(&mut self, _speed: f64) {}
+
     /// On to the time `until` [s], or to the next change between stick and slip, which is told.
     ///
     /// # Errors
@@ -137,6 +140,11 @@ pub trait DrawnMass: Send {
     /// Force of the spring [N].
     fn pull(&self) -> f64 {
         self.suspension().stiffness * self.state().extension
+    }
+
+    /// Energy [J] that the springs of friction have lost so far as they relax.
+    fn relaxed(&self) -> f64 {
+        0.0
     }
 
     /// Energy [J] of swings that were left out although they had not died down.
@@ -218,5 +226,7 @@ pub enum MachineError {
 
 #[cfg(test)]
 mod rated_tests;
+#[cfg(test)]
+mod relaxing_tests;
 #[cfg(test)]
 mod tests;

@@ -46,7 +46,9 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
 use crate::contact::loaded::Loaded;
-use crate::contact::model::{ContactModel, Effort, Event, Glance, Loading, Parting, Pose, Pull, Straight};
+use crate::contact::model::{
+    ContactModel, Effort, Event, Glance, Loading, Parting, Pose, Pull, Straight, TangentialBed,
+};
 use crate::contact::state::{Normal, Tangential};
 use crate::contact::viscoelastic::Spectrum;
 use std::sync::Arc;
@@ -91,6 +93,11 @@ pub trait TangentialContact: Send {
 
     /// The contact as it is, on its own.
     fn copy(&self) -> Box<dyn TangentialContact>;
+
+    /// Its springs on their own, if it is a bed that asks nothing but the depth.
+    fn bed(&self) -> Option<Box<dyn TangentialBed>> {
+        None
+    }
 
     /// Told before the normal contact moves.
     fn let_go(&mut self) {}
@@ -263,6 +270,10 @@ impl ContactModel for FrictionalContact {
 
     fn tangential(&self) -> Option<Tangential> {
         Some(self.friction.state())
+    }
+
+    fn separate(&self) -> Option<(Box<dyn ContactModel>, Box<dyn TangentialBed>)> {
+        Some((self.normal.copy(), self.friction.bed()?))
     }
 
     fn sheared(&self) -> Normal {

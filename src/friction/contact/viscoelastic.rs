@@ -1,7 +1,7 @@
 //! Coulomb friction of viscoelastic bodies: a bed beside the normal contact.
 
 use super::{Step, TangentialContact};
-use crate::contact::model::Effort;
+use crate::contact::model::{Effort, TangentialBed};
 use crate::contact::state::Tangential;
 use crate::friction::{FrictionError, ViscoelasticBed};
 
@@ -22,6 +22,50 @@ impl ViscoelasticFriction {
     pub fn new(bed: ViscoelasticBed, tangential_modulus: f64) -> Self {
         Self { bed, tangential_modulus, slide: 0.0 }
     }
+
+    fn present(&self) -> Tangential {
+        let stick_radius = self.bed.stick_radius();
+        Tangential {
+            slide: self.slide,
+            force: self.bed.forces().1,
+            stick_radius,
+            stiffness: 2.0 * self.tangential_modulus * stick_radius,
+            stored: Some(self.bed.stored()),
+            dissipated: Some(self.bed.dissipated()),
+            area_ratio: None,
+        }
+    }
+}
+
+impl TangentialBed for ViscoelasticFriction {
+    fn go(&mut self, speeds: (f64, f64), duration: f64) -> f64 {
+        self.slide += speeds.1 * duration;
+        self.bed.advance(speeds, duration)
+    }
+
+    fn look(&self, speeds: (f64, f64), duration: f64) -> (f64, bool) {
+        self.bed.look(speeds, duration)
+    }
+
+    fn state(&self) -> Tangential {
+        self.present()
+    }
+
+    fn relaxed(&self) -> f64 {
+        self.bed.relaxed()
+    }
+
+    fn gives_at(&self) -> f64 {
+        self.bed.gives_at()
+    }
+
+    fn give_way(&mut self, part: f64) {
+        self.bed.give_way(part);
+    }
+
+    fn copy(&self) -> Box<dyn TangentialBed> {
+        Box::new(self.clone())
+    }
 }
 
 impl TangentialContact for ViscoelasticFriction {
@@ -37,16 +81,7 @@ impl TangentialContact for ViscoelasticFriction {
     }
 
     fn state(&self) -> Tangential {
-        let stick_radius = self.bed.stick_radius();
-        Tangential {
-            slide: self.slide,
-            force: self.bed.forces().1,
-            stick_radius,
-            stiffness: 2.0 * self.tangential_modulus * stick_radius,
-            stored: Some(self.bed.stored()),
-            dissipated: Some(self.bed.dissipated()),
-            area_ratio: None,
-        }
+        self.present()
     }
 
     fn relaxed(&self) -> f64 {
@@ -55,6 +90,10 @@ impl TangentialContact for ViscoelasticFriction {
 
     fn copy(&self) -> Box<dyn TangentialContact> {
         Box::new(self.clone())
+    }
+
+    fn bed(&self) -> Option<Box<dyn TangentialBed>> {
+        Some(Box::new(self.clone()))
     }
 
     fn effort(&self) -> Effort {

@@ -1,12 +1,15 @@
 //! A mass that is drawn along the surface.
 
+use super::led::Led;
 use super::slips::{self, SlipEvent};
 use super::{Moved, failed, rated};
 use crate::contact::error::ContactError;
-use crate::drive::machine::{Drawn, DrawnMass, RatedMass};
+use crate::contact::state::{Normal, Tangential};
+use crate::drive::machine::{Drawn, DrawnMass, RatedMass, SteppedDrawn};
 use crate::friction::TangentialMemory;
 use crate::run::SimulationError;
 use crate::run::follow::Run;
+use crate::run::named::Named;
 use crate::run::record::{MachineState, Record};
 use crate::scene::history::{MachineEntry, MachineMotion};
 use crate::scene::law::{FrictionLaw, MachineLaw};
@@ -18,6 +21,8 @@ const MOST_MOMENTS: usize = 20_000;
 /// A motion being recorded.
 struct Motion<'r> {
     mass: Box<dyn DrawnMass>,
+    /// The normal contact, where it does not stay as it is.
+    led: Option<Led>,
     /// Time at which the first entry begins [s].
     begin: f64,
     /// Time since then at which the present one does [s].
@@ -51,34 +56,9 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
             "history[{first}]: the bodies are apart, and there is no friction: expected an Indent or Press into contact before Drive"
         )));
     }
-    let memory = memory(plan, before).map_err(|source| failed(first)(source.into()))?;
-    let led = |mass: Box<dyn DrawnMass>, pieces: usize| -> Result<Motion<'_>, SimulationError> {
-        let mut motion = Motion::new(mass, &last);
-        law.motions.iter().try_for_each(|entry| motion.follow(entry, pieces * entry.records))?;
-        Ok(motion)
-    };
-    let (motion, error, of_friction) = match plan.friction.as_ref().and_then(FrictionLaw::rate_state) {
-        Some(friction) => {
-            let (found, tolerance) = (rated::contact(before, &memory), rated::tolerance(plan.accuracy()));
-            let mass = |tolerance: f64| {
-                Box::new(RatedMass::new(law.suspension, friction, (found.carried, found.age, tolerance)))
-            };
-            let other = || led(mass(rated::COARSER * tolerance), 1);
-            let (motion, other) = rayon::join(|| led(mass(tolerance), 1), other);
-            let motion = motion?;
-            let error = motion.apart(&other?);
-            let told = (rated::results(law, friction, found.carried), rated::warnings(friction, found.carried));
-            (motion, Some((error, rated::COARSE)), told)
-        }
-        None => {
-            let mass = || Box::new(Drawn::new(law.suspension, memory.clone(), law.left));
-            let (motion, other) = rayon::join(|| led(mass(), 1), || led(mass(), OTHER_PIECES));
-            let motion = motion?;
-            // What a mass does after a slip depends on how it swung before: other pieces of the same way show how well that is known.
-            let slipped = !motion.slips.is_empty();
-            let error = if slipped { Some((motion.apart(&other?), PIECES)) } else { None };
-            (motion, error, (Vec::new(), Vec::new()))
-        }
+    let Drawing { motion, error, results, warnings } = match plan.contact.bodies().relaxation() {
+        Some(_) => relaxing(plan, law, (before, &last))?,
+        None => elastic(plan, law, (before, &last))?,
     };
     let (slips, table) = (slips::results(&motion.slips), slips::table(&motion.slips));
     let tables = if motion.slips.is_empty() { Vec::new() } else { vec![table] };
@@ -86,9 +66,83 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
     let warning = (left_out > 0.0).then(|| {
         format!("the mass swings on the sticking contact far faster than the far end is drawn on, and without losses to speak of: {left_out:.2e} J of such swings were left out; expected a damping, or a larger mass, for them to be followed")
     });
-    let warnings = of_friction.1.into_iter().chain(warning).collect();
-    let results = of_friction.0.into_iter().chain(slips).collect();
+    let warnings = warnings.into_iter().chain(warning).collect();
+    let results = results.into_iter().chain(slips).collect();
     Ok(Moved { warnings, records: motion.records, tables, results, moments: Vec::new(), error })
+}
+
+/// A motion that has been followed.
+struct Drawing<'r> {
+    motion: Motion<'r>,
+    /// How far it is from another run, if there was one, and what that was.
+    error: Option<(f64, &'static str)>,
+    /// What the friction tells besides.
+    results: Vec<Named>,
+    warnings: Vec<String>,
+}
+
+/// Follows the entries of a machine with a mass, each record in `pieces`.
+fn led<'r>(law: &MachineLaw, mut motion: Motion<'r>, pieces: usize) -> Result<Motion<'r>, SimulationError> {
+    law.motions.iter().try_for_each(|entry| motion.follow(entry, pieces * entry.records))?;
+    Ok(motion)
+}
+
+/// On elastic bodies.
+fn elastic<'r>(
+    plan: &RoundPlan,
+    law: &MachineLaw,
+    (before, last): (&Run, &'r Record),
+) -> Result<Drawing<'r>, SimulationError> {
+    let first = law.motions.first().map_or(0, |motion| motion.entry);
+    let memory = memory(plan, before).map_err(|source| failed(first)(source.into()))?;
+    let Some(friction) = plan.friction.as_ref().and_then(FrictionLaw::rate_state) else {
+        let mass = || Motion::new(Box::new(Drawn::new(law.suspension, memory.clone(), law.left)), None, last);
+        let (motion, other) = rayon::join(|| led(law, mass(), 1), || led(law, mass(), OTHER_PIECES));
+        let motion = motion?;
+        // What a mass does after a slip depends on how it swung before: other pieces of the same way show how well that is known.
+        let error = if motion.slips.is_empty() { None } else { Some((motion.apart(&other?), PIECES)) };
+        return Ok(Drawing { motion, error, results: Vec::new(), warnings: Vec::new() });
+    };
+    let (found, tolerance) = (rated::contact(before, &memory), rated::tolerance(plan.accuracy()));
+    let mass = |tolerance: f64| {
+        let mass = RatedMass::new(law.suspension, friction, (found.carried, found.age, tolerance));
+        Motion::new(Box::new(mass), None, last)
+    };
+    let coarse = || led(law, mass(rated::COARSER * tolerance), 1);
+    let (motion, other) = rayon::join(|| led(law, mass(tolerance), 1), coarse);
+    let motion = motion?;
+    let error = motion.apart(&other?);
+    let results = rated::results(law, friction, found.carried);
+    let warnings = rated::warnings(friction, found.carried);
+    Ok(Drawing { motion, error: Some((error, rated::COARSE)), results, warnings })
+}
+
+/// Error of a step on springs that relax, in ways at which the contact slides, and how much coarser the second run is that
+/// the first is held against: its steps are twice as long.
+const OF_STEP: (f64, f64) = (1e-5, 1e-3);
+const TWICE_AS_LONG: f64 = 8.0;
+/// What the error then stands on.
+const LONGER: &str = "motion of the mass in straight steps on springs exact in time: force at the end and times of slips against those in steps twice as long, and the balance of energies";
+
+/// On bodies that relax.
+fn relaxing<'r>(
+    plan: &RoundPlan,
+    law: &MachineLaw,
+    (before, last): (&Run, &'r Record),
+) -> Result<Drawing<'r>, SimulationError> {
+    let Some((normal, springs)) = before.contact.separate() else {
+        return Err(SimulationError::Refused("machine: this friction knows no springs that relax".to_owned()));
+    };
+    let tolerance = plan.accuracy().clamp(OF_STEP.0, OF_STEP.1);
+    let mass = |tolerance: f64| {
+        let mass = SteppedDrawn::new(springs.copy(), law.suspension, law.left, tolerance);
+        Motion::new(Box::new(mass), Some(Led::new(before, normal.copy())), last)
+    };
+    let (fine, coarse) = (mass(tolerance), mass(TWICE_AS_LONG * tolerance));
+    let (motion, other) = rayon::join(|| led(law, fine, 1), || led(law, coarse, 1));
+    let motion = motion?;
+    let error = motion.apart(&other?);
+    Ok(Drawing { motion, error: Some((error, LONGER)), results: Vec::new(), warnings: Vec::new() })
 }
 
 /// What the friction remembers of the history before.
@@ -102,14 +156,24 @@ fn memory(plan: &RoundPlan, before: &Run) -> Result<TangentialMemory, ContactErr
 }
 
 impl<'r> Motion<'r> {
-    fn new(mass: Box<dyn DrawnMass>, before: &'r Record) -> Self {
+    fn new(mass: Box<dyn DrawnMass>, led: Option<Led>, before: &'r Record) -> Self {
         let state = mass.state();
         let far_end = state.slide + state.extension;
         let (records, slips) = (Vec::new(), Vec::new());
-        let mut motion =
-            Self { mass, begin: before.time, since: 0.0, initial: 0.0, far_end, before, records, slips, moments: 0 };
-        let machine = motion.machine();
-        let rubbed = motion.mass.tangential().dissipated.unwrap_or(0.0);
+        let mut motion = Self {
+            mass,
+            led,
+            begin: before.time,
+            since: 0.0,
+            initial: 0.0,
+            far_end,
+            before,
+            records,
+            slips,
+            moments: 0,
+        };
+        let tangential = motion.mass.tangential();
+        let (machine, rubbed) = (motion.machine(&tangential, 0.0), tangential.dissipated.unwrap_or(0.0));
         let normal = before.normal.stored.stored() + before.normal.dissipated;
         motion.initial = machine.spring + machine.sheared.unwrap_or(0.0) + rubbed + normal;
         motion
@@ -120,19 +184,36 @@ impl<'r> Motion<'r> {
             return Err(SimulationError::Refused("machine: only Drive moves along the surface".to_owned()));
         };
         self.mass.draw(speed);
-        self.push(entry.entry);
-        for k in 1..=records {
-            let until = self.since + entry.over * k as f64 / records as f64;
+        let failed = failed(entry.entry);
+        let parts: Vec<f64> = match &mut self.led {
+            Some(led) => {
+                led.begin(entry.over).map_err(|source| failed(source.into()))?;
+                led.parts(records)
+            }
+            None => (1..=records).map(|k| k as f64 / records as f64).collect(),
+        };
+        self.push(entry)?;
+        let mut told = 0;
+        for part in parts {
+            if let Some(led) = &mut self.led {
+                let speed = led.lead(part).map_err(|source| failed(source.into()))?;
+                self.mass.lead(speed);
+            }
+            let until = self.since + entry.over * part;
             while self.mass.state().time < until {
-                let Some(moment) = self.mass.step(until).map_err(failed(entry.entry))? else { continue };
+                let Some(moment) = self.mass.step(until).map_err(&failed)? else { continue };
                 let speed = self.mass.rated().map(|rated| rated.speed.abs());
                 slips::note(&mut self.slips, self.begin, (&moment, speed));
                 self.moments += 1;
                 if self.moments < MOST_MOMENTS {
-                    self.push(entry.entry);
+                    self.push(entry)?;
                 }
             }
-            self.push(entry.entry);
+            // Of the ends of chords only those where a record is asked for are told.
+            if part * records as f64 >= (told + 1) as f64 {
+                told += 1;
+                self.push(entry)?;
+            }
         }
         self.since += entry.over;
         Ok(())
@@ -147,7 +228,8 @@ impl<'r> Motion<'r> {
         if self.slips.len() == other.slips.len() { times.fold(force, f64::max) } else { 1.0 }
     }
 
-    fn machine(&self) -> MachineState {
+    /// The machine on a contact in the state `tangential`, where the force has done the work `pushed` [J].
+    fn machine(&self, tangential: &Tangential, pushed: f64) -> MachineState {
         let (state, suspension) = (self.mass.state(), self.mass.suspension());
         MachineState {
             speed: state.speed,
@@ -155,19 +237,27 @@ impl<'r> Motion<'r> {
             spring_force: self.mass.pull(),
             kinetic: suspension.kinetic(state.speed),
             spring: 0.5 * suspension.stiffness * state.extension * state.extension,
-            sheared: self.mass.tangential().stored,
+            sheared: tangential.stored,
             rated: self.mass.rated(),
-            work: self.initial + state.work,
+            work: self.initial + state.work + pushed,
             damped: state.damped,
         }
     }
 
-    fn push(&mut self, entry: usize) {
-        let time = self.begin + self.mass.state().time;
-        let (machine, tangential) = (Some(self.machine()), Some(self.mass.tangential()));
-        let record = Record { entry, time, machine, tangential, ..*self.before };
+    fn push(&mut self, entry: &MachineEntry) -> Result<(), SimulationError> {
+        let time = self.mass.state().time;
+        let part = if entry.over > 0.0 { (time - self.since) / entry.over } else { 1.0 };
+        let at = self.led.as_ref().map(|led| led.at(part)).transpose();
+        let (normal, pushed) =
+            at.map_err(|source| failed(entry.entry)(source.into()))?.unwrap_or((self.before.normal, 0.0));
+        let normal = Normal { dissipated: normal.dissipated + self.mass.relaxed(), ..normal };
+        let tangential = self.mass.tangential();
+        let (machine, tangential) = (Some(self.machine(&tangential, pushed)), Some(tangential));
+        let record =
+            Record { entry: entry.entry, time: self.begin + time, machine, tangential, normal, ..*self.before };
         if self.records.last() != Some(&record) {
             self.records.push(record);
         }
+        Ok(())
     }
 }

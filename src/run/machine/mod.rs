@@ -3,6 +3,7 @@
 mod along;
 mod bounces;
 mod halved;
+mod led;
 mod normal;
 mod rated;
 mod slips;

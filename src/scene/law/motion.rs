@@ -20,6 +20,8 @@ impl MachineLaw {
     pub(in crate::scene) fn in_words(&self, friction: Option<&FrictionLaw>) -> &'static str {
         if self.is_along() && friction.and_then(FrictionLaw::rate_state).is_some() {
             "; the mass of the machine is led by its spring and a contact that gives with the stiffness 2G*a and slips as a whole, with one state: extrapolated implicit steps in the logarithms of speed and state, without events"
+        } else if self.is_along() && matches!(friction, Some(FrictionLaw::Viscoelastic { .. })) {
+            "; the mass of the machine is led by its spring and springs of friction exact in time, under the depth or the force that the history has left: straight steps in balance of energies, which end where a slip begins or ends"
         } else if self.is_along() {
             "; the mass of the machine is led by its spring and the memory of friction: extrapolated steps while the contact sticks, in closed form while it slides as a whole, each end of a slip to rounding"
         } else {

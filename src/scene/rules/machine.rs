@@ -83,8 +83,11 @@ pub(super) fn of_bodies(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pr
     let either = |of: fn(&Body) -> bool| of(one) || of(two);
     let why = if either(|body| matches!(body, Body::Plastic(_))) {
         "the dent that a blow leaves has another shape for the next: expected Elastic bodies"
-    } else if motion.is_along() && either(|body| matches!(body, Body::Viscoelastic(_))) {
-        "the friction of bodies that relax is known where depth and slide are straight in time: expected Elastic bodies"
+    } else if motion.is_along()
+        && matches!(draft.friction(Look::Kind), Some(Friction::RateState(_)))
+        && either(|body| matches!(body, Body::Viscoelastic(_)))
+    {
+        "one state of a contact that slips as a whole knows nothing of a force and a stiffness that relax: expected Elastic bodies, or StaticKinetic(…)"
     } else {
         return None;
     };
@@ -182,6 +185,10 @@ pub(super) fn with_wear(draft: &Draft<'_>) -> Option<Problem> {
 pub(super) fn on_springs(draft: &Draft<'_>) -> Option<Problem> {
     draft.has_machine()?.then_some(())?;
     draft.springs()?;
+    // Along the surface bodies that relax have springs in any case.
+    if draft.drives()? && draft.pair_relaxes()? {
+        return None;
+    }
     refused(
         "springs",
         "with a machine cannot be computed, for each spring that touches makes a kink in the motion: leave springs out",

@@ -3,7 +3,10 @@
 mod creeping;
 mod forces;
 mod series;
+mod stepped;
 mod stuck;
+
+pub use stepped::SteppedDrawn;
 
 use super::sliding::Slide;
 use super::{DrawnMass, MachineError, Suspension};
