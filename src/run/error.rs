@@ -178,24 +178,26 @@ fn gliding_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
     }
 }
 
-/// How far the least and the greatest forces of two runs are apart, or the energies at their ends, each as a part of
-/// its largest.
+/// How far the records of two runs are apart that have one time: forces and contact radii as parts of the largest, energies of
+/// the largest sum.
 fn apart(one: &[Record], two: &[Record]) -> f64 {
-    let forces = |records: &[Record]| {
-        let forces = records.iter().map(|record| record.normal.force);
-        [forces.clone().fold(0.0, f64::min), forces.fold(0.0, f64::max)]
-    };
-    let last = |records: &[Record]| {
-        records.last().map_or([0.0; 2], |record| [record.normal.stored.stored(), record.normal.dissipated])
-    };
     let energies = |record: &Record| {
         let Normal { stored, dissipated, .. } = record.normal;
         stored.elastic.abs() + stored.surface.abs() + dissipated.abs()
     };
-    let force = one.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let energy = one.iter().map(energies).fold(f64::MIN_POSITIVE, f64::max);
-    let off = |one: [f64; 2], two: [f64; 2], scale: f64| {
-        one.iter().zip(two).map(|(one, two)| (one - two).abs() / scale).fold(0.0, f64::max)
+    let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
+    let most = |of: &dyn Fn(&Record) -> f64| one.iter().map(of).fold(f64::MIN_POSITIVE, f64::max);
+    let (force, width, energy) = (most(&|record| record.normal.force.abs()), most(&radius), most(&energies));
+    let off = |one: &Record, two: &Record| {
+        let (a, b) = (&one.normal, &two.normal);
+        let energies = (a.stored.stored() - b.stored.stored()).abs().max((a.dissipated - b.dissipated).abs());
+        let radii = (radius(one) - radius(two)).abs();
+        ((a.force - b.force).abs() / force).max(radii / width).max(energies / energy)
     };
-    off(forces(one), forces(two), force).max(off(last(one), last(two), energy))
+    let beside = |record: &Record| {
+        let from = one.partition_point(|other| other.time < record.time);
+        let same = one[from..].iter().take_while(|other| other.time <= record.time);
+        same.map(|other| off(other, record)).reduce(f64::min)
+    };
+    two.iter().filter_map(beside).fold(0.0, f64::max)
 }

@@ -184,38 +184,40 @@ impl<'r> Motion<'r> {
             return Err(SimulationError::Refused("machine: only Drive moves along the surface".to_owned()));
         };
         self.mass.draw(speed);
-        let failed = failed(entry.entry);
-        let parts: Vec<f64> = match &mut self.led {
-            Some(led) => {
-                led.begin(entry.over).map_err(|source| failed(source.into()))?;
-                led.parts(records)
-            }
-            None => (1..=records).map(|k| k as f64 / records as f64).collect(),
-        };
+        if let Some(led) = &mut self.led {
+            led.begin(entry.over).map_err(|source| failed(entry.entry)(source.into()))?;
+        }
         self.push(entry)?;
-        let mut told = 0;
-        for part in parts {
-            if let Some(led) = &mut self.led {
-                let speed = led.lead(part).map_err(|source| failed(source.into()))?;
-                self.mass.lead(speed);
+        let chords = self.led.as_ref().map_or_else(Vec::new, Led::chords);
+        let mut chords = chords.into_iter().peekable();
+        for part in (1..=records).map(|k| k as f64 / records as f64) {
+            while let Some(end) = chords.next_if(|&end| end < part) {
+                self.follow_to(entry, end)?;
             }
-            let until = self.since + entry.over * part;
-            while self.mass.state().time < until {
-                let Some(moment) = self.mass.step(until).map_err(&failed)? else { continue };
-                let speed = self.mass.rated().map(|rated| rated.speed.abs());
-                slips::note(&mut self.slips, self.begin, (&moment, speed));
-                self.moments += 1;
-                if self.moments < MOST_MOMENTS {
-                    self.push(entry)?;
-                }
-            }
-            // Of the ends of chords only those where a record is asked for are told.
-            if part * records as f64 >= (told + 1) as f64 {
-                told += 1;
+            self.follow_to(entry, part)?;
+            self.push(entry)?;
+        }
+        self.since += entry.over;
+        Ok(())
+    }
+
+    /// On to the part `part` of an entry, with all changes between stick and slip on the way.
+    fn follow_to(&mut self, entry: &MachineEntry, part: f64) -> Result<(), SimulationError> {
+        let failed = failed(entry.entry);
+        if let Some(led) = &mut self.led {
+            let speed = led.lead(part).map_err(|source| failed(source.into()))?;
+            self.mass.lead(speed);
+        }
+        let until = self.since + entry.over * part;
+        while self.mass.state().time < until {
+            let Some(moment) = self.mass.step(until).map_err(&failed)? else { continue };
+            let speed = self.mass.rated().map(|rated| rated.speed.abs());
+            slips::note(&mut self.slips, self.begin, (&moment, speed));
+            self.moments += 1;
+            if self.moments < MOST_MOMENTS {
                 self.push(entry)?;
             }
         }
-        self.since += entry.over;
         Ok(())
     }
 

@@ -67,14 +67,10 @@ impl Led {
         Self { course, slide, ahead: here.copy(), here, from, work: 0.0 }
     }
 
-    /// Parts of an entry with `records` records at which a record or a chord ends, in order.
-    pub(super) fn parts(&self, records: usize) -> Vec<f64> {
-        let mut parts: Vec<f64> = (1..=records).map(|k| k as f64 / records as f64).collect();
-        if self.course.control == Control::Force {
-            parts.extend(std::iter::successors(Some(FIRST), |part| Some(RATIO * part)).take_while(|&part| part < 1.0));
-            parts.sort_by(f64::total_cmp);
-        }
-        parts
+    /// Parts of an entry at which a chord of the depth ends, in order, beside those at which a record is asked for.
+    pub(super) fn chords(&self) -> Vec<f64> {
+        let ends = std::iter::successors(Some(FIRST), |part| Some(RATIO * part)).take_while(|&part| part < 1.0);
+        if self.course.control == Control::Force { ends.collect() } else { Vec::new() }
     }
 
     /// Begins an entry that goes on for `over` [s].

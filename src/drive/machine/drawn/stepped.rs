@@ -58,7 +58,9 @@ const FIRST: f64 = 1e-3;
 /// Change of the mean speed, relative to the speeds in a step, after which the next is of no account: a tenth of it at most,
 /// for so well the stiffness is known.
 const SETTLED: f64 = 1e-8;
-/// Most corrections of a mean speed, halvings of a step that ends a stick, corrections of one that ends a slide.
+/// A way that does not count, relative to that at which the contact slides, in which what has settled has a share.
+const ROUNDING: f64 = 1e-7;
+/// Most corrections of a mean speed, halvings of a step that ends a stick, corrections of one that ends there or where a slide does.
 const MOST: usize = 40;
 const HALVINGS: usize = 40;
 const CORRECTIONS: usize = 4;
@@ -105,14 +107,16 @@ impl SteppedDrawn {
         let Suspension { mass, stiffness, damping } = self.suspension;
         let DrawnState { speed, extension, time, .. } = self.state;
         let stiff = 2.0 * mass / step + damping + 0.5 * stiffness * step;
-        let scale = speed.abs() + step * stiffness * extension.abs() / mass + self.drawn.abs();
+        // Ways of rounding do not count.
+        let rounding = ROUNDING * self.bed.gives_at() / step;
+        let scale = speed.abs() + step * stiffness * extension.abs() / mass + self.drawn.abs() + rounding;
         let ahead = |last: Last| last.pace + 0.5 * last.turn * (step + last.step);
         let mut mean = speed + 0.5 * self.last.map_or(0.0, ahead) * step;
         let mut slope = stiff + 0.5 * self.stiffness * step;
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST {
             // The work of a bed that does not move tells no force.
-            let way = if mean.abs() > 0.0 { mean } else { f64::EPSILON * scale.max(f64::MIN_POSITIVE) };
+            let way = if mean.abs() > 0.0 { mean } else { f64::EPSILON * scale };
             let (work, sticks) = self.bed.look((self.led, way), step);
             let force = work / (way * step);
             let driven = stiffness * (extension + 0.5 * self.drawn * step) + 2.0 * mass * speed / step;
@@ -160,15 +164,19 @@ impl SteppedDrawn {
     }
 
     /// The contact begins to slide as a whole somewhere in a step.
-    fn slip(&mut self, step: f64, mean: f64) -> Result<DrawnMoment, MachineError> {
-        let (mut low, mut high) = (0.0, step);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            let (_, sticks) = self.bed.look((self.led, mean), middle);
-            *(if sticks { &mut low } else { &mut high }) = middle;
+    fn slip(&mut self, step: f64, mut mean: f64) -> Result<DrawnMoment, MachineError> {
+        let mut ends = step;
+        for _ in 0..CORRECTIONS {
+            let (mut low, mut high) = (0.0, step);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (low + high);
+                let (_, sticks) = self.bed.look((self.led, mean), middle);
+                *(if sticks { &mut low } else { &mut high }) = middle;
+            }
+            ends = high;
+            mean = self.tried(ends)?.mean;
         }
-        let last = self.tried(high)?;
-        self.take(last.mean, high, None);
+        self.take(mean, ends, None);
         let force = self.bed.state().force;
         self.slides = Some(if force < 0.0 { -1.0 } else { 1.0 });
         if self.left < 1.0 {
