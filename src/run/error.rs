@@ -180,7 +180,7 @@ fn gliding_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
 
 /// How far the records of two runs are apart that have one time: forces and contact radii as parts of the largest, energies of
 /// the largest sum.
-fn apart(one: &[Record], two: &[Record]) -> f64 {
+pub(super) fn apart(one: &[Record], two: &[Record]) -> f64 {
     let energies = |record: &Record| {
         let Normal { stored, dissipated, .. } = record.normal;
         stored.elastic.abs() + stored.surface.abs() + dissipated.abs()

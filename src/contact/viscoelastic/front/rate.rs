@@ -28,7 +28,8 @@ impl Front<'_> {
             // through the middle misses the next power of what a chord does.
             let missed = |end: f64| {
                 let bent = (0.5 * (radius(a) + radius(end)) - radius(middle)).abs() / radius(self.edge);
-                ((radius(whole) - radius(end)).abs() / radius(self.edge)).max(OF_BEND * bent.powf(1.5))
+                let of_bend = if until - now > MOST_BENT * duration { OF_BEND * bent.powf(1.5) } else { 0.0 };
+                ((radius(whole) - radius(end)).abs() / radius(self.edge)).max(of_bend)
             };
             let error = if halves > 0.0 { missed(halves) } else { radius(a) / radius(self.edge) };
             if error > accuracy && until - now > shortest {
@@ -70,6 +71,8 @@ impl Front<'_> {
 
 /// What a parabola misses of a smooth way, by the 3/2 power of how far that bends: h³x‴/72√3 beside (h²x″/8)^(3/2).
 const OF_BEND: f64 = 0.2;
+/// Part of a motion in which it does not count how the way bends: an edge that is let go settles in next to no time.
+const MOST_BENT: f64 = 1.0 / 16.0;
 
 /// First step inwards of the search for an edge that holds, and the longest, relative to where it begins.
 const FIRST_REACH: f64 = 1e-5;
