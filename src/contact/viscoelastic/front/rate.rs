@@ -7,8 +7,7 @@ use crate::numerics::{extremum, root};
 impl Front<'_> {
     /// The way of an edge that opens by the rate law, until it stands still: radii and times.
     ///
-    /// Implicit steps, halves and whole extrapolated, as short as the difference of their contact radii asks for, and what
-    /// parabolas between them miss.
+    /// Implicit steps, halves and whole extrapolated, as short as the difference of their contact radii asks for.
     pub(super) fn path(&self) -> Vec<(f64, f64)> {
         let duration = self.motion.duration;
         let (shortest, accuracy) = (1e-12 * duration, self.attraction.map_or(0.0, Attraction::accuracy));
@@ -24,14 +23,8 @@ impl Front<'_> {
             stride = a - whole;
             let radius = |place: f64| self.profile.contact_radius(place);
             // An edge that holds nowhere by then has collapsed on the way: when is known as well as it has been left behind.
-            // What bends in a step may end where it should and have been elsewhere on the way, where springs leave: a parabola
-            // through the middle misses the next power of what a chord does.
-            let missed = |end: f64| {
-                let bent = (0.5 * (radius(a) + radius(end)) - radius(middle)).abs() / radius(self.edge);
-                let of_bend = if until - now > MOST_BENT * duration { OF_BEND * bent.powf(1.5) } else { 0.0 };
-                ((radius(whole) - radius(end)).abs() / radius(self.edge)).max(of_bend)
-            };
-            let error = if halves > 0.0 { missed(halves) } else { radius(a) / radius(self.edge) };
+            let apart = if halves > 0.0 { (radius(whole) - radius(halves)).abs() } else { radius(a) };
+            let error = apart / radius(self.edge);
             if error > accuracy && until - now > shortest {
                 step = (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
                 continue;
@@ -68,11 +61,6 @@ impl Front<'_> {
         if a > 0.0 { last_hold(&margin, a).unwrap_or(0.0) } else { 0.0 }
     }
 }
-
-/// What a parabola misses of a smooth way, by the 3/2 power of how far that bends: h³x‴/72√3 beside (h²x″/8)^(3/2).
-const OF_BEND: f64 = 0.2;
-/// Part of a motion in which it does not count how the way bends: an edge that is let go settles in next to no time.
-const MOST_BENT: f64 = 1.0 / 16.0;
 
 /// First step inwards of the search for an edge that holds, and the longest, relative to where it begins.
 const FIRST_REACH: f64 = 1e-5;

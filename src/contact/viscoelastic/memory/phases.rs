@@ -56,30 +56,12 @@ struct Change {
     work: f64,
 }
 
-/// When an edge that moves inwards along a path of radii and times is at the radius `x` [s]: on the parabola through the two
-/// points beside it and the next one, on the chord where that turns.
+/// When an edge that moves inwards along a path of radii and times is at the radius `x` [s].
 fn instant_of(path: &[(f64, f64)], x: f64) -> f64 {
     let k = path.partition_point(|&(a, _)| a > x).clamp(1, path.len().max(2) - 1);
     let (Some(&(far, early)), Some(&(near, late))) = (path.get(k - 1), path.get(k)) else { return 0.0 };
-    if far <= near {
-        return late;
-    }
-    let (part, over) = (((far - x) / (far - near)).clamp(0.0, 1.0), late - early);
-    let chord = early + part * over;
-    let before = k.checked_sub(2).and_then(|k| path.get(k));
-    let third = before.into_iter().chain(path.get(k + 1)).min_by(|one, other| {
-        let away = |at: &(f64, f64)| (at.1 - early).abs().min((at.1 - late).abs());
-        away(one).total_cmp(&away(other))
-    });
-    let Some(&(place, time)) = third.filter(|_| over > 0.0) else { return chord };
-    // In the part s of the way in time the edge has gone the part s + c s(s − 1) of it.
-    let at = (time - early) / over;
-    let bend = ((far - place) / (far - near) - at) / (at * (at - 1.0));
-    if bend.is_nan() || bend.abs() >= 1.0 {
-        return chord;
-    }
-    let (half, gone) = (0.5 * (1.0 - bend), part);
-    early + over * gone / (half + (half * half + bend * gone).max(0.0).sqrt())
+    let part = if far > near { ((far - x) / (far - near)).clamp(0.0, 1.0) } else { 1.0 };
+    early + part * (late - early)
 }
 
 impl Memory {
