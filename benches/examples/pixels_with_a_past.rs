@@ -1,10 +1,10 @@
-//! What histories on pixels cost: a Maxwell body under a dead load, an adhesive ball, a ball that yields, one in partial slip; each as a scene,
+//! What histories on pixels cost: a Maxwell body under a dead load, adhesive balls, a ball that yields, one in partial slip; each as a scene,
 //! from its text to its last record. `cargo run --release -p benches --example pixels_with_a_past -- 128`.
 
 use springbed::prelude::*;
 use std::time::Instant;
 
-const SCENES: [(&str, &str, usize); 4] = [
+const SCENES: [(&str, &str, usize); 5] = [
     (
         "Maxwell creep, 100 records",
         "bodies: (Viscoelastic(poisson: 0.5, shear: (terms: [(modulus: 1, time: 1)])), Rigid), accuracy: 1e-4, \
@@ -15,6 +15,12 @@ const SCENES: [(&str, &str, usize); 4] = [
         "Maugis, in and out, 40 records",
         "bodies: (Elastic(young: 0.75, poisson: 0.5), Rigid), adhesion: Maugis(work: 1e-4, stress: 0.03), \
          history: [Indent(to: 0.01, over: 1), Indent(to: 0, over: 1)], steps: 20,",
+        40,
+    ),
+    (
+        "JKR with the work 1e-5, in and out, 40 records",
+        "bodies: (Elastic(young: 0.75, poisson: 0.5), Rigid), adhesion: Jkr(work: 1e-5), \
+         history: [Indent(to: 0.5e-3, over: 1), Indent(to: -1.2e-3, over: 1)], steps: 20,",
         40,
     ),
     (

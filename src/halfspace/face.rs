@@ -6,8 +6,9 @@ use std::cmp::Ordering;
 
 use rayon::prelude::*;
 
-use super::transform::{Multiplier, Scratch};
-use super::vector::{dot, fold, sum, total, update};
+use super::grid::Operators;
+use super::transform::{Precision, Scratch};
+use super::vector::{fold, sum, swept, total, update};
 
 /// What is prescribed, in the solver's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,16 +21,12 @@ pub(super) enum Goal {
 
 /// The contact on one grid.
 pub(super) struct GridContact<'a> {
-    /// Pressure → displacement.
-    pub(super) influence: &'a Multiplier,
-    /// Approximately displacement → pressure.
-    pub(super) stiffness: &'a Multiplier,
+    /// Pressure → displacement, and back.
+    pub(super) operators: &'a Operators,
     /// Heights of the indenter, +∞ where it has no material.
     pub(super) heights: &'a [f64],
     /// What is prescribed.
     pub(super) goal: Goal,
-    /// Displacement of a pixel under unit pressure on itself.
-    pub(super) compliance: f64,
     /// Largest pressure; infinite for bodies that do not yield, and under a prescribed sum.
     pub(super) hardness: f64,
 }
@@ -95,11 +92,16 @@ struct Iterate {
     contact: Vec<bool>,
     /// Pixels that yield; none at all where nothing does.
     yields: Vec<bool>,
-    residual: Vec<f64>,
-    direction: Vec<f64>,
-    work: Vec<f64>,
+    /// What steps are made of, in seven digits, is measured in this displacement: what a step is off by, the next one finds in
+    /// the lift, and what the lift is off by then, a fresh one.
+    unit: f64,
+    residual: Vec<f32>,
+    direction: Vec<f32>,
+    work: Vec<f32>,
     /// Stiffness of the contact against a uniform displacement (prescribed sum only).
-    uniform: Vec<f64>,
+    uniform: Vec<f32>,
+    /// Its sum.
+    uniform_total: f64,
     slope: f64,
     /// Overlap too small to count.
     threshold: f64,
@@ -119,7 +121,7 @@ impl GridContact<'_> {
         loop {
             let approach = self.approach(&state);
             let misfit = self.misfit(pressure, &state, approach);
-            let scale = misfit.displacement.max(self.compliance * misfit.pressure).max(f64::MIN_POSITIVE);
+            let scale = misfit.displacement.max(self.operators.compliance * misfit.pressure).max(f64::MIN_POSITIVE);
             let residual = misfit.gap.max(misfit.overlap) / scale;
             let pulls = misfit.pull_square > 0.0;
             let converged = residual <= tolerance && !pulls;
@@ -127,7 +129,11 @@ impl GridContact<'_> {
                 return GridSolution { approach, residual, converged };
             }
             state.threshold = 0.5 * tolerance * scale;
-            let wrong = misfit.overlap_square + (self.compliance * self.compliance) * misfit.pull_square;
+            if state.unit <= 0.0 {
+                state.unit = scale.max(misfit.gap).max(misfit.overlap);
+            }
+            let wrong =
+                misfit.overlap_square + (self.operators.compliance * self.operators.compliance) * misfit.pull_square;
             if residual <= tolerance || misfit.gap_square <= state.settled * state.settled * wrong {
                 self.correct(pressure, &mut state, approach);
                 if pulls {
@@ -146,10 +152,12 @@ impl GridContact<'_> {
             lift: vec![0.0; pixels],
             contact: pressure.iter().map(|&p| p > 0.0).collect(),
             yields: if self.hardness.is_finite() { vec![false; pixels] } else { Vec::new() },
+            unit: 0.0,
             residual: vec![0.0; pixels],
             direction: vec![0.0; pixels],
             work: vec![0.0; pixels],
             uniform: if prescribed_sum { vec![0.0; pixels] } else { Vec::new() },
+            uniform_total: 0.0,
             slope: 0.0,
             threshold: 0.0,
             settled: SETTLED,
@@ -167,7 +175,7 @@ impl GridContact<'_> {
 
     /// Lift of the present pressure, computed afresh.
     fn lift(&self, pressure: &[f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
-        self.influence.apply(pressure, &mut state.lift, scratch);
+        self.operators.influence.apply(pressure, &mut state.lift, scratch);
         update(&mut state.lift, self.heights, |lift, height| *lift += height);
         effort.products += 1;
     }
@@ -250,41 +258,75 @@ impl GridContact<'_> {
             return;
         }
         let ones = &mut state.residual;
-        ones.par_iter_mut().zip(&state.contact).for_each(|(one, &contact)| *one = f64::from(u8::from(contact)));
-        self.stiffness.apply(ones, &mut state.uniform, scratch);
-        keep_where(&mut state.uniform, &state.contact);
+        ones.par_iter_mut().zip(&state.contact).for_each(|(one, &contact)| *one = f32::from(u8::from(contact)));
+        self.operators.stiffness.apply(ones, &mut state.uniform, scratch);
+        state.uniform_total = keep_where(&mut state.uniform, &state.contact);
     }
 
     /// One step of the conjugate gradients on the present contact.
     fn step(&self, pressure: &mut [f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
         let approach = self.approach(state);
-        let (lift, contact) = (&state.lift, &state.contact);
-        state.residual.par_iter_mut().enumerate().for_each(|(index, residual)| {
-            *residual = if contact[index] { approach - lift[index] } else { 0.0 };
+        self.unbalance(state, approach);
+        self.operators.stiffness.apply(&state.residual, &mut state.work, scratch);
+        let total = keep_where(&mut state.work, &state.contact);
+        let share = if state.uniform.is_empty() { 0.0 } else { f32::nearest(-total / state.uniform_total) };
+        let (uniform, residual) = (&state.uniform, &state.residual);
+        let slope = swept(&mut state.work, |range, work| {
+            if !uniform.is_empty() {
+                work.iter_mut().zip(&uniform[range.clone()]).for_each(|(value, uniform)| *value += share * uniform);
+            }
+            product(work, &residual[range])
         });
-        self.stiffness.apply(&state.residual, &mut state.work, scratch);
-        keep_where(&mut state.work, &state.contact);
-        if !state.uniform.is_empty() {
-            let share = -total(&state.work) / total(&state.uniform);
-            update(&mut state.work, &state.uniform, |value, uniform| *value += share * uniform);
-        }
-        let slope = dot(&state.work, &state.residual);
-        let memory = if state.slope > 0.0 { slope / state.slope } else { 0.0 };
+        let memory = f32::nearest(if state.slope > 0.0 { slope / state.slope } else { 0.0 });
         state.slope = slope;
-        update(&mut state.direction, &state.work, |direction, value| *direction = value + memory * *direction);
-        self.influence.apply(&state.direction, &mut state.work, scratch);
+        let work = &state.work;
+        let added = swept(&mut state.direction, |range, direction| {
+            direction
+                .iter_mut()
+                .zip(&work[range])
+                .for_each(|(direction, value)| *direction = value + memory * *direction);
+            direction.iter().map(|&direction| f64::from(direction)).sum()
+        });
+        self.operators.swift.apply(&state.direction, &mut state.work, scratch);
         effort.iterations += 1;
         effort.products += 1;
-        let curvature = dot(&state.direction, &state.work);
+        let (direction, work) = (&state.direction, &state.work);
+        let curvature = sum(pressure.len(), |range| product(&direction[range.clone()], &work[range]));
         // A contact of one pixel under a prescribed force has no direction to go; nor has one solved to rounding.
         if slope.partial_cmp(&0.0) != Some(Ordering::Greater) || curvature.partial_cmp(&0.0) != Some(Ordering::Greater)
         {
             state.slope = 0.0;
             return;
         }
-        let length = slope / curvature;
-        update(pressure, &state.direction, |p, direction| *p += length * direction);
-        update(&mut state.lift, &state.work, |lift, change| *lift += length * change);
+        let length = state.unit * (slope / curvature);
+        update(pressure, &state.direction, |p, direction| *p += length * f64::from(direction));
+        update(&mut state.lift, &state.work, |lift, change| *lift += length * f64::from(change));
+        if let Goal::Sum(wanted) = self.goal {
+            self.rescale(pressure, &mut state.lift, wanted / (wanted + length * added));
+        }
+    }
+
+    /// Pressure and displacement `by` times.
+    fn rescale(&self, pressure: &mut [f64], lift: &mut [f64], by: f64) {
+        pressure.par_iter_mut().for_each(|p| *p *= by);
+        update(lift, self.heights, |lift, height| {
+            if height.is_finite() {
+                *lift = height + by * (*lift - height);
+            }
+        });
+    }
+
+    /// What the gap in contact lacks to none.
+    fn unbalance(&self, state: &mut Iterate, approach: f64) {
+        let Iterate { lift, contact, unit, residual, .. } = state;
+        let per_unit = unit.recip();
+        swept(residual, |range, residual| {
+            let known = lift[range.clone()].iter().zip(&contact[range]);
+            for (residual, (lift, &contact)) in residual.iter_mut().zip(known) {
+                *residual = if contact { f32::nearest(per_unit * (approach - lift)) } else { 0.0 };
+            }
+            0.0
+        });
     }
 }
 
@@ -306,19 +348,30 @@ impl Misfit {
     }
 }
 
-fn keep_where(values: &mut [f64], contact: &[bool]) {
-    values.par_iter_mut().zip(contact).for_each(|(value, &contact)| {
-        if !contact {
-            *value = 0.0;
-        }
-    });
+/// Values in contact are kept, all others zero; the sum of those kept.
+fn keep_where(values: &mut [f32], contact: &[bool]) -> f64 {
+    swept(values, |range, values| {
+        values
+            .iter_mut()
+            .zip(&contact[range])
+            .for_each(|(value, &contact)| *value = if contact { *value } else { 0.0 });
+        values.iter().map(|&value| f64::from(value)).sum()
+    })
+}
+
+/// Σ x·y of a piece.
+fn product(x: &[f32], y: &[f32]) -> f64 {
+    x.iter().zip(y).map(|(&x, &y)| f64::from(x) * f64::from(y)).sum()
 }
 
 /// Mean over the contact, 0 where there is none.
 fn mean_where(values: &[f64], contact: &[bool]) -> f64 {
-    let count = contact.iter().filter(|&&contact| contact).count();
     let part = |range: std::ops::Range<usize>| {
-        values[range.clone()].iter().zip(&contact[range]).filter(|(_, contact)| **contact).map(|(value, _)| value).sum()
+        let pairs = values[range.clone()].iter().zip(&contact[range]);
+        pairs.fold((0.0, 0_u64), |(sum, count), (value, &contact)| {
+            (sum + if contact { *value } else { 0.0 }, count + u64::from(contact))
+        })
     };
-    sum(values.len(), part) / count.max(1) as f64
+    let (sum, count) = fold(values.len(), part, (0.0, 0), |(sum, count), (more, others)| (sum + more, count + others));
+    sum / count.max(1) as f64
 }

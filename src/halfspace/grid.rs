@@ -1,9 +1,18 @@
 //! Grids of one problem: the measured one, the coarser ones that start it, and the part of each that matters.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use rayon::prelude::*;
 
 use super::kernel::{Beneath, Influence, KernelTable, Rectangle};
 use super::transform::{Multiplier, Size, good_length, spectrum_of_even};
+
+/// Windows of the finest grid have sides of as many of these as they need: a contact that grows or shrinks a little keeps
+/// its window, and the maps made for it.
+const WINDOW_STEP: usize = 8;
+
+/// Windows whose maps are kept.
+const WINDOWS_KEPT: usize = 3;
 
 /// Fewest pixels a side may have to be halved once more.
 const COARSEST: usize = 24;
@@ -103,6 +112,20 @@ impl Grid {
         })
     }
 
+    /// The window widened to sides of whole steps, where the grid is as large.
+    pub(super) fn stepped(&self, window: Window) -> Window {
+        let side = |side: usize, most: usize| side.next_multiple_of(WINDOW_STEP).min(most);
+        let size = Size {
+            rows: side(window.size.rows, self.size.rows),
+            columns: side(window.size.columns, self.size.columns),
+        };
+        Window {
+            row: window.row.min(self.size.rows - size.rows),
+            column: window.column.min(self.size.columns - size.columns),
+            size,
+        }
+    }
+
     /// Values of a window of the grid.
     pub(super) fn cut(&self, values: &[f64], window: Window) -> Vec<f64> {
         let rows = values.chunks(self.size.columns).skip(window.row).take(window.size.rows);
@@ -153,10 +176,12 @@ fn neighbours(fine: usize, coarse: usize, periodic: bool) -> [usize; 2] {
     [own, next]
 }
 
-/// The two maps of a window: pressure → displacement, and roughly back.
+/// The maps of a window: pressure → displacement, and roughly back.
 pub(super) struct Operators {
     pub(super) influence: Multiplier,
-    pub(super) stiffness: Multiplier,
+    /// The same to seven digits of the largest displacement, for steps whose outcome is looked at exactly.
+    pub(super) swift: Multiplier<f32>,
+    pub(super) stiffness: Multiplier<f32>,
     pub(super) compliance: f64,
 }
 
@@ -177,11 +202,14 @@ impl Operators {
         let (period, table) = kernel_table(size, kernel);
         let circulant = Size { rows: period.rows.div_ceil(2), columns: period.columns / 2 };
         let nearest = circulant_table(&table, period, circulant);
-        let symbol = spectrum_of_even(nearest, circulant).into_iter().map(f64::recip).collect();
+        let stiffness: Vec<f64> = spectrum_of_even(nearest, circulant).into_iter().map(f64::recip).collect();
+        let own = table[0];
+        let compliance = spectrum_of_even(table, period);
         Self {
-            compliance: table[0],
-            influence: Multiplier::new(size, period, spectrum_of_even(table, period)),
-            stiffness: Multiplier::new(size, circulant, symbol),
+            compliance: own,
+            swift: Multiplier::rough(size, period, &compliance),
+            influence: Multiplier::new(size, period, compliance),
+            stiffness: Multiplier::rough(size, circulant, &stiffness),
         }
     }
 
@@ -191,11 +219,13 @@ impl Operators {
         let given = |q: f64| beneath.map_or_else(|| endless(q), |beneath| beneath.wave(q));
         let compliance: Vec<f64> = wave_numbers(grid).into_par_iter().map(given).collect();
         let softest = compliance.iter().copied().reduce(f64::max).filter(|&most| most > 0.0).unwrap_or(2.0);
-        let stiffness = compliance.iter().map(|&given| if given > 0.0 { given } else { softest }.recip()).collect();
+        let stiffness: Vec<f64> =
+            compliance.iter().map(|&given| if given > 0.0 { given } else { softest }.recip()).collect();
         Self {
             compliance: mean_over_period(&compliance, grid.size),
+            swift: Multiplier::rough(grid.size, grid.size, &compliance),
             influence: Multiplier::new(grid.size, grid.size, compliance),
-            stiffness: Multiplier::new(grid.size, grid.size, stiffness),
+            stiffness: Multiplier::rough(grid.size, grid.size, &stiffness),
         }
     }
 }
@@ -207,10 +237,33 @@ fn influence<'g>(grid: &Grid, beneath: Option<Beneath<'g>>) -> Influence<'g> {
     beneath.map_or(Influence::Rectangle(rectangle), over)
 }
 
-/// Influences on the free window of a grid, for all smaller ones.
-pub(super) fn kept(grid: &Grid, beneath: Option<Beneath<'_>>) -> KernelTable {
-    let (period, values) = kernel_table(grid.size, influence(grid, beneath));
-    KernelTable { stride: period.columns / 2 + 1, values }
+/// The maps of windows of one free grid, whose influences are known, for many contacts on it.
+pub(super) struct Windows {
+    influences: KernelTable,
+    /// Those asked for last, the latest at the end.
+    made: Mutex<Vec<(Size, Arc<Operators>)>>,
+}
+
+impl Windows {
+    pub(super) fn new(grid: &Grid, beneath: Option<Beneath<'_>>) -> Self {
+        let (period, values) = kernel_table(grid.size, influence(grid, beneath));
+        Self { influences: KernelTable { stride: period.columns / 2 + 1, values }, made: Mutex::default() }
+    }
+
+    /// The maps of a window of this size, made where they are not known. They are made without the lock: whoever makes
+    /// them lends a hand elsewhere meanwhile, perhaps to another who asks.
+    pub(super) fn of(&self, size: Size) -> Arc<Operators> {
+        let made = || self.made.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = made().iter().find(|(at, _)| *at == size).map(|(_, operators)| Arc::clone(operators));
+        let operators = known.unwrap_or_else(|| Arc::new(Operators::free(size, Influence::Kept(&self.influences))));
+        let mut made = made();
+        made.retain(|(at, _)| *at != size);
+        if made.len() == WINDOWS_KEPT {
+            made.remove(0);
+        }
+        made.push((size, Arc::clone(&operators)));
+        operators
+    }
 }
 
 /// Padded period of a free window and the influence of one pixel over a quarter of it.

@@ -64,7 +64,7 @@ impl Input {
         };
         let task = Task {
             whole: response.map(SurfaceResponse::operators),
-            kept: response.and_then(SurfaceResponse::kept),
+            windows: response.and_then(SurfaceResponse::windows),
             beneath: response.and_then(|response| response.beneath(self.unit())),
             hardness: hardness / pressure_unit,
             ..self.task(heights, [range.low, scale], settings)
@@ -169,7 +169,7 @@ impl Input {
             hardness: f64::INFINITY,
             whole: None,
             beneath: None,
-            kept: None,
+            windows: None,
         }
     }
 

@@ -1,7 +1,7 @@
 //! The surface under pressures that are given.
 
-use super::grid::{self, Grid, Law, Operators};
-use super::kernel::{Beneath, Influence, KernelTable};
+use super::grid::{Grid, Law, Operators, Windows};
+use super::kernel::Beneath;
 use super::transform::{Scratch, Size};
 use super::{Boundary, PressedMap};
 use crate::ground::Ground;
@@ -26,9 +26,9 @@ use std::sync::Arc;
 /// assert!((displacement[[3, 0]] * std::f64::consts::TAU - 1.0).abs() < 1e-14);
 /// ```
 pub struct SurfaceResponse {
-    operators: Operators,
-    /// Influences that smaller windows share; none where every wave stands for itself.
-    kept: Option<KernelTable>,
+    operators: Arc<Operators>,
+    /// Smaller windows; none where every wave stands for itself.
+    windows: Option<Windows>,
     /// Rows and columns, width and height of a pixel \[m\], and what is beyond the border.
     pixels: ([usize; 2], [f64; 2], Boundary),
     /// Mean side of a pixel \[m\].
@@ -70,12 +70,12 @@ impl SurfaceResponse {
         let unit = pixel[0].sqrt() * pixel[1].sqrt();
         let grid = Grid { size, pixel: pixel.map(|side| side / unit), heights: Vec::new() };
         let under = beneath(ground.as_ref(), unit);
-        let kept = (boundary == Boundary::Free).then(|| grid::kept(&grid, under));
-        let operators = match &kept {
-            Some(kept) => Operators::free(size, Influence::Kept(kept)),
-            None => Operators::new(&grid, size, Law::PeriodicSpace, under),
+        let windows = (boundary == Boundary::Free).then(|| Windows::new(&grid, under));
+        let operators = match &windows {
+            Some(windows) => windows.of(size),
+            None => Arc::new(Operators::new(&grid, size, Law::PeriodicSpace, under)),
         };
-        Self { operators, kept, pixels: ([rows, columns], pixel, boundary), unit, hardness: f64::INFINITY, ground }
+        Self { operators, windows, pixels: ([rows, columns], pixel, boundary), unit, hardness: f64::INFINITY, ground }
     }
 
     /// The same surface, which yields under the pressure `hardness` \[Pa\]: no pixel carries more (Persson 2001;
@@ -108,9 +108,9 @@ impl SurfaceResponse {
         beneath(self.ground.as_ref(), unit)
     }
 
-    /// Influences on a window of the pixels.
-    pub(super) fn kept(&self) -> Option<&KernelTable> {
-        self.kept.as_ref()
+    /// The maps of windows of the pixels.
+    pub(super) fn windows(&self) -> Option<&Windows> {
+        self.windows.as_ref()
     }
 
     pub(super) fn operators(&self) -> &Operators {

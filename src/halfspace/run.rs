@@ -1,11 +1,12 @@
 //! From a problem in the solver's units to its solution, coarse grids first.
 
 use std::cell::OnceCell;
+use std::sync::Arc;
 
 use super::HalfSpaceError;
 use super::face::{Budget, Goal, GridContact, GridSolution};
-use super::grid::{Grid, Law, Operators, Window};
-use super::kernel::{Beneath, Influence, KernelTable};
+use super::grid::{Grid, Law, Operators, Window, Windows};
+use super::kernel::Beneath;
 use super::transform::Scratch;
 use super::vector::{total, update};
 
@@ -31,8 +32,8 @@ pub(super) struct Task<'o> {
     pub(super) whole: Option<&'o Operators>,
     /// What lies beneath, if it is no half-space.
     pub(super) beneath: Option<Beneath<'o>>,
-    /// Influences on the finest grid, where they are known already.
-    pub(super) kept: Option<&'o KernelTable>,
+    /// The maps of windows of the finest grid, where they are kept.
+    pub(super) windows: Option<&'o Windows>,
 }
 
 /// What is prescribed, whatever the grid.
@@ -128,20 +129,24 @@ impl Task<'_> {
         let grid = &self.grid;
         let mut effort = Budget { iterations: 0, products: 0, limit: self.max_iterations };
         let mut rounds = 0;
-        let mut window = self.window(grid, &pressure).unwrap_or(grid.whole());
+        let mut part = self.part(self.window(grid, &pressure).unwrap_or(grid.whole()));
         let made = OnceCell::new();
         let whole = || {
             self.whole.unwrap_or_else(|| made.get_or_init(|| Operators::new(grid, grid.size, self.law, self.beneath)))
         };
         loop {
-            let small = self.of_window(window);
-            let operators = match &small {
-                Some(small) => small,
+            let (window, maps) = &part;
+            let operators = match maps {
+                Some(maps) => maps,
                 None => whole(),
             };
             let (goal, hardness) = (self.goal(grid), self.hardness_on(grid));
-            let part = WindowedGrid { operators, grid, window, goal, hardness };
-            let outcome = part.solve(&mut pressure, self.tolerance, &mut effort, scratch);
+            let outcome = WindowedGrid { operators, grid, window: *window, goal, hardness }.solve(
+                &mut pressure,
+                self.tolerance,
+                &mut effort,
+                scratch,
+            );
             let whole = whole();
             let mut displacement = vec![0.0; pressure.len()];
             whole.influence.apply(&pressure, &mut displacement, scratch);
@@ -160,16 +165,21 @@ impl Task<'_> {
             }
             let overlap =
                 |index: usize| pressure[index] > 0.0 || displacement[index] + grid.heights[index] < outcome.approach;
-            window = if self.law.is_periodic() { window } else { grid.window(MARGIN, overlap).unwrap_or(window) };
+            let wider = if self.law.is_periodic() { None } else { grid.window(MARGIN, overlap) };
+            if let Some(wider) = wider.filter(|wider| wider != window) {
+                part = self.part(wider);
+            }
         }
     }
 
-    /// The operators of a part of the finest grid; none of the whole, whose own are kept.
-    fn of_window(&self, window: Window) -> Option<Operators> {
-        (window != self.grid.whole()).then(|| match self.kept {
-            Some(kept) => Operators::free(window.size, Influence::Kept(kept)),
-            None => Operators::new(&self.grid, window.size, self.law, self.beneath),
-        })
+    /// The part of the finest grid to be worked on, and its maps; none of the whole, whose own are kept.
+    fn part(&self, window: Window) -> (Window, Option<Arc<Operators>>) {
+        let window = self.grid.stepped(window);
+        let made = |size| match self.windows {
+            Some(windows) => windows.of(size),
+            None => Arc::new(Operators::new(&self.grid, size, self.law, self.beneath)),
+        };
+        (window, (window != self.grid.whole()).then(|| made(window.size)))
     }
 
     /// Largest gap in contact or overlap out of it, relative to the largest displacement in contact.
@@ -225,14 +235,8 @@ impl WindowedGrid<'_> {
     ) -> GridSolution {
         let heights = self.grid.cut(&self.grid.heights, self.window);
         let mut part = self.start(&self.grid.cut(pressure, self.window), &heights);
-        let contact = GridContact {
-            influence: &self.operators.influence,
-            stiffness: &self.operators.stiffness,
-            compliance: self.operators.compliance,
-            heights: &heights,
-            goal: self.goal,
-            hardness: self.hardness,
-        };
+        let contact =
+            GridContact { operators: self.operators, heights: &heights, goal: self.goal, hardness: self.hardness };
         let outcome = contact.solve(&mut part, tolerance, effort, scratch);
         update(&mut part, &heights, |p, _| *p = p.max(0.0));
         *pressure = self.grid.paste(&part, self.window);

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::{Fft, FftPlanner};
+use rustfft::{Fft, FftNum, FftPlanner};
 
 /// Rows, or columns, that travel together through the transposition.
 const STRIP: usize = 8;
@@ -38,30 +38,73 @@ impl Size {
 /// Scratch space shared by the transforms of one solution.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
-    rows: Vec<Complex<f64>>,
-    columns: Vec<Complex<f64>>,
+    double: Spectra<f64>,
+    single: Spectra<f32>,
+}
+
+/// Spectra of the rows and of the columns.
+#[derive(Debug, Default)]
+pub(super) struct Spectra<T> {
+    rows: Vec<Complex<T>>,
+    columns: Vec<Complex<T>>,
+}
+
+/// Numbers that waves are computed in.
+pub(super) trait Precision: FftNum + Default {
+    /// The nearest of these numbers.
+    fn nearest(value: f64) -> Self;
+
+    fn spectra(scratch: &mut Scratch) -> &mut Spectra<Self>;
+}
+
+impl Precision for f64 {
+    fn nearest(value: f64) -> Self {
+        value
+    }
+
+    fn spectra(scratch: &mut Scratch) -> &mut Spectra<f64> {
+        &mut scratch.double
+    }
+}
+
+impl Precision for f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "rounded to the nearest, on purpose")]
+    fn nearest(value: f64) -> Self {
+        value as Self
+    }
+
+    fn spectra(scratch: &mut Scratch) -> &mut Spectra<f32> {
+        &mut scratch.single
+    }
 }
 
 /// What a wave is multiplied by.
 pub(super) trait Symbol: Copy + Send + Sync {
+    /// Numbers of the amplitudes.
+    type Real: Precision;
+
     /// The number `by` times.
     fn scaled(self, by: f64) -> Self;
 
     /// Its product with the amplitude of a wave.
-    fn on(self, amplitude: Complex<f64>) -> Complex<f64>;
+    fn on(self, amplitude: Complex<Self::Real>) -> Complex<Self::Real>;
 }
 
-impl Symbol for f64 {
+impl<T: Precision> Symbol for T {
+    type Real = T;
+
     fn scaled(self, by: f64) -> Self {
-        self * by
+        self * T::nearest(by)
     }
 
-    fn on(self, amplitude: Complex<f64>) -> Complex<f64> {
+    fn on(self, amplitude: Complex<T>) -> Complex<T> {
         amplitude * self
     }
 }
 
 impl Symbol for Complex<f64> {
+    type Real = f64;
+
     fn scaled(self, by: f64) -> Self {
         self * by
     }
@@ -72,19 +115,19 @@ impl Symbol for Complex<f64> {
 }
 
 /// The map x → F⁻¹[symbol · F x] from a grid to itself, zero-padded up to the period.
-pub(super) struct Multiplier<S = f64> {
-    lines: Lines,
+pub(super) struct Multiplier<S: Symbol = f64> {
+    lines: Lines<S::Real>,
     symbol: Vec<S>,
 }
 
 /// Transforms of the rows and columns of a grid, zero-padded up to the period.
-pub(super) struct Lines {
+pub(super) struct Lines<T = f64> {
     size: Size,
     period: Size,
-    forward_row: Arc<dyn RealToComplex<f64>>,
-    inverse_row: Arc<dyn ComplexToReal<f64>>,
-    forward_column: Arc<dyn Fft<f64>>,
-    inverse_column: Arc<dyn Fft<f64>>,
+    forward_row: Arc<dyn RealToComplex<T>>,
+    inverse_row: Arc<dyn ComplexToReal<T>>,
+    forward_column: Arc<dyn Fft<T>>,
+    inverse_column: Arc<dyn Fft<T>>,
 }
 
 impl<S: Symbol> Multiplier<S> {
@@ -96,21 +139,31 @@ impl<S: Symbol> Multiplier<S> {
     }
 
     /// y = F⁻¹[symbol · F x].
-    pub(super) fn apply(&self, x: &[f64], y: &mut [f64], scratch: &mut Scratch) {
+    pub(super) fn apply(&self, x: &[S::Real], y: &mut [S::Real], scratch: &mut Scratch) {
         let Lines { size, period, .. } = self.lines;
         let needed = size.spectrum(period);
-        scratch.rows.resize(needed.max(scratch.rows.len()), Complex::default());
-        scratch.columns.resize(needed.max(scratch.columns.len()), Complex::default());
-        self.lines.transform_rows(x, &mut scratch.rows);
+        let Spectra { rows, columns } = S::Real::spectra(scratch);
+        rows.resize(needed.max(rows.len()), Complex::default());
+        columns.resize(needed.max(columns.len()), Complex::default());
+        self.lines.transform_rows(x, rows);
         let quarter = period.rows / 2 + 1;
-        self.lines.across([&scratch.rows], (&mut scratch.columns, 1), |column, [line]| {
+        self.lines.across([rows.as_slice()], (columns.as_mut_slice(), 1), |column, [line]| {
             multiply(line, &self.symbol[column * quarter..(column + 1) * quarter]);
         });
-        self.lines.restore_rows(&scratch.columns, (0, 1), y);
+        self.lines.restore_rows(columns, (0, 1), y);
     }
 }
 
-impl Lines {
+impl Multiplier<f32> {
+    /// The same multiplier in numbers of seven digits, for what is corrected afterwards.
+    pub(super) fn rough(size: Size, period: Size, symbol: &[f64]) -> Self {
+        // What is below all of these numbers must not become nothing, or its waves would never be reached.
+        let least = f64::from(f32::MIN_POSITIVE) * period.pixels() as f64;
+        Self::new(size, period, symbol.par_iter().map(|value| f32::nearest(value.max(least))).collect())
+    }
+}
+
+impl<T: Precision> Lines<T> {
     pub(super) fn new(size: Size, period: Size) -> Self {
         let mut real = RealFftPlanner::new();
         let mut complex = FftPlanner::new();
@@ -133,27 +186,26 @@ impl Lines {
     }
 
     /// Rows to half spectra, stored as strips of rows: frequency by frequency, the rows of the strip side by side.
-    pub(super) fn transform_rows(&self, x: &[f64], spectra: &mut [Complex<f64>]) {
+    pub(super) fn transform_rows(&self, x: &[T], spectra: &mut [Complex<T>]) {
         let (columns, strip, half) = (self.size.columns, self.strip(), self.half());
         let make = || {
-            (self.forward_row.make_input_vec(), self.forward_row.make_output_vec(), self.forward_row.make_scratch_vec())
+            let output = vec![Complex::default(); strip * half];
+            (self.forward_row.make_input_vec(), output, self.forward_row.make_scratch_vec())
         };
         spectra.par_chunks_mut(strip * half).zip(x.par_chunks(strip * columns)).for_each_init(
             make,
             |(input, output, scratch), (block, rows)| {
-                for (index, row) in rows.chunks(columns).enumerate() {
-                    if row.iter().all(|value| value.abs() <= 0.0) {
+                for (row, output) in rows.chunks(columns).zip(output.chunks_mut(half)) {
+                    if row.iter().all(T::is_zero) {
                         output.fill(Complex::default());
                     } else {
                         input[..columns].copy_from_slice(row);
-                        input[columns..].fill(0.0);
+                        input[columns..].fill(T::default());
                         // The lengths are those of the plan, the only thing it can object to.
                         let _ = self.forward_row.process_with_scratch(input, output, scratch);
                     }
-                    for (place, value) in block[index..].iter_mut().step_by(strip).zip(output.iter()) {
-                        *place = *value;
-                    }
                 }
+                interleave(&output[..rows.len() / columns * half], half, (block, strip));
             },
         );
     }
@@ -162,17 +214,21 @@ impl Lines {
     /// `kept` of them, stored as strips of columns, the results of a strip one after the other.
     pub(super) fn across<const I: usize>(
         &self,
-        spectra: [&[Complex<f64>]; I],
-        (columns, kept): (&mut [Complex<f64>], usize),
-        change: impl Fn(usize, &mut [Vec<Complex<f64>>; I]) + Sync,
+        spectra: [&[Complex<T>]; I],
+        (columns, kept): (&mut [Complex<T>], usize),
+        change: impl Fn(usize, &mut [Vec<Complex<T>>; I]) + Sync,
     ) {
         let (rows, period) = (self.size.rows, self.period.rows);
         let length = self.forward_column.get_inplace_scratch_len().max(self.inverse_column.get_inplace_scratch_len());
-        let make = || (std::array::from_fn(|_| vec![Complex::default(); period]), vec![Complex::default(); length]);
+        let make = || {
+            let lines = std::array::from_fn(|_| vec![Complex::default(); period]);
+            (lines, vec![Complex::default(); kept * STRIP * rows], vec![Complex::default(); length])
+        };
         columns.par_chunks_mut(kept * STRIP * rows).take(self.half().div_ceil(STRIP)).enumerate().for_each_init(
             make,
-            |(lines, scratch), (index, block)| {
-                for lane in 0..STRIP.min(self.half() - index * STRIP) {
+            |(lines, results, scratch), (index, block)| {
+                let lanes = STRIP.min(self.half() - index * STRIP);
+                for lane in 0..lanes {
                     let column = index * STRIP + lane;
                     for (line, spectra) in lines.iter_mut().zip(spectra) {
                         self.gather_column(spectra, column, &mut line[..rows]);
@@ -180,26 +236,27 @@ impl Lines {
                         self.forward_column.process_with_scratch(line, scratch);
                     }
                     change(column, lines);
-                    for (line, part) in lines.iter_mut().zip(block.chunks_mut(STRIP * rows)) {
+                    for (line, part) in lines.iter_mut().zip(results.chunks_mut(STRIP * rows)) {
                         self.inverse_column.process_with_scratch(line, scratch);
-                        for (place, value) in part[lane..].iter_mut().step_by(STRIP).zip(line.iter()) {
-                            *place = *value;
-                        }
+                        part[lane * rows..(lane + 1) * rows].copy_from_slice(&line[..rows]);
                     }
+                }
+                for (result, part) in results.chunks(STRIP * rows).zip(block.chunks_mut(STRIP * rows)) {
+                    interleave(&result[..lanes * rows], rows, (part, STRIP));
                 }
             },
         );
     }
 
-    fn gather_column(&self, spectra: &[Complex<f64>], column: usize, line: &mut [Complex<f64>]) {
+    fn gather_column(&self, spectra: &[Complex<T>], column: usize, line: &mut [Complex<T>]) {
         let (strip, half) = (self.strip(), self.half());
         for (part, block) in line.chunks_mut(strip).zip(spectra.chunks(strip * half)) {
-            part.copy_from_slice(&block[column * strip..column * strip + part.len()]);
+            copy_strip(part, &block[column * strip..]);
         }
     }
 
     /// The half spectra of one result of several back to rows.
-    pub(super) fn restore_rows(&self, columns: &[Complex<f64>], (result, several): (usize, usize), y: &mut [f64]) {
+    pub(super) fn restore_rows(&self, columns: &[Complex<T>], (result, several): (usize, usize), y: &mut [T]) {
         let (size, half) = (self.size, self.half());
         let make = || {
             (self.inverse_row.make_input_vec(), self.inverse_row.make_output_vec(), self.inverse_row.make_scratch_vec())
@@ -208,11 +265,11 @@ impl Lines {
             for (part, block) in
                 input.chunks_mut(STRIP).zip(columns.chunks(STRIP * size.rows).skip(result).step_by(several))
             {
-                part.copy_from_slice(&block[row * STRIP..row * STRIP + part.len()]);
+                copy_strip(part, &block[row * STRIP..]);
             }
-            input[0].im = 0.0;
+            input[0].im = T::default();
             if self.period.columns.is_multiple_of(2) {
-                input[half - 1].im = 0.0;
+                input[half - 1].im = T::default();
             }
             // The lengths are those of the plan and the imaginary parts it would object to are zero.
             let _ = self.inverse_row.process_with_scratch(input, output, scratch);
@@ -221,8 +278,31 @@ impl Lines {
     }
 }
 
+/// Lines of `length` side by side: of every place, what all have there, `stride` apart from place to place.
+fn interleave<T: Copy>(lines: &[T], length: usize, (block, stride): (&mut [T], usize)) {
+    if lines.len() == STRIP * length && stride == STRIP {
+        let lines: [&[T]; STRIP] = std::array::from_fn(|lane| &lines[lane * length..(lane + 1) * length]);
+        for (place, values) in block.as_chunks_mut::<STRIP>().0.iter_mut().enumerate() {
+            *values = lines.map(|line| line[place]);
+        }
+    } else {
+        for (lane, line) in lines.chunks(length).enumerate() {
+            block[lane..].iter_mut().step_by(stride).zip(line).for_each(|(place, value)| *place = *value);
+        }
+    }
+}
+
+/// The first of the values: nearly always a whole strip, whose length the compiler then knows.
+fn copy_strip<T: Copy>(to: &mut [T], from: &[T]) {
+    if let (Ok(to), Some(from)) = (<&mut [T; STRIP]>::try_from(&mut *to), from.first_chunk::<STRIP>()) {
+        *to = *from;
+    } else {
+        to.copy_from_slice(&from[..to.len()]);
+    }
+}
+
 /// Line times an even multiplier given by its first half.
-fn multiply<S: Symbol>(line: &mut [Complex<f64>], half: &[S]) {
+fn multiply<S: Symbol>(line: &mut [Complex<S::Real>], half: &[S]) {
     let (front, back) = line.split_at_mut(half.len());
     front.iter_mut().zip(half).for_each(|(value, factor)| *value = factor.on(*value));
     back.iter_mut().rev().zip(&half[1..]).for_each(|(value, factor)| *value = factor.on(*value));

@@ -34,8 +34,15 @@ pub(super) fn total(x: &[f64]) -> f64 {
     sum(x.len(), |range| x[range].iter().sum())
 }
 
+/// Pieces of the target changed in parallel, and the sum of what each change gives, added in order.
+pub(super) fn swept<T: Send>(target: &mut [T], change: impl Fn(std::ops::Range<usize>, &mut [T]) -> f64 + Sync) -> f64 {
+    let each = target.par_chunks_mut(PIECE).enumerate();
+    let given: Vec<f64> = each.map(|(index, part)| change(index * PIECE..index * PIECE + part.len(), part)).collect();
+    given.into_iter().sum()
+}
+
 /// `change(target, source)` for each pair.
-pub(super) fn update(target: &mut [f64], source: &[f64], change: impl Fn(&mut f64, f64) + Sync) {
+pub(super) fn update<T: Send, S: Copy + Sync>(target: &mut [T], source: &[S], change: impl Fn(&mut T, S) + Sync) {
     target
         .par_chunks_mut(PIECE)
         .zip(source.par_chunks(PIECE))

@@ -1,6 +1,5 @@
 //! Pixels that remember: Maxwell elements under every one of them.
 
-use crate::halfspace::SurfaceResponse;
 use crate::material::Relaxation;
 use crate::numerics::exponential::{cubic_remainder, decay};
 use ndarray::{Array2, Zip};
@@ -12,12 +11,15 @@ use std::sync::Arc;
 /// the pressure \[per Pa\] that would move that one as far; the pressure itself is p(t) = ∫E*(t−s) dP(s), on every pixel
 /// by itself (Lee & Radok 1960, for a constant Poisson's ratio). With E*(t) = E∞ + ΣEᵢ e^(−t/τᵢ) that is
 /// p = E∞P + Σqᵢ + ηṖ with Maxwell's q̇ᵢ = EᵢṖ − qᵢ/τᵢ. In a step P is straight, and everything else is exact: a depth
-/// that is held relaxes without error however long the step.
+/// that is held relaxes without error however long the step. What G makes of each part is known from the displacements of
+/// the contacts and goes through the same sums.
 #[derive(Debug, Clone)]
 pub(super) struct Memory {
     relaxation: Arc<Relaxation>,
     /// P on each pixel.
     strain: Array2<f64>,
+    /// G P, the displacement \[m\].
+    moved: Array2<f64>,
     elements: Vec<Element>,
     /// Energy lost so far \[J\].
     dissipated: f64,
@@ -40,6 +42,21 @@ pub(super) struct Step {
     pub(super) modulus: f64,
     /// B \[Pa\].
     pub(super) kept: Array2<f64>,
+    /// G B \[m Pa\].
+    moved: Array2<f64>,
+}
+
+impl Step {
+    /// The displacement \[m\] without any pressure.
+    pub(super) fn free(&self) -> Array2<f64> {
+        &self.moved * -self.modulus.recip()
+    }
+}
+
+/// What a step changed: P, and G P \[m\].
+struct Change {
+    strain: Array2<f64>,
+    moved: Array2<f64>,
 }
 
 /// Shares of a Maxwell element in a step: what is kept of its pressure, what is lost of it, and the modulus Eᵢ(1−e)/y
@@ -73,12 +90,12 @@ impl Memory {
     pub(super) fn new(relaxation: Arc<Relaxation>, pixels: (usize, usize)) -> Self {
         let nothing = || Array2::zeros(pixels);
         let elements = relaxation.terms.iter().map(|_| Element { pressure: nothing(), moved: nothing() }).collect();
-        Self { relaxation, strain: nothing(), elements, dissipated: 0.0 }
+        Self { relaxation, strain: nothing(), moved: nothing(), elements, dissipated: 0.0 }
     }
 
     /// Numbers kept on each pixel.
     pub(super) fn fields(&self) -> usize {
-        1 + 2 * self.elements.len()
+        2 + 2 * self.elements.len()
     }
 
     fn shares(&self, over: f64) -> impl Iterator<Item = Shares> {
@@ -93,27 +110,28 @@ impl Memory {
     /// What the next `over` \[s\] answer with.
     pub(super) fn step(&self, over: f64) -> Step {
         let changing = self.shares(over).map(|shares| shares.modulus).sum::<f64>() + self.drag(over);
-        let mut kept = &self.strain * -changing;
+        let (mut kept, mut moved) = (&self.strain * -changing, &self.moved * -changing);
         for (element, shares) in self.elements.iter().zip(self.shares(over)) {
             kept.scaled_add(shares.kept, &element.pressure);
+            moved.scaled_add(shares.kept, &element.moved);
         }
-        Step { over, modulus: self.relaxation.equilibrium + changing, kept }
+        Step { over, modulus: self.relaxation.equilibrium + changing, kept, moved }
     }
 
-    /// Ends a step under the pressure `pressure` \[Pa\], pulls included.
-    pub(super) fn take(&mut self, step: &Step, pressure: &Array2<f64>, response: &SurfaceResponse) {
+    /// Ends a step under the pressure `pressure` \[Pa\], pulls included, with the displacement `moved` \[m\].
+    pub(super) fn take(&mut self, step: &Step, pressure: &Array2<f64>, moved: Array2<f64>) {
         let strain = (pressure - &step.kept) / step.modulus;
-        let change = &strain - &self.strain;
+        let change = Change { strain: &strain - &self.strain, moved: &moved - &self.moved };
         let steps: Vec<Shares> = self.shares(step.over).collect();
         for ((element, shares), (modulus, _)) in self.elements.iter_mut().zip(steps).zip(&self.relaxation.terms) {
-            let lost = element.take(shares, &change, response);
+            let lost = element.take(shares, &change);
             self.dissipated += if *modulus > 0.0 { lost / modulus } else { 0.0 };
         }
         let drag = self.drag(step.over);
         if drag > 0.0 {
-            self.dissipated += drag * dot(&change, &response.displacement(change.view(), 1.0));
+            self.dissipated += drag * dot(&change.strain, &change.moved);
         }
-        self.strain = strain;
+        (self.strain, self.moved) = (strain, moved);
     }
 
     /// Energy stored \[J per m² of a pixel\], where the surface is displaced by `displacement` \[m\].
@@ -131,17 +149,18 @@ impl Memory {
 }
 
 impl Element {
-    /// Ends a step in which P changed by `change`; Eᵢ times the energy lost in it.
-    fn take(&mut self, shares: Shares, change: &Array2<f64>, response: &SurfaceResponse) -> f64 {
-        let before = self.clone();
-        Zip::from(&mut self.pressure).and(change).for_each(|q, dp| *q = shares.kept * *q + shares.modulus * dp);
-        self.moved = response.displacement(self.pressure.view(), 1.0);
-        let added = |after: &Array2<f64>, before: &Array2<f64>| after - &(before * shares.kept);
-        let (pressure, moved) = (added(&self.pressure, &before.pressure), added(&self.moved, &before.moved));
-        shares.integral([dot(&before.pressure, &before.moved), dot(&pressure, &before.moved), dot(&pressure, &moved)])
+    /// Ends a step with its change; Eᵢ times the energy lost in it.
+    fn take(&mut self, shares: Shares, change: &Change) -> f64 {
+        let (own, mixed) = (dot(&self.pressure, &self.moved), dot(&change.strain, &self.moved));
+        let added = dot(&change.strain, &change.moved);
+        for (kept, change) in [(&mut self.pressure, &change.strain), (&mut self.moved, &change.moved)] {
+            Zip::from(kept).and(change).for_each(|kept, change| *kept = shares.kept * *kept + shares.modulus * change);
+        }
+        shares.integral([own, shares.modulus * mixed, shares.modulus * shares.modulus * added])
     }
 }
 
-fn dot(one: &Array2<f64>, other: &Array2<f64>) -> f64 {
+/// The sum of the products, pixel by pixel.
+pub(super) fn dot(one: &Array2<f64>, other: &Array2<f64>) -> f64 {
     Zip::from(one).and(other).fold(0.0, |sum, one, other| sum + one * other)
 }

@@ -24,7 +24,7 @@ mod heights;
 mod ledger;
 mod load;
 mod memory;
-mod mixed;
+mod momentum;
 mod pixels;
 mod pressed;
 mod rehearsed;

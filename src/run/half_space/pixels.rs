@@ -4,7 +4,7 @@ use super::attraction::Attraction;
 use super::coupled::Coupled;
 use super::dent::Dent;
 use super::memory::{Memory, Step};
-use super::mixed::Mixed;
+use super::momentum::Momentum;
 use super::pressed::{Pressed, area};
 use super::state::Pressing;
 use crate::contact::adhesion::line::Energy;
@@ -35,6 +35,8 @@ pub(super) struct Pixels<'p> {
     coupled: Option<Coupled<'p>>,
     /// Contact pressures of the last state.
     last: Option<Array2<f64>>,
+    /// Those of the one before, of bodies that remember, and the time \[s\] between the two.
+    earlier: Option<(Array2<f64>, f64)>,
 }
 
 /// What a state leaves to the next.
@@ -44,6 +46,7 @@ pub(super) struct Past {
     pull: Option<Array2<f64>>,
     dent: Option<Dent>,
     last: Option<Array2<f64>>,
+    earlier: Option<(Array2<f64>, f64)>,
 }
 
 impl<'p> Pixels<'p> {
@@ -66,6 +69,7 @@ impl<'p> Pixels<'p> {
             response,
             coupled: Coupled::of(plan, &pressing),
             last: None,
+            earlier: None,
         }
     }
 
@@ -75,8 +79,14 @@ impl<'p> Pixels<'p> {
 
     /// What the last state leaves to the next.
     pub(super) fn past(&self) -> Past {
-        let Self { memory, pull, dent, last, .. } = self;
-        Past { memory: memory.clone(), pull: pull.clone(), dent: dent.clone(), last: last.clone() }
+        let Self { memory, pull, dent, last, earlier, .. } = self;
+        Past {
+            memory: memory.clone(),
+            pull: pull.clone(),
+            dent: dent.clone(),
+            last: last.clone(),
+            earlier: earlier.clone(),
+        }
     }
 
     /// Whether the end of a step is the same on whatever steps it is come to, as long as they lead one way: a contact that
@@ -87,8 +97,9 @@ impl<'p> Pixels<'p> {
 
     /// Goes back to a state.
     pub(super) fn go_back(&mut self, past: Past) {
-        let Past { memory, pull, dent, last } = past;
-        (self.memory, self.pull, self.dent, self.last) = (memory, pull, dent, last);
+        let Past { memory, pull, dent, last, earlier } = past;
+        (self.memory, self.pull, self.dent) = (memory, pull, dent);
+        (self.last, self.earlier) = (last, earlier);
     }
 
     /// Bytes of what is kept from state to state.
@@ -116,11 +127,14 @@ impl<'p> Pixels<'p> {
         }
         let Some(response) = self.response.clone() else { return self.elastic(prescribed).map(Some) };
         let step = self.memory.as_ref().map(|memory| memory.step(over));
+        let before = self.last.take();
+        self.last = self.expected(before.as_ref(), over);
         let Some(contact) = self.settled(prescribed, step.as_ref(), &response)? else {
-            self.part(step.as_ref(), &response);
+            self.part(step.as_ref());
             return Ok(None);
         };
         self.last = Some(contact.pressure.clone());
+        self.earlier = before.filter(|_| self.memory.is_some()).map(|before| (before, over));
         if let Some(dent) = &mut self.dent {
             dent.deepen(&contact, &self.pressing.heights.values);
         }
@@ -131,10 +145,20 @@ impl<'p> Pixels<'p> {
             Pressed { contact, pull, faint, gap, stored: Energy::default(), dissipated: 0.0, dragged: None };
         let pressure = pressed.pressure();
         if let (Some(memory), Some(step)) = (&mut self.memory, &step) {
-            memory.take(step, &pressure, &response);
+            memory.take(step, &pressure, pressed.contact.displacement.clone());
         }
         self.tell(&mut pressed, &pressure);
         Ok(Some(pressed))
+    }
+
+    /// Pressures to start from: those of the last state, or where they go if they go on as they did.
+    fn expected(&self, last: Option<&Array2<f64>>, over: f64) -> Option<Array2<f64>> {
+        let last = last?;
+        let Some((earlier, took)) = self.earlier.as_ref().filter(|(_, took)| *took > 0.0) else {
+            return Some(last.clone());
+        };
+        let on = (over / took).min(1.0);
+        Some(Zip::from(last).and(earlier).map_collect(|&last, earlier| (last + on * (last - earlier)).max(0.0)))
     }
 
     /// Without a past: what is prescribed decides.
@@ -157,7 +181,7 @@ impl<'p> Pixels<'p> {
         step: Option<&Step>,
         response: &SurfaceResponse,
     ) -> Result<Option<Solution>, HalfSpaceError> {
-        let mut mixed = Mixed::default();
+        let mut momentum = Momentum::default();
         for _ in 0..ROUNDS {
             let (heights, beside) = self.lifted(step, response);
             let Some(control) = self.control(prescribed) else { return Ok(None) };
@@ -179,21 +203,19 @@ impl<'p> Pixels<'p> {
                 self.pull = Some(before);
                 return Ok(Some(contact));
             }
-            self.pull = Some(mixed.next(&before, pull, change, attraction.stress));
+            self.pull = Some(momentum.next(&before, pull, change, attraction.stress));
         }
         Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: f64::NAN, tolerance: SETTLED })
     }
 
     /// The heights over the surface that memory and attraction make without any contact, and its displacement.
     fn lifted(&self, step: Option<&Step>, response: &SurfaceResponse) -> (Array2<f64>, Array2<f64>) {
-        let beside = match (step, &self.pull) {
-            (Some(step), Some(pull)) => &step.kept + pull,
-            (Some(step), None) => step.kept.clone(),
-            (None, Some(pull)) => pull.clone(),
-            (None, None) => Array2::zeros(self.pressing.heights.values.dim()),
-        };
-        let modulus = step.map_or(self.pressing.modulus, |step| step.modulus);
-        let displacement = -response.displacement(beside.view(), modulus);
+        let mut displacement =
+            step.map_or_else(|| Array2::zeros(self.pressing.heights.values.dim()), |step| step.free());
+        if let Some(pull) = &self.pull {
+            let modulus = step.map_or(self.pressing.modulus, |step| step.modulus);
+            displacement -= &response.displacement(pull.view(), modulus);
+        }
         let mut heights = &self.pressing.heights.values + &displacement;
         if let Some(dent) = &self.dent {
             heights += &dent.depth;
@@ -231,13 +253,13 @@ impl<'p> Pixels<'p> {
     }
 
     /// Far apart nothing presses or pulls, and what remembers comes back.
-    fn part(&mut self, step: Option<&Step>, response: &SurfaceResponse) {
-        self.last = None;
+    fn part(&mut self, step: Option<&Step>) {
+        (self.last, self.earlier) = (None, None);
         if let Some(pull) = &mut self.pull {
             pull.fill(0.0);
         }
         if let (Some(memory), Some(step)) = (&mut self.memory, step) {
-            memory.take(step, &Array2::zeros(step.kept.dim()), response);
+            memory.take(step, &Array2::zeros(step.kept.dim()), step.free());
         }
     }
 
