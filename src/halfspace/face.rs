@@ -216,15 +216,21 @@ impl GridContact<'_> {
         fold(pressure.len(), piece, Misfit::default(), Misfit::join)
     }
 
-    /// Contact from the present pressure and gap: pulling pixels leave it, overlapping ones join.
+    /// Contact from the present pressure and gap: pulling pixels leave it, overlapping ones join. What that cuts off the
+    /// pressure goes to the residual.
     fn correct(&self, pressure: &mut [f64], state: &mut Iterate, approach: f64) {
+        state.residual.par_iter_mut().for_each(|cut| *cut = 0.0);
         self.correct_yielding(pressure, state, approach);
-        let (lift, threshold, yields) = (&state.lift, state.threshold, &state.yields);
-        let both = state.contact.par_iter_mut().zip(pressure.par_iter_mut());
-        both.enumerate().for_each(|(index, (contact, p))| {
+        let Iterate { contact, residual, lift, threshold, yields, unit, .. } = state;
+        let (threshold, unit) = (*threshold, *unit);
+        let each = contact.par_iter_mut().zip(pressure.par_iter_mut()).zip(residual.par_iter_mut());
+        each.enumerate().for_each(|(index, ((contact, p), cut))| {
             if !yields.get(index).is_some_and(|&yields| yields) {
                 *contact = if *contact { *p >= 0.0 } else { lift[index] - approach < -threshold };
-                *p = p.max(0.0);
+                if *p < 0.0 {
+                    *cut = f32::nearest(-*p / unit);
+                    *p = 0.0;
+                }
             }
         });
         state.slope = 0.0;
@@ -233,9 +239,10 @@ impl GridContact<'_> {
 
     /// Pixels above the hardness yield, and those that have been left behind no longer do.
     fn correct_yielding(&self, pressure: &mut [f64], state: &mut Iterate, approach: f64) {
-        let Iterate { contact, yields, lift, threshold, .. } = state;
+        let Iterate { contact, yields, lift, threshold, residual, unit, .. } = state;
         for (index, yields) in yields.iter_mut().enumerate() {
             if contact[index] && pressure[index] > self.hardness {
+                residual[index] = f32::nearest((self.hardness - pressure[index]) / *unit);
                 (pressure[index], contact[index], *yields) = (self.hardness, false, true);
             } else if *yields && lift[index] - approach > *threshold {
                 (contact[index], *yields) = (true, false);
@@ -243,13 +250,15 @@ impl GridContact<'_> {
         }
     }
 
-    /// Everything that follows from a pressure whose pulling part was cut off.
+    /// Everything that follows from a pressure of which a part, the residual, was cut off.
     fn refresh(&self, pressure: &mut [f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
+        self.operators.swift.apply(&state.residual, &mut state.work, scratch);
+        effort.products += 1;
+        let unit = state.unit;
+        update(&mut state.lift, &state.work, |lift, change| *lift += unit * f64::from(change));
         if let Goal::Sum(wanted) = self.goal {
-            let factor = wanted / total(pressure);
-            pressure.par_iter_mut().for_each(|p| *p *= factor);
+            self.rescale(pressure, &mut state.lift, wanted / total(pressure));
         }
-        self.lift(pressure, state, effort, scratch);
     }
 
     /// Stiffness of the present contact against a uniform displacement.

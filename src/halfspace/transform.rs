@@ -283,7 +283,9 @@ fn interleave<T: Copy>(lines: &[T], length: usize, (block, stride): (&mut [T], u
     if lines.len() == STRIP * length && stride == STRIP {
         let lines: [&[T]; STRIP] = std::array::from_fn(|lane| &lines[lane * length..(lane + 1) * length]);
         for (place, values) in block.as_chunks_mut::<STRIP>().0.iter_mut().enumerate() {
-            *values = lines.map(|line| line[place]);
+            for (value, line) in values.iter_mut().zip(&lines) {
+                *value = line[place];
+            }
         }
     } else {
         for (lane, line) in lines.chunks(length).enumerate() {

@@ -22,6 +22,7 @@ pub(super) const CASES: &[Case] = &[
     Case::new("half-space/Maugis on pixels", Proof::Other, 5e-3, "forces on the way in and out, of the largest, beside his closed form: the end of the attraction lies between pixels").weak("λ near 1; one grid").by(maugis),
     Case::new("half-space/what a constant attraction loses at first touch", Proof::Other, 1.5e-2, "a disc of the radius c = 8σ₀R/(πE*) is taken hold of at once: (2/3)σ₀²c³/E*, the work of σ₀ on what it lifts less what is stored; a jump is found to 2e-4 of the largest energy, here thirty times that").weak("one grid").by(first_touch),
     Case::new("half-space/Bradley's attraction that fades", Proof::Order, 1e-3, "a hard ball apart from a flat: F = −2πwR e^(d/ρ) under σ = (w/ρ)e^(−z/ρ) (Bradley 1932, Derjaguin 1934); a pixel of the width Δ sums that to (Δ²/Rρ)²/24, ρ/R = 1e-4 of a parabola leaves the rest").weak("one range and grid").by(fading),
+    Case::new("half-space/JKR as the range shrinks with the pixel", Proof::Order, 1.0, "a ball under an attraction that fades lets go at JKR's 3πwR/2 and a part of it more that is inverse to Tabor's parameter μ = (Rw²/E*²ρ³)^⅓: 0.1/μ at μ = 0.65, and the same but for a seventh at 1.3; printed as the part of the bound used").weak("two ranges, each on its grid; the tenth is what is found").by(shrinking),
     Case::new("half-space/a body too hard to yield", Proof::Rounding, 1e-7, "is elastic, to the residual of the solver").weak("one ball").by(hard),
 ];
 
@@ -90,6 +91,20 @@ fn fading() -> Attempt<Pairs> {
         Some((record.normal.force, -TAU * work * (depth / range).exp()))
     });
     Ok(apart.collect())
+}
+
+/// A ball of R = E* = 1 and w = 1e-4: the part by which the force at which it lets go is above JKR's, times μ.
+fn shrinking() -> Attempt<Pairs> {
+    const WORK: f64 = 1e-4;
+    let of = |(range, grid): (f64, usize)| {
+        let law = Adhesion::Exponential(Exponential { work: si(WORK)?, range: si(range)? });
+        let scene = Sketch::of(ball(1.0)).adhesion(Ok(law)).pixels(grid).steps(20);
+        let outcome = scene.indent(1e-3, 1.0).indent(-8e-3, 1.0).run()?;
+        let pull = outcome.records.iter().map(|record| -record.normal.force).fold(0.0, f64::max);
+        let tabor = (WORK * WORK).cbrt() / range;
+        Ok((((pull / (1.5 * PI * WORK) - 1.0) * tabor / 0.1 - 1.0) * 7.0, 0.0))
+    };
+    [(1e-4 / 0.03, 48), (1e-4 / 0.06, 64)].into_iter().map(of).collect()
 }
 
 fn hard() -> Attempt<Pairs> {

@@ -24,7 +24,7 @@ mod heights;
 mod ledger;
 mod load;
 mod memory;
-mod momentum;
+mod mixed;
 mod pixels;
 mod pressed;
 mod rehearsed;

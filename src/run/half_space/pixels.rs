@@ -4,7 +4,7 @@ use super::attraction::Attraction;
 use super::coupled::Coupled;
 use super::dent::Dent;
 use super::memory::{Memory, Step};
-use super::momentum::Momentum;
+use super::mixed::Mixed;
 use super::pressed::{Pressed, area};
 use super::state::Pressing;
 use crate::contact::adhesion::line::Energy;
@@ -181,7 +181,7 @@ impl<'p> Pixels<'p> {
         step: Option<&Step>,
         response: &SurfaceResponse,
     ) -> Result<Option<Solution>, HalfSpaceError> {
-        let mut momentum = Momentum::default();
+        let mut mixed = Mixed::default();
         for _ in 0..ROUNDS {
             let (heights, beside) = self.lifted(step, response);
             let Some(control) = self.control(prescribed) else { return Ok(None) };
@@ -203,7 +203,7 @@ impl<'p> Pixels<'p> {
                 self.pull = Some(before);
                 return Ok(Some(contact));
             }
-            self.pull = Some(momentum.next(&before, pull, change, attraction.stress));
+            self.pull = Some(mixed.next(&before, pull, change, attraction.stress));
         }
         Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: f64::NAN, tolerance: SETTLED })
     }
