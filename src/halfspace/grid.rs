@@ -5,7 +5,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use rayon::prelude::*;
 
 use super::kernel::{Beneath, Influence, KernelTable, Rectangle};
-use super::transform::{Multiplier, Size, good_length, spectrum_of_even};
+use super::spectrum::spectrum_of_even;
+use super::transform::{Multiplier, Size, good_length};
 
 /// Windows of the finest grid have sides of as many of these as they need: a contact that grows or shrinks a little keeps
 /// its window, and the maps made for it.

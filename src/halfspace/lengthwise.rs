@@ -1,7 +1,8 @@
 //! How far a contact is drawn out along one direction, as shear feels it.
 
 use super::Boundary;
-use super::transform::{Multiplier, Scratch, Size, good_length};
+use super::precision::Scratch;
+use super::transform::{Multiplier, Size, good_length};
 use ndarray::ArrayView2;
 use std::f64::consts::TAU;
 

@@ -9,7 +9,8 @@
 //! Mechanics, eq. 3.25) or 2/(E*|q|) on every wave (periodic boundary, Johnson eq. 13.7).
 //! The equality in contact is solved by conjugate gradients (Polonsky & Keer 1999), preconditioned
 //! by an approximate inverse of G in Fourier space; the contact is corrected as often as its own error is
-//! what is left. Each grid starts from the solution of a grid of half the resolution.
+//! what is left. Each grid starts from the solution of a grid of half the resolution. Steps are made with transforms in
+//! single precision; what they are off by is found in the gap, which is computed in double, and worked off.
 //!
 //! **Residual.** The largest |g| where p > 0 and the largest −g elsewhere, over the whole grid, relative to the
 //! largest displacement in contact (or to what the largest pressure does to its own pixel, if that is more).
@@ -46,9 +47,11 @@ mod leak;
 mod lengthwise;
 mod line;
 mod pieces;
+mod precision;
 mod response;
 mod run;
 mod solution;
+mod spectrum;
 pub mod steady;
 mod transform;
 mod vector;

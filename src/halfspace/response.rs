@@ -2,7 +2,8 @@
 
 use super::grid::{Grid, Law, Operators, Windows};
 use super::kernel::Beneath;
-use super::transform::{Scratch, Size};
+use super::precision::Scratch;
+use super::transform::Size;
 use super::{Boundary, PressedMap};
 use crate::ground::Ground;
 use ndarray::{Array2, ArrayView2};

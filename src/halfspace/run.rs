@@ -7,7 +7,7 @@ use super::HalfSpaceError;
 use super::face::{Budget, Goal, GridContact, GridSolution};
 use super::grid::{Grid, Law, Operators, Window, Windows};
 use super::kernel::Beneath;
-use super::transform::Scratch;
+use super::precision::Scratch;
 use super::vector::{total, update};
 
 /// Relative residual to which a coarser grid is solved before the next finer one starts from it.

@@ -2,7 +2,8 @@
 
 use super::kernel::Sheared;
 use crate::halfspace::kernel::Rectangle;
-use crate::halfspace::transform::{Lines, Parity, Size, good_length, spectrum_of_quarter};
+use crate::halfspace::spectrum::{Parity, spectrum_of_quarter};
+use crate::halfspace::transform::{Lines, Size, good_length};
 use crate::material::Pair;
 use crate::shape::Boundary;
 use ndarray::{Array2, ArrayView2};

@@ -5,7 +5,8 @@
 //! orthogonal (Vinsome 1976, Orthomin; it converges where the symmetric part is positive, which it is: what is lost is
 //! never negative); then pixels that pull leave it and pixels that overlap join it, all at once (Hintermüller, Ito & Kunisch 2002).
 
-use crate::halfspace::transform::{Multiplier, Scratch};
+use crate::halfspace::precision::Scratch;
+use crate::halfspace::transform::Multiplier;
 use crate::halfspace::vector::{dot, fold, sum, total, update};
 use crate::halfspace::{HalfSpaceError, Settings};
 use rayon::prelude::*;

@@ -39,7 +39,8 @@ mod tests;
 
 use super::grid::Grid;
 use super::input::Raw;
-use super::transform::{Multiplier, Scratch, Size};
+use super::precision::Scratch;
+use super::transform::{Multiplier, Size};
 use super::vector::dot;
 use super::{Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start};
 use crate::ground::Ground;
