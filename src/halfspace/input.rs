@@ -236,9 +236,9 @@ fn within(
     if range.contains(&value) { Ok(()) } else { Err(HalfSpaceError::Parameter { name, value, wanted }) }
 }
 
-/// Vectors on pixels alive at once: heights of all grids, pressure, lift, residual, direction, work,
-/// stiffness against a uniform displacement, displacement, and copies of a window's heights and pressure.
-const VECTORS: f64 = 11.0;
+/// Vectors on pixels alive at once: heights of all grids, pressure, lift, displacement, copies of a window's heights and
+/// pressure, and residual, direction, work and stiffness against a uniform displacement, which take half of one.
+const VECTORS: f64 = 9.0;
 
 /// Upper bound of the bytes a solution takes.
 pub(super) fn bytes_needed(size: Size, periodic: bool) -> u64 {
@@ -253,7 +253,8 @@ pub(super) fn bytes_needed(size: Size, periodic: bool) -> u64 {
     let half_spectrum = size.rows as f64 * (padded(good.columns) as f64 / 2.0 + 8.0);
     let quarter = (padded(good.rows) as f64 / 2.0 + 1.0) * (padded(good.columns) as f64 / 2.0 + 1.0);
     let stiffness = if periodic { quarter } else { quarter / 4.0 };
-    let bytes = 8.0 * VECTORS * pixels + 32.0 * half_spectrum + 8.0 * (2.0 * quarter + 2.0 * stiffness);
+    // Two spectra in double and two in single precision; the influence in both.
+    let bytes = 8.0 * VECTORS * pixels + 48.0 * half_spectrum + 20.0 * quarter + 16.0 * stiffness;
     // Saturates where no memory could follow; the value is rounded up to whole bytes.
     #[expect(
         clippy::cast_possible_truncation,

@@ -80,9 +80,7 @@ impl<S: Symbol> Multiplier<S> {
 impl Multiplier<f32> {
     /// The same multiplier in numbers of seven digits, for what is corrected afterwards.
     pub(super) fn rough(size: Size, period: Size, symbol: &[f64]) -> Self {
-        // What is below all of these numbers must not become nothing, or its waves would never be reached.
-        let least = f64::from(f32::MIN_POSITIVE) * period.pixels() as f64;
-        Self::new(size, period, symbol.par_iter().map(|value| f32::nearest(value.max(least))).collect())
+        Self::new(size, period, symbol.par_iter().map(|&value| f32::nearest(value)).collect())
     }
 }
 
@@ -291,6 +289,24 @@ mod tests {
             let exact: f64 = x.iter().enumerate().map(term).sum();
             // Rounding of a transform of sums below 300.
             assert!((value - exact).abs() < 1e-12, "{row} {column}: {value} {exact}");
+        }
+    }
+
+    /// In seven digits a multiplier of both signs is the same one: rounding of 120 products, each below 11 · 17.
+    #[test]
+    fn a_rough_multiplier_keeps_its_signs() {
+        let size = Size { rows: 12, columns: 10 };
+        let symbol: Vec<f64> = (0..7 * 6).map(|k| f64::from((k * 7919) % 23) - 11.0).collect();
+        let x: Vec<f64> = (0..120).map(|k| f64::from((k * 7907) % 35) - 17.0).collect();
+        let single: Vec<f32> = x.iter().map(|&value| f32::nearest(value)).collect();
+        let (mut exact, mut rough) = (vec![0.0; 120], vec![0.0; 120]);
+        Multiplier::rough(size, size, &symbol).apply(&single, &mut rough, &mut Scratch::default());
+        Multiplier::new(size, size, symbol).apply(&x, &mut exact, &mut Scratch::default());
+        for (rough, exact) in rough.iter().zip(&exact) {
+            assert!(
+                (f64::from(*rough) - exact).abs() < 120.0_f64.sqrt() * 11.0 * 17.0 * f64::from(f32::EPSILON),
+                "{rough} {exact}"
+            );
         }
     }
 

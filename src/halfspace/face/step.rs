@@ -23,7 +23,11 @@ impl GridContact<'_> {
     /// One step of the conjugate gradients on the present contact.
     pub(super) fn step(&self, pressure: &mut [f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
         let approach = self.approach(state);
-        self.unbalance(state, approach);
+        let per_unit = state.unit.recip();
+        let known = state.residual.par_iter_mut().zip(&state.lift).zip(&state.contact);
+        known.for_each(|((residual, lift), &contact)| {
+            *residual = if contact { f32::nearest(per_unit * (approach - lift)) } else { 0.0 };
+        });
         self.operators.stiffness.apply(&state.residual, &mut state.work, scratch);
         let total = keep_where(&mut state.work, &state.contact);
         let share = if state.uniform.is_empty() { 0.0 } else { f32::nearest(-total / state.uniform_total) };
@@ -70,19 +74,6 @@ impl GridContact<'_> {
             if height.is_finite() {
                 *lift = height + by * (*lift - height);
             }
-        });
-    }
-
-    /// What the gap in contact lacks to none.
-    fn unbalance(&self, state: &mut Iterate, approach: f64) {
-        let Iterate { lift, contact, unit, residual, .. } = state;
-        let per_unit = unit.recip();
-        swept(residual, |range, residual| {
-            let known = lift[range.clone()].iter().zip(&contact[range]);
-            for (residual, (lift, &contact)) in residual.iter_mut().zip(known) {
-                *residual = if contact { f32::nearest(per_unit * (approach - lift)) } else { 0.0 };
-            }
-            0.0
         });
     }
 }
