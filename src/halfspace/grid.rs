@@ -13,7 +13,7 @@ use super::transform::{Multiplier, Size, good_length};
 const WINDOW_STEP: usize = 8;
 
 /// Windows whose maps are kept.
-const WINDOWS_KEPT: usize = 3;
+const WINDOWS_KEPT: usize = 6;
 
 /// Fewest pixels a side may have to be halved once more.
 const COARSEST: usize = 24;

@@ -253,8 +253,10 @@ pub(super) fn bytes_needed(size: Size, periodic: bool) -> u64 {
     let half_spectrum = size.rows as f64 * (padded(good.columns) as f64 / 2.0 + 8.0);
     let quarter = (padded(good.rows) as f64 / 2.0 + 1.0) * (padded(good.columns) as f64 / 2.0 + 1.0);
     let stiffness = if periodic { quarter } else { quarter / 4.0 };
-    // Two spectra in double and two in single precision; the influence in both.
-    let bytes = 8.0 * VECTORS * pixels + 48.0 * half_spectrum + 20.0 * quarter + 16.0 * stiffness;
+    // Two spectra in double and two in single precision; the influence in both, and where it does not repeat itself over the
+    // pixels, of which windows are made.
+    let influences = if periodic { 0.0 } else { 8.0 * quarter };
+    let bytes = 8.0 * VECTORS * pixels + 48.0 * half_spectrum + 20.0 * quarter + influences + 16.0 * stiffness;
     // Saturates where no memory could follow; the value is rounded up to whole bytes.
     #[expect(
         clippy::cast_possible_truncation,

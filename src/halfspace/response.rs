@@ -26,10 +26,11 @@ use std::sync::Arc;
 /// let displacement = response.displacement(wave.view(), 2.0);
 /// assert!((displacement[[3, 0]] * std::f64::consts::TAU - 1.0).abs() < 1e-14);
 /// ```
+#[derive(Clone)]
 pub struct SurfaceResponse {
     operators: Arc<Operators>,
     /// Smaller windows; none where every wave stands for itself.
-    windows: Option<Windows>,
+    windows: Option<Arc<Windows>>,
     /// Rows and columns, width and height of a pixel \[m\], and what is beyond the border.
     pixels: ([usize; 2], [f64; 2], Boundary),
     /// Mean side of a pixel \[m\].
@@ -71,7 +72,7 @@ impl SurfaceResponse {
         let unit = pixel[0].sqrt() * pixel[1].sqrt();
         let grid = Grid { size, pixel: pixel.map(|side| side / unit), heights: Vec::new() };
         let under = beneath(ground.as_ref(), unit);
-        let windows = (boundary == Boundary::Free).then(|| Windows::new(&grid, under));
+        let windows = (boundary == Boundary::Free).then(|| Arc::new(Windows::new(&grid, under)));
         let operators = match &windows {
             Some(windows) => windows.of(size),
             None => Arc::new(Operators::new(&grid, size, Law::PeriodicSpace, under)),
@@ -84,6 +85,18 @@ impl SurfaceResponse {
     #[must_use]
     pub fn yielding_under(self, hardness: f64) -> Self {
         Self { hardness, ..self }
+    }
+
+    /// That of fewer of its pixels, `[rows, columns]`, with nothing beyond them; where everything repeats, of as many that
+    /// repeat by themselves.
+    #[must_use]
+    pub fn part(&self, [rows, columns]: [usize; 2]) -> Self {
+        let (_, pixel, boundary) = self.pixels;
+        let pixels = ([rows, columns], pixel, boundary);
+        match &self.windows {
+            Some(windows) => Self { operators: windows.of(Size { rows, columns }), pixels, ..self.clone() },
+            None => Self::over(self.ground.clone(), [rows, columns], pixel, boundary).yielding_under(self.hardness),
+        }
     }
 
     /// Largest pressure \[Pa\]; infinite for a surface that does not yield.
@@ -111,7 +124,7 @@ impl SurfaceResponse {
 
     /// The maps of windows of the pixels.
     pub(super) fn windows(&self) -> Option<&Windows> {
-        self.windows.as_ref()
+        self.windows.as_deref()
     }
 
     pub(super) fn operators(&self) -> &Operators {

@@ -96,9 +96,11 @@ impl Solution {
 
     /// Semi-axes of a Hertzian contact with this pressure's second moments, larger first \[m\]:
     /// ⟨x²⟩ = a²/5 under p ∝ √(1 − x²/a² − y²/b²). Second order in the pixel size, for one contact away from the
-    /// edges of the map.
+    /// edges of the map; one a single pixel wide has the moment of that pixel.
     pub fn hertzian_semi_axes(&self) -> [f64; 2] {
         let [xx, xy, yy] = self.second_moments();
+        let [xx, yy] = [(xx, self.pixel[0]), (yy, self.pixel[1])]
+            .map(|(moment, side)| if moment > 0.0 || self.contact_pixels() == 0 { moment } else { side * side / 12.0 });
         let (mean, spread) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
         [(5.0 * (mean + spread)).sqrt(), (5.0 * (mean - spread).max(0.0)).sqrt()]
     }

@@ -262,6 +262,7 @@ const fn attracting(name: &'static str, elastic: Option<Attraction>, relaxing: O
 
 pub(super) const MAUGIS: &str = "adhesion: Maugis(work: WORK, stress: STRESS),";
 const DMT: &str = "adhesion: Dmt(work: WORK),";
+const EXPONENTIAL: &str = "adhesion: Exponential(work: WORK, range: RANGE),";
 /// 2γ is the work, γ/r_K the stress.
 const CAPILLARY: &str = "adhesion: Capillary(tension: TENSION, angle: 0, kelvin_radius: KELVIN),";
 
@@ -293,7 +294,16 @@ const BRIDGE: ByKind = [
     Laws(Other),
 ];
 
-pub(super) const ADHESIONS: [Attracting; 8] = [
+const FADING: ByKind = [
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Laws(Other),
+    Case("half-space/JKR as the range shrinks with the pixel"),
+    Laws(Other),
+];
+
+pub(super) const ADHESIONS: [Attracting; 9] = [
     attracting("none", Some(("", all(Whole))), Some(("", all(Whole)))),
     attracting(
         "JKR",
@@ -314,6 +324,7 @@ pub(super) const ADHESIONS: [Attracting; 8] = [
     attracting("DMT", Some((DMT, OUTSIDE)), Some((DMT, OUTSIDE))),
     attracting("Maugis", Some((MAUGIS, RANGE)), Some((MAUGIS, RANGE))),
     attracting("capillary", Some((CAPILLARY, BRIDGE)), Some((CAPILLARY, BRIDGE))),
+    attracting("exponential", Some((EXPONENTIAL, FADING)), Some((EXPONENTIAL, FADING))),
 ];
 
 const PARTIAL_SLIP: ByKind = [

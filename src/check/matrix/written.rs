@@ -97,6 +97,7 @@ fn attraction(template: &str, variation: &Variation) -> String {
         ("WORK", work * units.of("J/m2")),
         ("CLOSING", 0.5 * work * units.of("J/m2")),
         ("STRESS", stress * units.of("Pa")),
+        ("RANGE", work / stress * units.of("m")),
         ("TENSION", tension * units.of("N/m")),
         ("KELVIN", tension / stress * units.of("m")),
         ("SPEED", 1e-4 * units.of("m/s")),

@@ -64,9 +64,9 @@ pub struct Stretch {
 
 /// A contact under a prescribed force.
 ///
-/// Straight pieces of d(t) that meet the force at their ends; a piece is shortened until the force in
-/// its middle is met to the accuracy asked for, so the force actually applied differs from the
-/// prescribed one by no more than that at any time. Where the contact has only grown so far, the
+/// Straight pieces of d(t) that meet the force at their ends; a piece is shortened until the force in its middle and at a
+/// quarter of it is met to the accuracy asked for, so the force actually applied differs from the prescribed one by no more
+/// than that where it bends once in a piece, or once each way. Where the contact has only grown so far, the
 /// ends lie on the exact creep curve. A dashpot jumps with the speed at each corner: pieces of a damped
 /// contact meet the force in their middles, the implicit midpoint rule, and follow the depth as closely; at
 /// a record it is brought to the speed at which the force is met ([`ForceDrive::met`]).
@@ -255,11 +255,12 @@ impl ForceDrive {
         Ok(speed.map(|speed| ahead(contact, speed, instant)))
     }
 
-    /// Error of the force in the middle of a piece over the error allowed, of a damped contact that of its chord.
+    /// Error of the force on a piece over the error allowed, in its middle and before it; of a damped contact that of its chord.
     ///
     /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
     fn error(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
-        let (half, scale) = (0.5 * duration, contact.state().in_balance().max(self.ramp.scale).max(f64::MIN_POSITIVE));
+        let scale = contact.state().in_balance().max(self.ramp.scale).max(f64::MIN_POSITIVE);
+        let (half, allowed) = (0.5 * duration, self.ramp.accuracy * scale);
         let middle = self.now + half;
         let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
             // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀.
@@ -271,9 +272,17 @@ impl ForceDrive {
                 let chord = depth_of(contact) + speed * half;
                 1.5 * self.target(contact, middle) * (1.0 - chord / depth)
             }
-            _ => contact.look(&ahead(contact, speed, half))?.force - self.target(contact, middle),
+            _ => {
+                let mut missed = |part: f64| -> Result<f64, ContactError> {
+                    let seen = contact.look(&ahead(contact, speed, part * duration))?.force;
+                    Ok(seen - self.target(contact, self.now + part * duration))
+                };
+                let middle = missed(0.5)?;
+                // What bends there and back again is nothing in the middle.
+                if middle.abs() > allowed { middle } else { middle.abs().max(missed(0.25)?.abs()) }
+            }
         };
-        Ok(off.abs() / (self.ramp.accuracy * scale))
+        Ok(off.abs() / allowed)
     }
 
     /// A first piece this short leaves no trace in what follows.

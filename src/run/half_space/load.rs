@@ -35,13 +35,15 @@ pub(super) struct PixelLoad<'p> {
     tip: Option<&'p Shape>,
     known: RefCell<HashMap<u64, Known>>,
     last: RefCell<Option<Array2<f64>>>,
+    /// Pressures under the last flat punch of a contact's outline.
+    punch: RefCell<Option<Array2<f64>>>,
     refused: RefCell<Option<HalfSpaceError>>,
 }
 
 impl<'p> PixelLoad<'p> {
     pub(super) fn new(pressing: Pressing<'p>, tip: Option<&'p Shape>) -> Self {
-        let (known, last, refused) = (RefCell::default(), RefCell::default(), RefCell::default());
-        Self { pressing, tip, known, last, refused }
+        let (known, last, punch) = (RefCell::default(), RefCell::default(), RefCell::default());
+        Self { pressing, tip, known, last, punch, refused: RefCell::default() }
     }
 
     /// Takes over a state that has been solved already.
@@ -95,7 +97,7 @@ impl<'p> PixelLoad<'p> {
 
     fn solved(&self, depth: f64) -> Result<Known, HalfSpaceError> {
         let solution = self.solution(depth)?;
-        let stiffness = self.pressing.stiffness(&solution)?;
+        let stiffness = self.pressing.stiffness(&solution, &mut self.punch.borrow_mut())?;
         let gap = self.pressing.gap(&solution);
         let pressed = Pressed::elastic(solution, gap);
         let state = self.pressing.told(&pressed, stiffness);

@@ -28,6 +28,7 @@ mod mixed;
 mod pixels;
 mod pressed;
 mod rehearsed;
+mod rounds;
 mod rubbing;
 mod series;
 mod state;
@@ -43,7 +44,7 @@ pub use state::radius_of;
 use super::record::{ContactMap, Outcome, PixelContact};
 use super::{SimulationError, Wanted};
 use crate::contact::state::Normal;
-use crate::halfspace::{HalfSpaceError, Prescribed, Settings, Start};
+use crate::halfspace::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
 use crate::scene::parts::Parts;
 use crate::scene::plan::HalfSpacePlan;
 use pressed::Pressed;
@@ -75,8 +76,8 @@ pub(super) fn run(
 
 fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Result<Outcome, SimulationError> {
     let heights = heights(plan)?;
-    let response = state::response(plan, &heights);
-    let pressing = Pressing::of(plan, &heights, response.as_ref());
+    let response = response(plan, &heights)?;
+    let pressing = Pressing::of(plan, &heights, &response);
     let pressing = Pressing { tangential: rubbing::tangential_modulus(plan, &pressing), ..pressing };
     let rehearsed = Rehearsed::of(plan, &pressing);
     let depth = Depth::Whole { told: wanted.instants, energy: rehearsed.as_ref().map_or(0.0, Rehearsed::energy) };
@@ -138,12 +139,12 @@ pub struct Solved {
 /// As for a run.
 pub fn under(plan: &HalfSpacePlan, force: f64) -> Result<Solved, SimulationError> {
     let heights = heights(plan)?;
-    let response = state::response(plan, &heights);
-    let pressing = Pressing::of(plan, &heights, response.as_ref());
     let refused = |error: HalfSpaceError| SimulationError::Refused(error.to_string());
+    let response = response(plan, &heights)?;
+    let pressing = Pressing::of(plan, &heights, &response);
     let solution = pressing.solve(Prescribed::Force(force), Start::Coarser).map_err(refused)?;
     let (bytes, iterations) = (solution.bytes, solution.iterations);
-    let stiffness = pressing.stiffness(&solution).map_err(refused)?;
+    let stiffness = pressing.stiffness(&solution, &mut None).map_err(refused)?;
     let gap = pressing.gap(&solution);
     let State { normal, pixels, .. } = pressing.told(&Pressed::elastic(solution, gap), stiffness);
     Ok(Solved { normal, pixels, bytes, iterations })
@@ -158,6 +159,11 @@ fn heights(plan: &HalfSpacePlan) -> Result<Heights, SimulationError> {
     let window = window::of_history(plan)?;
     heights::of_tip(&plan.indenter, plan.size, window)
         .ok_or_else(|| SimulationError::Refused("shape: has no heights".to_owned()))
+}
+
+/// What pressures do to pixels that fit into memory.
+fn response(plan: &HalfSpacePlan, heights: &Heights) -> Result<SurfaceResponse, SimulationError> {
+    state::response(plan, heights).map_err(|error| SimulationError::Refused(format!("solver.grid: {error}")))
 }
 
 /// The plan in words, with the window found.

@@ -4,30 +4,21 @@ use super::attraction::Attraction;
 use super::coupled::Coupled;
 use super::dent::Dent;
 use super::memory::{Memory, Step};
-use super::mixed::Mixed;
 use super::pressed::{Pressed, area};
+use super::rounds::{Rounds, Settled};
 use super::state::Pressing;
 use crate::contact::adhesion::line::Energy;
-use crate::halfspace::{HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, SurfaceResponse, solve_on};
+use crate::halfspace::{HalfSpaceError, Prescribed, PressedMap, Solution, Start, SurfaceResponse, solve_on};
 use crate::scene::plan::HalfSpacePlan;
 use ndarray::{Array2, Zip};
-use std::sync::Arc;
-
-/// Rounds in which gap and attraction may find each other.
-const ROUNDS: usize = 2000;
-/// Residual to which a contact is solved that an attraction changes again, whatever accuracy is asked for: less would be
-/// worked off in the next round, and more keeps gap and attraction from finding each other.
-const LOOSE: f64 = 1e-7;
-/// Change of the attraction, as part of its stress, at which they have.
-const SETTLED: f64 = 1e-5;
 
 /// Pixels on their way through a history.
 pub(super) struct Pixels<'p> {
     pressing: Pressing<'p>,
     memory: Option<Memory>,
     attraction: Option<Attraction>,
-    /// What pressures do to the surface; needed where something acts beside the contact.
-    response: Option<Arc<SurfaceResponse>>,
+    /// What pressures do to a surface that yields.
+    yielding: Option<SurfaceResponse>,
     pull: Option<Array2<f64>>,
     /// What has been dented, of bodies that yield.
     dent: Option<Dent>,
@@ -55,18 +46,14 @@ impl<'p> Pixels<'p> {
         let memory = plan.relaxation.clone().map(|relaxation| Memory::new(relaxation, pixels));
         let attraction = Attraction::of(plan.attraction, side, pressing.modulus);
         let dent = plan.hardness.map(|hardness| Dent { hardness, depth: Array2::zeros(pixels), dissipated: 0.0 });
-        let response = (memory.is_some() || attraction.is_some() || dent.is_some()).then(|| {
-            let response =
-                SurfaceResponse::over(plan.ground.clone(), pixels.into(), pressing.heights.pixel, pressing.boundary);
-            Arc::new(response.yielding_under(plan.hardness.unwrap_or(f64::INFINITY)))
-        });
+        let yielding = plan.hardness.map(|hardness| pressing.response.clone().yielding_under(hardness));
         Self {
             pressing,
             memory,
             dent,
             pull: attraction.map(|_| Array2::zeros(pixels)),
             attraction,
-            response,
+            yielding,
             coupled: Coupled::of(plan, &pressing),
             last: None,
             earlier: None,
@@ -113,7 +100,12 @@ impl<'p> Pixels<'p> {
 
     /// Whether a state depends on those before it.
     pub(super) fn has_past(&self) -> bool {
-        self.response.is_some() || self.coupled.is_some()
+        self.acts_beside() || self.coupled.is_some()
+    }
+
+    /// Whether something acts beside the contact itself.
+    fn acts_beside(&self) -> bool {
+        self.memory.is_some() || self.attraction.is_some() || self.dent.is_some()
     }
 
     /// Leads the pixels on for `over` \[s\] and to a slide \[m\]; `None` where the force pulls more than they do.
@@ -125,11 +117,13 @@ impl<'p> Pixels<'p> {
         if let Some(coupled) = &mut self.coupled {
             return coupled.advance(&self.pressing, prescribed, slide).map(Some);
         }
-        let Some(response) = self.response.clone() else { return self.elastic(prescribed).map(Some) };
+        if !self.acts_beside() {
+            return self.elastic(prescribed).map(Some);
+        }
         let step = self.memory.as_ref().map(|memory| memory.step(over));
         let before = self.last.take();
         self.last = self.expected(before.as_ref(), over);
-        let Some(contact) = self.settled(prescribed, step.as_ref(), &response)? else {
+        let Some(contact) = self.settled(prescribed, step.as_ref())? else {
             self.part(step.as_ref());
             return Ok(None);
         };
@@ -170,57 +164,35 @@ impl<'p> Pixels<'p> {
         Ok(Pressed::elastic(contact, gap))
     }
 
-    /// Rounds of contact and attraction until neither changes the other.
-    ///
-    /// A stronger attraction narrows every gap, and a narrower gap is attracted no less: from an attraction that is too
-    /// weak the rounds go up to the weakest equilibrium above it, from one too strong down to the strongest below. So a
-    /// contact that approaches snaps in where its own branch ends, and one that is withdrawn snaps off where its does.
-    fn settled(
-        &mut self,
-        prescribed: Prescribed,
-        step: Option<&Step>,
-        response: &SurfaceResponse,
-    ) -> Result<Option<Solution>, HalfSpaceError> {
-        let mut mixed = Mixed::default();
-        for _ in 0..ROUNDS {
-            let (heights, beside) = self.lifted(step, response);
-            let Some(control) = self.control(prescribed) else { return Ok(None) };
-            let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
-            let Pressing { boundary, settings, .. } = self.pressing;
-            let settings = Settings { tolerance: self.attraction.map_or(settings.tolerance, |_| LOOSE), ..settings };
-            let pixel = self.pressing.heights.pixel;
-            let modulus = step.map_or(self.pressing.modulus, |step| step.modulus);
-            let map = PressedMap { heights: heights.view(), pixel, modulus, boundary, control };
-            let mut contact = solve_on(response, &map, start, &settings)?;
-            contact.displacement += &beside;
-            let Some(attraction) = self.attraction else { return Ok(Some(contact)) };
-            let gap = self.gap(&contact);
-            let pull = attraction.pull(&gap, boundary);
-            let before = self.pull.take().unwrap_or_else(|| Array2::zeros(pull.dim()));
-            let change = most_apart(&before, &pull) / attraction.stress;
-            self.last = Some(contact.pressure.clone());
-            if change <= SETTLED {
-                self.pull = Some(before);
-                return Ok(Some(contact));
+    /// What presses the pixels next, with what pulls them; `None` where the force pulls more than they do.
+    fn settled(&mut self, prescribed: Prescribed, step: Option<&Step>) -> Result<Option<Solution>, HalfSpaceError> {
+        let Pressing { heights, boundary, settings, modulus, .. } = self.pressing;
+        let response = self.yielding.as_ref().unwrap_or(self.pressing.response);
+        let free = step.map(Step::free);
+        let mut lifted = heights.values.clone();
+        for more in free.iter().chain(self.dent.as_ref().map(|dent| &dent.depth)) {
+            lifted += more;
+        }
+        let modulus = step.map_or(modulus, |step| step.modulus);
+        let map = PressedMap { heights: lifted.view(), pixel: heights.pixel, modulus, boundary, control: prescribed };
+        let mut contact = match (self.attraction, &self.pull) {
+            (Some(attraction), Some(pull)) => {
+                let rounds = Rounds { attraction, response, map, settings };
+                let Some(Settled { contact, pull }) = rounds.settled(self.last.as_ref(), pull.clone())? else {
+                    return Ok(None);
+                };
+                self.pull = Some(pull);
+                contact
             }
-            self.pull = Some(mixed.next(&before, pull, change, attraction.stress));
+            _ => {
+                let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
+                solve_on(response, &map, start, &settings)?
+            }
+        };
+        if let Some(free) = free {
+            contact.displacement += &free;
         }
-        Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: f64::NAN, tolerance: SETTLED })
-    }
-
-    /// The heights over the surface that memory and attraction make without any contact, and its displacement.
-    fn lifted(&self, step: Option<&Step>, response: &SurfaceResponse) -> (Array2<f64>, Array2<f64>) {
-        let mut displacement =
-            step.map_or_else(|| Array2::zeros(self.pressing.heights.values.dim()), |step| step.free());
-        if let Some(pull) = &self.pull {
-            let modulus = step.map_or(self.pressing.modulus, |step| step.modulus);
-            displacement -= &response.displacement(pull.view(), modulus);
-        }
-        let mut heights = &self.pressing.heights.values + &displacement;
-        if let Some(dent) = &self.dent {
-            heights += &dent.depth;
-        }
-        (heights, displacement)
+        Ok(Some(contact))
     }
 
     /// Gap \[m\] over what has been dented.
@@ -240,16 +212,6 @@ impl<'p> Pixels<'p> {
     /// Deepest dent \[m\] so far, of bodies that yield.
     pub(super) fn deepest(&self) -> Option<f64> {
         Some(self.dent.as_ref()?.depth.iter().copied().fold(0.0, f64::max))
-    }
-
-    /// What is prescribed of the pressures that push.
-    fn control(&self, prescribed: Prescribed) -> Option<Prescribed> {
-        let pulls = self.pull.as_ref().map_or(0.0, |pull| pull.sum() * area(self.pressing.heights.pixel));
-        match prescribed {
-            Prescribed::Indentation(_) => Some(prescribed),
-            Prescribed::Force(force) if force + pulls < 0.0 => None,
-            Prescribed::Force(force) => Some(Prescribed::Force(force + pulls)),
-        }
     }
 
     /// Far apart nothing presses or pulls, and what remembers comes back.
@@ -281,8 +243,4 @@ impl<'p> Pixels<'p> {
         let dented = self.dent.as_ref().map_or(0.0, |dent| dent.dissipated);
         area(self.pressing.heights.pixel) * (remembered + dented)
     }
-}
-
-fn most_apart(one: &Array2<f64>, other: &Array2<f64>) -> f64 {
-    Zip::from(one).and(other).fold(0.0, |most: f64, one, other| most.max((one - other).abs()))
 }

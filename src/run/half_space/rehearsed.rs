@@ -1,5 +1,6 @@
 //! The history of bodies with a past, gone through on fewer pixels first: how many steps it takes, and what pixels cost.
 
+use super::error::of_edge;
 use super::heights::Heights;
 use super::series::{Depth, Series};
 use super::state::{Pressing, response};
@@ -38,8 +39,8 @@ impl Rehearsed {
     /// steps again and again, until force and depth no longer change.
     pub(super) fn of(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> Option<Self> {
         let thinned = pressing.heights.thinned();
-        let response = response(plan, &thinned);
-        let pressing = Pressing { heights: &thinned, response: response.as_ref(), ..*pressing };
+        let response = response(plan, &thinned).ok()?;
+        let pressing = Pressing { heights: &thinned, response: &response, ..*pressing };
         let follow = |steps: u32| {
             let mut series = Series::new(plan, pressing, Depth::Outline, steps);
             series.has_past().then(|| series.follow(&|_| ()))
@@ -63,7 +64,12 @@ impl Rehearsed {
     ) -> Self {
         for doubling in 1..=DOUBLINGS {
             let (Ok(coarse), Some(Ok(finer))) = (&self.records, follow(1 << doubling)) else { break };
-            let of_time = apart(coarse, &finer) / order.parts;
+            let apart = apart(coarse, &finer);
+            let of_time = apart / order.parts;
+            if of_time + apart <= aimed {
+                self.of_time = Some(of_time + apart);
+                break;
+            }
             self = Self { records: Ok(finer), steps: 1 << doubling, of_time: Some(of_time) };
             if of_time <= aimed {
                 break;
@@ -88,14 +94,16 @@ impl Rehearsed {
                 let of_pixels = apart(coarse, records);
                 let of_time = self.of_time.unwrap_or(0.0);
                 let in_words = self.of_time.map_or_else(String::new, |of| format!("; the steps leave {of:.0e}"));
-                let of_edge = if hertzian { 0.0 } else { of_edge(records, heights.pixel) };
+                let what = if plan.friction.is_some() { "forces, indentation or loss" } else { "force or indentation" };
+                let radii = records.iter().filter_map(|record| record.normal.contact_radius);
+                let of_edge = of_edge(radii, heights.pixel, hertzian);
                 let edge = if of_edge > 0.0 {
                     format!("; the edge lies within half a pixel, {of_edge:.1e} of the radius")
                 } else {
                     String::new()
                 };
                 let basis = format!(
-                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{in_words}{edge}"
+                    "the whole history again on every second of {columns} × {rows} pixels: {what} {of_pixels:.1e} of the largest apart{in_words}{edge}"
                 );
                 ErrorEstimate { relative: (of_pixels + of_time).max(of_edge), basis }
             }
@@ -107,13 +115,8 @@ impl Rehearsed {
     }
 }
 
-/// Half a pixel, of the largest radius of contact; zero where there is none.
-fn of_edge(records: &[Record], pixel: [f64; 2]) -> f64 {
-    let radius = records.iter().filter_map(|record| record.normal.contact_radius).fold(0.0, f64::max);
-    if radius > 0.0 { 0.5 * pixel[0].max(pixel[1]) / radius } else { 0.0 }
-}
-
-/// How far two histories are apart at the times that both have, in forces and in indentation, of the largest of each.
+/// How far two histories are apart at the times that both have, in forces, in indentation and in what friction has taken,
+/// of the largest of each.
 fn apart(one: &[Record], other: &[Record]) -> f64 {
     let of = |value: fn(&Record) -> Option<f64>| {
         let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
@@ -126,7 +129,7 @@ fn apart(one: &[Record], other: &[Record]) -> f64 {
         if largest > 0.0 { apart / largest } else { 0.0 }
     };
     let normal = of(|record| Some(record.normal.force)).max(of(|record| record.normal.indentation));
-    normal.max(of(Record::tangential_force))
+    normal.max(of(Record::tangential_force)).max(of(|record| record.tangential?.dissipated))
 }
 
 /// Records of the same instants.

@@ -5,8 +5,8 @@ use super::pressed::Pressed;
 use super::settings;
 use crate::contact::state::{Normal, Tangential};
 use crate::halfspace::{
-    Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, SurfaceResponse, leak, pieces, solve,
-    solve_on,
+    Boundary, HalfSpaceError, Prescribed, PressedMap, Settings, Solution, Start, SurfaceResponse, bytes_needed, leak,
+    pieces, solve_on,
 };
 use crate::run::record::PixelContact;
 use crate::scene::plan::HalfSpacePlan;
@@ -47,19 +47,23 @@ pub(super) struct Pressing<'h> {
     pub(super) tangential: f64,
     pub(super) boundary: Boundary,
     pub(super) settings: Settings,
-    /// What pressures do to a surface that is no half-space.
-    pub(super) response: Option<&'h SurfaceResponse>,
+    /// What pressures do to the surface.
+    pub(super) response: &'h SurfaceResponse,
 }
 
-/// What pressures do to the pixels of `heights` in a plan; `None` on a half-space, where each solution knows it.
-pub(super) fn response(plan: &HalfSpacePlan, heights: &Heights) -> Option<SurfaceResponse> {
-    let ground = plan.ground.clone()?;
-    Some(SurfaceResponse::over(Some(ground), heights.values.dim().into(), heights.pixel, plan.boundary))
+/// What pressures do to the pixels of `heights` in a plan, if they fit into memory.
+pub(super) fn response(plan: &HalfSpacePlan, heights: &Heights) -> Result<SurfaceResponse, HalfSpaceError> {
+    let (rows, columns) = heights.values.dim();
+    let (needed, limit) = (bytes_needed([rows, columns], plan.boundary), settings(plan).memory_limit);
+    if needed > limit {
+        return Err(HalfSpaceError::Memory { rows, columns, needed, limit });
+    }
+    Ok(SurfaceResponse::over(plan.ground.clone(), [rows, columns], heights.pixel, plan.boundary))
 }
 
 impl<'h> Pressing<'h> {
     /// The heights of a plan, pressed on their `response`.
-    pub(super) fn of(plan: &HalfSpacePlan, heights: &'h Heights, response: Option<&'h SurfaceResponse>) -> Self {
+    pub(super) fn of(plan: &HalfSpacePlan, heights: &'h Heights, response: &'h SurfaceResponse) -> Self {
         Self {
             heights,
             touch: heights.touch_of(&plan.indenter),
@@ -84,26 +88,28 @@ impl<'h> Pressing<'h> {
     ) -> Result<Solution, HalfSpaceError> {
         let Self { modulus, boundary, settings, .. } = *self;
         let map = PressedMap { heights: heights.view(), pixel: self.heights.pixel, modulus, boundary, control };
-        match self.response {
-            Some(response) => solve_on(response, &map, start, &settings),
-            None => solve(&map, start, &settings),
-        }
+        solve_on(self.response, &map, start, &settings)
     }
 
     /// dF/dd [N/m] of a contact that keeps its place, as it does to the first order: the force of a flat punch of its
-    /// outline. Infinite in full contact of what repeats, unless a layer ends on a rigid body.
-    pub(super) fn stiffness(&self, solution: &Solution) -> Result<f64, HalfSpaceError> {
+    /// outline. Infinite in full contact of what repeats, unless a layer ends on a rigid body. The pressures under the punch
+    /// start from `last`, those of the last one, and become it.
+    pub(super) fn stiffness(&self, solution: &Solution, last: &mut Option<Array2<f64>>) -> Result<f64, HalfSpaceError> {
         let count = solution.contact_pixels();
         if count == 0 {
             return Ok(0.0);
         }
         if count == solution.pressure.len() && self.boundary == Boundary::Periodic {
             let [x, y] = self.heights.sides();
-            return Ok(x * y * self.modulus / self.response.map_or(0.0, SurfaceResponse::compression));
+            return Ok(x * y * self.modulus / self.response.compression());
         }
         let punch = solution.pressure.mapv(|pressure| if pressure > 0.0 { 0.0 } else { f64::INFINITY });
         let depth = (self.heights.pixel[0] * self.heights.pixel[1]).sqrt();
-        Ok(self.pressed(&punch, Prescribed::Indentation(depth), Start::Coarser)?.force() / depth)
+        let start = last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
+        let punched = self.pressed(&punch, Prescribed::Indentation(depth), start)?;
+        let stiffness = punched.force() / depth;
+        *last = Some(punched.pressure);
+        Ok(stiffness)
     }
 
     /// Gap [m] between the surfaces.

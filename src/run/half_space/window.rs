@@ -2,8 +2,9 @@
 
 use super::SimulationError;
 use super::heights::{Heights, of_tip};
+use super::response;
 use super::series::{Depth, Series};
-use super::state::{Pressing, State, response};
+use super::state::{Pressing, State};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::scene::law::PixelFriction;
 use crate::scene::plan::{HalfSpacePlan, PixelledIndenter};
@@ -60,8 +61,8 @@ fn tried(plan: &HalfSpacePlan, heights: &Heights) -> Result<Vec<State>, Simulati
     let coupled = matches!(plan.friction, Some(PixelFriction::Coupled { .. }));
     let bare = coupled.then(|| HalfSpacePlan { friction: None, ..plan.clone() });
     let plan = bare.as_ref().unwrap_or(plan);
-    let response = response(plan, heights);
-    let pressing = Pressing::of(plan, heights, response.as_ref());
+    let response = response(plan, heights)?;
+    let pressing = Pressing::of(plan, heights, &response);
     let mut series = Series::new(plan, pressing, Depth::Outline, 1);
     series.follow(&|_| ())?;
     Ok(series.states)

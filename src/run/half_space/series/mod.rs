@@ -47,6 +47,8 @@ pub(super) struct Series<'p> {
     /// Entry, time [s] and state on both sides of jumps since the last record.
     jumps: Vec<(usize, f64, State)>,
     rubbing: Option<Rubbing<'p>>,
+    /// Pressures under the last flat punch of a contact's outline.
+    punch: Option<Array2<f64>>,
     /// Where the body has slid [m].
     slide: f64,
     /// The largest force along the surface [N], with the shear under it.
@@ -96,6 +98,7 @@ impl<'p> Series<'p> {
             ledger,
             jumps,
             rubbing,
+            punch: None,
             slide,
             sheared,
             largest: None,
@@ -274,7 +277,7 @@ impl<'p> Series<'p> {
     fn told(&mut self, entry: usize, pressed: &Pressed, lost: f64) -> Result<State, SimulationError> {
         let partial = self.rubbing.as_ref().is_some_and(Rubbing::is_partial);
         let stiffness = if self.depth != Depth::Outline || partial {
-            self.pressing.stiffness(&pressed.contact).map_err(|error| self.refused(entry, &error))?
+            self.pressing.stiffness(&pressed.contact, &mut self.punch).map_err(|error| self.refused(entry, &error))?
         } else {
             0.0
         };
@@ -306,10 +309,14 @@ impl<'p> Series<'p> {
         Ok(state)
     }
 
+    /// Whether the pressures of a ball are those of Hertz.
+    fn is_hertzian(&self) -> bool {
+        !self.pixels.has_past() && self.plan.ground.is_none()
+    }
+
     /// Radius of one disc [m]; Hertz' pressures have second moments that those of other contacts have not.
     fn radius(&self, pressed: &Pressed, state: &State) -> Option<f64> {
-        let hertzian = !self.pixels.has_past() && self.plan.ground.is_none();
-        of_disc(hertzian.then_some(&self.plan.scene.shape), &pressed.contact, &state.pixels)
+        of_disc(self.is_hertzian().then_some(&self.plan.scene.shape), &pressed.contact, &state.pixels)
     }
 
     /// Bodies that the force has torn apart.
