@@ -23,7 +23,15 @@ pub(super) struct Largest {
     pub(super) radius: f64,
 }
 
+/// Part of the forces in balance beside which a force is none.
+const LEAST: f64 = 1e-3;
+
 impl Largest {
+    /// Force [N] of the order of those which hold each other in balance in a contact that adheres under no load.
+    fn balance(&self) -> f64 {
+        if self.radius > 0.0 { self.energy / self.radius } else { 0.0 }
+    }
+
     pub(super) fn of(outcome: &Outcome) -> Self {
         let largest = |of: &dyn Fn(&Record) -> f64| outcome.records.iter().map(|r| of(r).abs()).fold(0.0, f64::max);
         Self {
@@ -73,7 +81,7 @@ impl Ends {
     pub(super) fn differ(&self, other: &Self, bound: f64) -> Option<String> {
         let largest = &self.largest;
         let pairs = [
-            ("force", self.force, other.force, largest.force),
+            ("force", self.force, other.force, largest.force.max(LEAST * largest.balance())),
             ("depth", self.depth, other.depth, largest.depth),
             ("stored", self.stored, other.stored, largest.energy),
             ("dissipated", self.dissipated, other.dissipated, largest.energy),

@@ -3,13 +3,21 @@
 /// Work done on bodies that adhere, held against the energy that is accounted for.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ledger {
-    last: Option<Entry>,
+    last: Option<Stand>,
     /// dF/dd [N/m] of the last step.
     slope: Option<f64>,
     /// Energy lost in jumps so far [J].
     lost: f64,
     /// The largest energy known of [J].
     largest: f64,
+}
+
+/// Where a step has led.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Stand {
+    Together(Entry),
+    /// The force has torn the bodies apart, with the energy stored or lost so far \[J\].
+    Apart(f64),
 }
 
 /// A state: its force [N], its depth [m], and its energy stored, or lost otherwise, so far [J].
@@ -38,23 +46,44 @@ impl Ledger {
         Self { largest: energy, ..Self::default() }
     }
 
+    /// Whether the bodies hold together after the last step.
+    pub(super) fn is_together(&self) -> bool {
+        matches!(self.last, Some(Stand::Together(_)))
+    }
+
     /// Energy lost in jumps so far [J].
     pub(super) fn lost(&self) -> f64 {
         self.lost
     }
 
-    /// Adds what a step that ends with `now` loses, and tells what it leaves open; nothing where bodies part or come.
+    /// Adds what a step that ends with `now` loses, and tells what it leaves open; nothing where a force tears them apart,
+    /// which takes what is missing.
     ///
     /// On a smooth way the work ∫F dd is the energy gained, and nothing is lost, however long the steps. What the
     /// trapezoid finds beyond that is a loss where it is more than the trapezoid may miss, by the change of the slope
     /// from step to step: a jump under a prescribed depth is known to the first order of the step it lies in, and one
-    /// too small for its step is not told.
-    pub(super) fn step(&mut self, now: Option<Entry>) -> Open {
-        let (Some(last), Some(now)) = (self.last, now) else {
-            (self.slope, self.last) = (None, now);
-            return Open::default();
-        };
-        self.last = Some(now);
+    /// too small for its step is not told. What was apart comes together from the depth `from` \[m\], or under a force that
+    /// has done next to nothing: what their attraction gives is lost.
+    pub(super) fn step(&mut self, now: Stand, from: Option<f64>) -> Open {
+        match (self.last.replace(now), now) {
+            (Some(Stand::Together(last)), Stand::Together(now)) => self.moved(last, now),
+            (Some(Stand::Apart(accounted)), Stand::Together(now)) => self.joined(accounted, now, from),
+            (_, Stand::Apart(_)) | (None, Stand::Together(_)) => {
+                self.slope = None;
+                Open::default()
+            }
+        }
+    }
+
+    /// Bodies that were apart have come together.
+    fn joined(&mut self, accounted: f64, now: Entry, from: Option<f64>) -> Open {
+        let done = from.map_or(0.0, |from| 0.5 * now.force * (now.depth - from));
+        let (open, missing) = (from.map_or(now.force * now.depth, |_| done).abs(), done - (now.accounted - accounted));
+        self.slope = None;
+        self.count(now, Open { open, missing })
+    }
+
+    fn moved(&mut self, last: Entry, now: Entry) -> Open {
         let way = now.depth - last.depth;
         if way.abs() <= 0.0 {
             return Open::default();
@@ -63,13 +92,40 @@ impl Ledger {
         let missing = 0.5 * (last.force + now.force) * way - (now.accounted - last.accounted);
         let open = OPEN * way * way * (slope - self.slope.unwrap_or(-slope)).abs();
         self.slope = Some(slope);
-        self.lost += if missing > open { missing } else { 0.0 };
+        self.count(now, Open { open, missing })
+    }
+
+    /// Counts what is missing as lost where it is more than may be.
+    fn count(&mut self, now: Entry, step: Open) -> Open {
+        self.lost += if step.missing > step.open { step.missing } else { 0.0 };
         self.largest = self.largest.max(now.accounted.abs()).max(self.lost);
-        Open { open, missing }
+        step
     }
 
     /// Whether an energy \[J\] is more than a part `part` of the largest known of.
     pub(super) fn counts(&self, energy: f64, part: f64) -> bool {
         energy > part * self.largest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a force has torn apart and presses together again loses what the attraction gives; led by the depth, that less
+    /// what is done on the way.
+    #[test]
+    fn bodies_that_come_together_lose_what_attracts_them() {
+        let together = |force: f64, accounted: f64| Stand::Together(Entry { force, depth: 0.5, accounted });
+        let lost = |from: Option<f64>| {
+            let mut ledger = Ledger::default();
+            for (stand, from) in [(together(-1.0, -3.0), None), (Stand::Apart(0.25), None), (together(0.5, -2.0), from)]
+            {
+                ledger.step(stand, from);
+            }
+            ledger.lost()
+        };
+        assert!((lost(None) - 2.25).abs() < 1e-15);
+        assert!((lost(Some(0.25)) - 2.3125).abs() < 1e-15);
     }
 }

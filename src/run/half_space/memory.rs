@@ -142,6 +142,11 @@ impl Memory {
             + terms.map(|(element, (modulus, _))| dot(&element.pressure, &element.moved) / modulus).sum::<f64>())
     }
 
+    /// The same where it is displaced by what is left of the past.
+    pub(super) fn stored_apart(&self) -> f64 {
+        self.stored(&self.moved)
+    }
+
     /// Energy lost so far \[J per m² of a pixel\].
     pub(super) fn dissipated(&self) -> f64 {
         self.dissipated

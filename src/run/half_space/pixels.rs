@@ -237,6 +237,12 @@ impl<'p> Pixels<'p> {
         pressed.dissipated = self.dissipated();
     }
 
+    /// Energy [J] that bodies which nothing holds together have stored and lost.
+    pub(super) fn accounted_apart(&self) -> f64 {
+        let stored = self.memory.as_ref().map_or(0.0, Memory::stored_apart);
+        area(self.pressing.heights.pixel) * stored + self.dissipated()
+    }
+
     /// Energy lost in the bodies so far [J].
     pub(super) fn dissipated(&self) -> f64 {
         let remembered = self.memory.as_ref().map_or(0.0, Memory::dissipated);

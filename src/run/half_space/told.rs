@@ -44,7 +44,7 @@ pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<
     if matches!(plan.friction, Some(PixelFriction::Coupled { .. })) {
         // What the normal force has done went into the shear too.
     } else if series.pixels().has_past() {
-        results.extend(of_past(records).into_iter().flatten());
+        results.extend(of_past(records, series.least).into_iter().flatten());
         results.extend(known(&[("residual_depth", Unit::METRE, series.pixels().deepest())]));
     } else {
         results.extend(known(&[("work", Unit::JOULE, records.last().map(|last| last.normal.stored.elastic))]));
@@ -55,11 +55,11 @@ pub(super) fn results(plan: &HalfSpacePlan, records: &[Record], series: &Series<
     results
 }
 
-/// What is left of the past, and what it has cost.
-fn of_past(records: &[Record]) -> Option<Vec<Named>> {
+/// What is left of the past, and what it has cost; `least` [N] is the least force, between records too.
+fn of_past(records: &[Record], least: f64) -> Option<Vec<Named>> {
     let (first, last) = (records.first()?.normal, records.last()?.normal);
     Some(known(&[
-        ("pull_off_force", Unit::NEWTON, pull_off(records)),
+        ("pull_off_force", Unit::NEWTON, pull_off(records).map(|held| held.min(least))),
         ("dissipated", Unit::JOULE, Some(last.dissipated)),
         (
             "work",

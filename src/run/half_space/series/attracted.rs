@@ -29,6 +29,7 @@ impl Series<'_> {
         }
         // What led here is no part of the history.
         self.jumps.clear();
+        self.least = 0.0;
         Ok(state)
     }
 

@@ -1,6 +1,6 @@
 //! Steps of a contact that adheres: where it jumps is looked for between records, until what is lost is known.
 
-use super::super::ledger::{Entry, Ledger, Open};
+use super::super::ledger::{Entry, Ledger, Open, Stand};
 use super::super::pixels::Past;
 use super::super::pressed::Pressed;
 use super::super::state::State;
@@ -15,6 +15,8 @@ const LEAST_HALVINGS: u32 = 3;
 /// Part of the accuracy asked for that a jump may leave open of the energies, and the least that pixels tell.
 const LEFT_OPEN: f64 = 0.1;
 const LEAST_OPEN: f64 = 2e-4;
+/// Part of the force that tears bodies apart to which it is found.
+const TORN: f64 = 1e-3;
 /// Part of what the trapezoid misses over a step below which what it misses over half of it is smooth.
 const SMOOTH: f64 = 0.25;
 /// Multiple of what a jump may leave open that a step may which is taken for smooth.
@@ -75,10 +77,14 @@ impl Series<'_> {
     fn part(&mut self, part: Part<'_>, known: Option<Reached>) -> Result<Option<Pressed>, SimulationError> {
         let before = self.seeks().then(|| (self.pixels.past(), self.ledger));
         let pressed = self.reach(part.goal, known)?;
+        self.least = pressed.as_ref().map_or(self.least, |pressed| self.least.min(pressed.force()));
         if self.pixels.attraction().is_none() {
             return Ok(pressed);
         }
-        let Open { open, missing } = self.ledger.step(pressed.as_ref().map(|pressed| self.entry(pressed)));
+        let apart = || Stand::Apart(self.pixels.accounted_apart());
+        let stand = pressed.as_ref().map_or_else(apart, |pressed| Stand::Together(self.entry(pressed)));
+        let from = (part.goal.control == Control::Indentation).then_some(part.goal.from);
+        let Open { open, missing } = self.ledger.step(stand, from);
         let Some(before) = before else { return Ok(pressed) };
         let lost = before.1.lost();
         let limit = (LEFT_OPEN * self.plan.accuracy()).max(LEAST_OPEN);
@@ -87,7 +93,10 @@ impl Series<'_> {
         let is_smooth = is_short && missing <= open && missing.abs() < SMOOTH * part.missed;
         // Slopes before and in a step may agree by chance.
         let is_seen_once = missing > open && part.halvings < LEAST_HALVINGS && self.ledger.counts(missing, limit);
-        let is_open = is_seen_once || self.ledger.counts(open, limit) && !is_smooth;
+        // The force that tears the bodies apart lies between the last they held and this one.
+        let step = (part.goal.value - part.goal.from).abs();
+        let is_torn = pressed.is_none() && before.1.is_together() && step > TORN * part.goal.value.abs();
+        let is_open = is_seen_once || is_torn || self.ledger.counts(open, limit) && !is_smooth;
         if is_open && part.halvings < MOST_HALVINGS {
             let (end, after) = (Reached { pressed: pressed.clone(), past: self.pixels.past() }, self.ledger);
             let (told, known) = (self.jumps.len(), self.pixels.keeps_its_branch().then(|| end.clone()));

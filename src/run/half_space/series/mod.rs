@@ -53,6 +53,8 @@ pub(super) struct Series<'p> {
     slide: f64,
     /// The largest force along the surface [N], with the shear under it.
     sheared: Option<(f64, Sheared)>,
+    /// The least force [N] of all that are known, between records too.
+    pub(super) least: f64,
     /// The largest force of all, or area under an attraction, with what was prescribed.
     pub(super) largest: Option<(Prescribed, Pressed)>,
     pub(super) states: Vec<State>,
@@ -101,6 +103,7 @@ impl<'p> Series<'p> {
             punch: None,
             slide,
             sheared,
+            least: 0.0,
             largest: None,
             states,
             distributions,
