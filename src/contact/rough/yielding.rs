@@ -328,18 +328,20 @@ mod tests {
             let start = YieldingRough::of_gaps(&gaps, WIDTH, BODIES).unwrap();
             let (most, steps) = (1e-6 * f64::from(most), 4000);
             let (mut one, mut work) = (start, 0.0);
+            let stiffness = BODIES.0 * WIDTH * gaps.len() as f64;
             let step = most / f64::from(steps);
             for k in (1..=steps).chain((0..steps).rev()) {
                 let before = one.state();
                 one = pressed(&one, step * f64::from(k));
                 let after = one.state();
                 work += 0.5 * (before.force + after.force) * (depth(&one) - before.indentation.unwrap());
-                prop_assert!(after.dissipated >= before.dissipated);
+                // Rounding of the sum over the springs, and of the depths in which their dents are measured.
+                let rounding = f64::EPSILON * (gaps.len() as f64 * before.dissipated + stiffness * most * most);
+                prop_assert!(after.dissipated >= before.dissipated - rounding, "{:e}", before.dissipated - after.dissipated);
                 prop_assert!(depth(&one) < before.indentation.unwrap() || after.force >= before.force * (1.0 - 1e-12));
                 let areas: f64 = one.deepest.patches.all().map(|(a, b)| 0.25 * (WIDTH * number(b - a + 1)).powi(2)).sum();
                 prop_assert!(after.force <= PI * BODIES.1 * areas * (1.0 + 1e-12));
             }
-            let stiffness = BODIES.0 * WIDTH * gaps.len() as f64;
             let off = work - one.state().stored.elastic - one.state().dissipated;
             // Each of the springs turns the slope at most twice a touch, and the way out once.
             prop_assert!(off.abs() <= stiffness * step * step * gaps.len() as f64 + 1e-12 * stiffness * most * most, "{off:e}");

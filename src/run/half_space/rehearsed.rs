@@ -94,7 +94,9 @@ impl Rehearsed {
                 let of_pixels = apart(coarse, records);
                 let of_time = self.of_time.unwrap_or(0.0);
                 let in_words = self.of_time.map_or_else(String::new, |of| format!("; the steps leave {of:.0e}"));
-                let what = if plan.friction.is_some() { "forces, indentation or loss" } else { "force or indentation" };
+                // What shear has cost is not known as well as what it carries.
+                let loss = apart_in(|record| record.tangential?.dissipated, coarse, records);
+                let rubbed = if loss > 0.0 { format!(", what friction has taken {loss:.1e}") } else { String::new() };
                 let radii = records.iter().filter_map(|record| record.normal.contact_radius);
                 let of_edge = of_edge(radii, heights.pixel, hertzian);
                 let edge = if of_edge > 0.0 {
@@ -103,7 +105,7 @@ impl Rehearsed {
                     String::new()
                 };
                 let basis = format!(
-                    "the whole history again on every second of {columns} × {rows} pixels: {what} {of_pixels:.1e} of the largest apart{in_words}{edge}"
+                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{rubbed}{in_words}{edge}"
                 );
                 ErrorEstimate { relative: (of_pixels + of_time).max(of_edge), basis }
             }
@@ -115,21 +117,23 @@ impl Rehearsed {
     }
 }
 
-/// How far two histories are apart at the times that both have, in forces, in indentation and in what friction has taken,
-/// of the largest of each.
+/// How far two histories are apart at the times that both have, in forces and in indentation, of the largest of each.
 fn apart(one: &[Record], other: &[Record]) -> f64 {
-    let of = |value: fn(&Record) -> Option<f64>| {
-        let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
-        for (one, other) in shared(one, other) {
-            if let (Some(one), Some(other)) = (value(one), value(other)) {
-                apart = apart.max((one - other).abs());
-                largest = largest.max(one.abs()).max(other.abs());
-            }
-        }
-        if largest > 0.0 { apart / largest } else { 0.0 }
-    };
+    let of = |value| apart_in(value, one, other);
     let normal = of(|record| Some(record.normal.force)).max(of(|record| record.normal.indentation));
-    normal.max(of(Record::tangential_force)).max(of(|record| record.tangential?.dissipated))
+    normal.max(of(Record::tangential_force))
+}
+
+/// The same in one quantity.
+fn apart_in(value: fn(&Record) -> Option<f64>, one: &[Record], other: &[Record]) -> f64 {
+    let (mut apart, mut largest) = (0.0_f64, 0.0_f64);
+    for (one, other) in shared(one, other) {
+        if let (Some(one), Some(other)) = (value(one), value(other)) {
+            apart = apart.max((one - other).abs());
+            largest = largest.max(one.abs()).max(other.abs());
+        }
+    }
+    if largest > 0.0 { apart / largest } else { 0.0 }
 }
 
 /// Records of the same instants.
