@@ -87,10 +87,10 @@ impl SurfaceResponse {
         Self { hardness, ..self }
     }
 
-    /// That of fewer of its pixels, `[rows, columns]`, with nothing beyond them; where everything repeats, of as many that
+    /// That of at most as many of its pixels, `[rows, columns]`, with nothing beyond them; where everything repeats, of as many that
     /// repeat by themselves.
     #[must_use]
-    pub fn part(&self, [rows, columns]: [usize; 2]) -> Self {
+    pub(crate) fn part(&self, [rows, columns]: [usize; 2]) -> Self {
         let (_, pixel, boundary) = self.pixels;
         let pixels = ([rows, columns], pixel, boundary);
         match &self.windows {
