@@ -1,12 +1,13 @@
 //! Error, time and memory of the half-space solver on the Hertz contact: `cargo run --release -p benches --example halfspace_hertz 512 1024`.
 use ndarray::Array2;
 use springbed::halfspace::{Boundary, Prescribed, PressedMap, Settings, Start, solve};
+use std::time::Instant;
 
 fn main() {
     let (radius, depth) = (1.0, 0.01_f64);
     let contact = (radius * depth).sqrt();
     let force = 4.0 / 3.0 * contact * depth;
-    println!("grid force_error radius_error peak_error iterations products residual cpu_s peak_mb");
+    println!("grid force_error radius_error peak_error iterations products residual cpu_s wall_s peak_mb");
     for n in std::env::args().skip(1).filter_map(|word| word.parse::<usize>().ok()) {
         let pixel = 3.0 * contact / n as f64;
         let heights = Array2::from_shape_fn((n, n), |(row, column)| {
@@ -20,17 +21,18 @@ fn main() {
             boundary: Boundary::Free,
             control: Prescribed::Indentation(depth),
         };
-        let clock = cpu_seconds();
-        match solve(&problem, Start::Coarser, &Settings::default()) {
+        let (clock, begun) = (cpu_seconds(), Instant::now());
+        let solved = solve(&problem, Start::Coarser, &Settings::default());
+        let (busy, wall) = (cpu_seconds() - clock, begun.elapsed().as_secs_f64());
+        match solved {
             Ok(solution) => println!(
-                "{n} {:.3e} {:.3e} {:.3e} {} {} {:.2e} {:.3} {:.0}",
+                "{n} {:.3e} {:.3e} {:.3e} {} {} {:.2e} {busy:.3} {wall:.3} {:.0}",
                 solution.force() / force - 1.0,
                 solution.contact_radius() / contact - 1.0,
                 solution.peak_pressure() * std::f64::consts::PI * radius / (2.0 * contact) - 1.0,
                 solution.iterations,
                 solution.products,
                 solution.residual,
-                cpu_seconds() - clock,
                 peak_memory_mb()
             ),
             Err(error) => println!("{n} {error}"),

@@ -1,5 +1,6 @@
 //! Grids of one problem: the measured one, the coarser ones that start it, and the part of each that matters.
 
+use std::borrow::Cow;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
@@ -7,6 +8,7 @@ use rayon::prelude::*;
 use super::kernel::{Beneath, Influence, KernelTable, Rectangle};
 use super::spectrum::spectrum_of_even;
 use super::transform::{Multiplier, Size, good_length};
+use super::vector::rows_of_piece;
 
 /// Windows of the finest grid have sides of as many of these as they need: a contact that grows or shrinks a little keeps
 /// its window, and the maps made for it.
@@ -97,16 +99,23 @@ impl Grid {
     }
 
     /// Smallest window that holds every pixel chosen, widened by a margin; nothing if none is chosen.
-    pub(super) fn window(&self, margin: usize, chosen: impl Fn(usize) -> bool) -> Option<Window> {
-        let (mut first, mut last) = ([usize::MAX; 2], [0; 2]);
-        for index in (0..self.size.pixels()).filter(|&index| chosen(index)) {
-            let place = [index / self.size.columns, index % self.size.columns];
-            for axis in 0..2 {
-                first[axis] = first[axis].min(place[axis]);
-                last[axis] = last[axis].max(place[axis] + 1);
-            }
-        }
-        (last[0] > 0).then(|| {
+    pub(super) fn window(&self, margin: usize, chosen: impl Fn(usize) -> bool + Sync) -> Option<Window> {
+        let in_row = |row: usize| {
+            let mut along = row * self.size.columns..(row + 1) * self.size.columns;
+            let first = along.clone().find(|&index| chosen(index))?;
+            let last = along.rfind(|&index| chosen(index))?;
+            let column = |index: usize| index - row * self.size.columns;
+            Some(([row, column(first)], [row + 1, column(last) + 1]))
+        };
+        type Corners = ([usize; 2], [usize; 2]);
+        let both = |(first, last): Corners, (start, end): Corners| {
+            let corners = |axis: usize| (first[axis].min(start[axis]), last[axis].max(end[axis]));
+            let (rows, columns) = (corners(0), corners(1));
+            ([rows.0, columns.0], [rows.1, columns.1])
+        };
+        let chosen = (0..self.size.rows).into_par_iter().with_min_len(rows_of_piece(self.size.columns));
+        let chosen = chosen.filter_map(in_row).reduce_with(both);
+        chosen.map(|(first, last)| {
             let low = first.map(|side| side.saturating_sub(margin));
             let high = [(last[0] + margin).min(self.size.rows), (last[1] + margin).min(self.size.columns)];
             Window { row: low[0], column: low[1], size: Size { rows: high[0] - low[0], columns: high[1] - low[1] } }
@@ -128,19 +137,35 @@ impl Grid {
     }
 
     /// Values of a window of the grid.
-    pub(super) fn cut(&self, values: &[f64], window: Window) -> Vec<f64> {
-        let rows = values.chunks(self.size.columns).skip(window.row).take(window.size.rows);
-        rows.flat_map(|row| &row[window.column..window.column + window.size.columns]).copied().collect()
+    pub(super) fn cut<'v>(&self, values: &'v [f64], window: Window) -> Cow<'v, [f64]> {
+        if window == self.whole() {
+            return Cow::Borrowed(values);
+        }
+        let mut part = vec![0.0; window.size.pixels()];
+        let rows = values.par_chunks(self.size.columns).skip(window.row);
+        let together = rows_of_piece(window.size.columns);
+        part.par_chunks_mut(window.size.columns)
+            .zip(rows)
+            .with_min_len(together)
+            .for_each(|(part, row)| part.copy_from_slice(&row[window.column..window.column + window.size.columns]));
+        Cow::Owned(part)
     }
 
-    /// Values of a window put back into a grid of zeros.
-    pub(super) fn paste(&self, part: &[f64], window: Window) -> Vec<f64> {
-        let mut values = vec![0.0; self.size.pixels()];
-        let rows = values.chunks_mut(self.size.columns).skip(window.row);
-        for (row, source) in rows.zip(part.chunks(window.size.columns)) {
-            row[window.column..window.column + window.size.columns].copy_from_slice(source);
+    /// Values of a window put back into the grid, which is zero elsewhere.
+    pub(super) fn paste(&self, part: Vec<f64>, window: Window, values: &mut Vec<f64>) {
+        if window == self.whole() {
+            *values = part;
+            return;
         }
-        values
+        let columns = window.column..window.column + window.size.columns;
+        let rows = values.par_chunks_mut(self.size.columns).with_min_len(rows_of_piece(self.size.columns));
+        rows.enumerate().for_each(|(row, values)| {
+            values.fill(0.0);
+            if (window.row..window.row + window.size.rows).contains(&row) {
+                let from = (row - window.row) * window.size.columns;
+                values[columns.clone()].copy_from_slice(&part[from..from + window.size.columns]);
+            }
+        });
     }
 
     /// Pressure of the twice coarser grid on this one.
@@ -203,7 +228,7 @@ impl Operators {
         let (period, table) = kernel_table(size, kernel);
         let circulant = Size { rows: period.rows.div_ceil(2), columns: period.columns / 2 };
         let nearest = circulant_table(&table, period, circulant);
-        let stiffness: Vec<f64> = spectrum_of_even(nearest, circulant).into_iter().map(f64::recip).collect();
+        let stiffness: Vec<f64> = spectrum_of_even(nearest, circulant).into_par_iter().map(f64::recip).collect();
         let own = table[0];
         let compliance = spectrum_of_even(table, period);
         Self {
@@ -284,17 +309,19 @@ fn circulant_table(table: &[f64], period: Size, circulant: Size) -> Vec<f64> {
     let stride = period.columns / 2 + 1;
     let (rows, columns) = (circulant.rows, circulant.columns);
     let share = |step: usize, period: usize| (period - step) as f64 / period as f64;
-    let mut nearest = Vec::with_capacity((rows / 2 + 1) * (columns / 2 + 1));
-    for row in 0..=rows / 2 {
-        for column in 0..=columns / 2 {
-            let (down, across) = (share(row, rows), share(column, columns));
-            let at = |row: usize, column: usize| table[row * stride + column];
-            let other = if row == 0 { 0 } else { rows - row };
+    let at = |row: usize, column: usize| table[row * stride + column];
+    let mut nearest = vec![0.0; (rows / 2 + 1) * (columns / 2 + 1)];
+    let lines = nearest.par_chunks_mut(columns / 2 + 1).with_min_len(rows_of_piece(columns / 2 + 1));
+    lines.enumerate().for_each(|(row, line)| {
+        let down = share(row, rows);
+        let other = if row == 0 { 0 } else { rows - row };
+        for (column, value) in line.iter_mut().enumerate() {
+            let across = share(column, columns);
             let near = across * at(row, column) + (1.0 - across) * at(row, columns - column);
             let far = across * at(other, column) + (1.0 - across) * at(other, columns - column);
-            nearest.push(down * near + (1.0 - down) * far);
+            *value = down * near + (1.0 - down) * far;
         }
-    }
+    });
     nearest
 }
 
@@ -302,8 +329,14 @@ fn circulant_table(table: &[f64], period: Size, circulant: Size) -> Vec<f64> {
 fn wave_numbers(grid: &Grid) -> Vec<f64> {
     let unit = std::f64::consts::TAU * grid.unit();
     let step = [unit / (grid.pixel[0] * grid.size.columns as f64), unit / (grid.pixel[1] * grid.size.rows as f64)];
-    let across = (0..=grid.size.columns / 2).map(|k| k as f64 * step[0]);
-    across.flat_map(|qx| (0..=grid.size.rows / 2).map(move |k| qx.hypot(k as f64 * step[1]))).collect()
+    let quarter = grid.size.rows / 2 + 1;
+    let mut waves = vec![0.0; (grid.size.columns / 2 + 1) * quarter];
+    let lines = waves.par_chunks_mut(quarter).with_min_len(rows_of_piece(quarter));
+    lines.enumerate().for_each(|(column, waves)| {
+        let across = column as f64 * step[0];
+        waves.iter_mut().enumerate().for_each(|(row, wave)| *wave = across.hypot(row as f64 * step[1]));
+    });
+    waves
 }
 
 /// Mean of an even quantity over all frequencies: the displacement of a pixel under its own unit pressure.

@@ -1,14 +1,18 @@
 //! From SI units, checked, to the solver's units and back.
 
 use ndarray::ArrayView2;
+use rayon::prelude::*;
+use std::borrow::Cow;
+use std::ops::{Range, RangeInclusive};
 
 use super::grid::{Grid, Law};
 use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
+use super::vector::{PIECE, fold, sum};
 use super::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
 
 /// Width over height of a pixel.
-const DRAWN_OUT: std::ops::RangeInclusive<f64> = 1e-3..=1e3;
+const DRAWN_OUT: RangeInclusive<f64> = 1e-3..=1e3;
 
 /// A problem without its heights.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,21 +45,21 @@ struct HeightBounds {
 }
 
 impl Input {
-    /// Checks, scales, solves and scales back; heights come pixel by pixel, row after row.
+    /// Checks, scales, solves and scales back; heights come row after row.
     pub(super) fn solve(
         &self,
-        height: impl Fn(usize) -> f64,
+        heights: &[f64],
         start: Start<'_>,
         (settings, response): (&Settings, Option<&SurfaceResponse>),
     ) -> Result<Raw, HalfSpaceError> {
         let bytes = self.check(settings)?;
-        let mut heights: Vec<f64> = (0..self.size.pixels()).map(height).collect();
-        let range = self.range(&heights)?;
+        let range = self.range(heights)?;
         let floats = response.is_none_or(|response| response.compression() <= 0.0);
         let Some(scale) = self.height_scale(range, floats)? else {
             return Ok(self.apart(range.low, bytes));
         };
-        heights.iter_mut().for_each(|height| *height = (*height - range.low) / scale);
+        let scaled = heights.par_iter().with_min_len(PIECE).map(|height| (height - range.low) / scale);
+        let heights: Vec<f64> = scaled.collect();
         let pressure_unit = self.modulus * scale / self.unit();
         let origin = self.origin(start, pressure_unit)?;
         let hardness = match self.control {
@@ -102,16 +106,23 @@ impl Input {
 
     fn range(&self, heights: &[f64]) -> Result<HeightBounds, HalfSpaceError> {
         let refused = |height: f64| height.is_nan() || height <= f64::NEG_INFINITY;
-        if let Some(index) = heights.iter().position(|&height| refused(height)) {
+        if let Some(index) = heights.par_iter().with_min_len(PIECE).position_first(|&height| refused(height)) {
             let (row, column) = (index / self.size.columns, index % self.size.columns);
             return Err(HalfSpaceError::Height { row, column, value: heights[index] });
         }
-        let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let bounds = |range: Range<usize>| {
+            let material = heights[range].iter().filter(|height| height.is_finite());
+            material
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &height| [low.min(height), high.max(height)])
+        };
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let [low, high] =
+            fold(heights.len(), bounds, nothing, |one, other| [one[0].min(other[0]), one[1].max(other[1])]);
         if low.is_infinite() {
             return Err(HalfSpaceError::NoMaterial);
         }
-        let high = heights.iter().copied().filter(|height| height.is_finite()).fold(low, f64::max);
-        let mean = low + heights.iter().map(|height| height - low).sum::<f64>() / heights.len() as f64;
+        let above = sum(heights.len(), |range| heights[range].iter().map(|height| height - low).sum());
+        let mean = low + above / heights.len() as f64;
         Ok(HeightBounds { low, high, mean })
     }
 
@@ -189,16 +200,22 @@ impl Input {
             return Err(HalfSpaceError::StartSize { found_rows, found_columns, rows, columns });
         }
         let refused = |value: f64| !value.is_finite() || value < 0.0;
-        if let Some(((row, column), &value)) = pressure.indexed_iter().find(|&(_, &value)| refused(value)) {
-            return Err(HalfSpaceError::StartValue { row, column, value });
+        let pressure = row_after_row(&pressure);
+        if let Some(index) = pressure.par_iter().with_min_len(PIECE).position_first(|&value| refused(value)) {
+            let (row, column) = (index / columns, index % columns);
+            return Err(HalfSpaceError::StartValue { row, column, value: pressure[index] });
         }
-        let scaled: Vec<f64> = pressure.iter().map(|value| value / unit).collect();
-        Ok(if scaled.iter().any(|&value| value > 0.0) { Origin::Pressure(scaled) } else { Origin::Nothing })
+        let scaled: Vec<f64> = pressure.par_iter().with_min_len(PIECE).map(|value| value / unit).collect();
+        Ok(if scaled.par_iter().with_min_len(PIECE).any(|&value| value > 0.0) {
+            Origin::Pressure(scaled)
+        } else {
+            Origin::Nothing
+        })
     }
 
     fn restore(&self, answer: ScaledSolution, [low, scale]: [f64; 2], pressure_unit: f64) -> Raw {
         let to_si = |mut values: Vec<f64>, unit: f64| {
-            values.iter_mut().for_each(|value| *value *= unit);
+            values.par_iter_mut().with_min_len(PIECE).for_each(|value| *value *= unit);
             values
         };
         Raw {
@@ -223,6 +240,11 @@ impl Input {
     }
 }
 
+/// Values row after row: as they lie in memory, where they do so.
+pub(super) fn row_after_row<'v>(values: &'v ArrayView2<'_, f64>) -> Cow<'v, [f64]> {
+    values.as_slice().map_or_else(|| values.iter().copied().collect(), Cow::Borrowed)
+}
+
 fn positive(name: &'static str, value: f64) -> Result<(), HalfSpaceError> {
     within(name, value, f64::MIN_POSITIVE..=f64::MAX, "finite and positive")
 }
@@ -230,7 +252,7 @@ fn positive(name: &'static str, value: f64) -> Result<(), HalfSpaceError> {
 fn within(
     name: &'static str,
     value: f64,
-    range: std::ops::RangeInclusive<f64>,
+    range: RangeInclusive<f64>,
     wanted: &'static str,
 ) -> Result<(), HalfSpaceError> {
     if range.contains(&value) { Ok(()) } else { Err(HalfSpaceError::Parameter { name, value, wanted }) }

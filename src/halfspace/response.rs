@@ -1,12 +1,15 @@
 //! The surface under pressures that are given.
 
 use super::grid::{Grid, Law, Operators, Windows};
+use super::input::row_after_row;
 use super::kernel::Beneath;
 use super::precision::Scratch;
 use super::transform::Size;
+use super::vector::{PIECE, on_pixels};
 use super::{Boundary, PressedMap};
 use crate::ground::Ground;
 use ndarray::{Array2, ArrayView2};
+use rayon::prelude::*;
 use std::fmt::{self, Debug, Formatter};
 use std::sync::Arc;
 
@@ -137,12 +140,12 @@ impl SurfaceResponse {
     /// The pressure has other pixels than the response.
     #[must_use]
     pub fn displacement(&self, pressure: ArrayView2<'_, f64>, modulus: f64) -> Array2<f64> {
-        let given: Vec<f64> = pressure.iter().copied().collect();
+        let given = row_after_row(&pressure);
         let mut displacement = vec![0.0; given.len()];
         self.operators.influence.apply(&given, &mut displacement, &mut Scratch::default());
         let scale = self.unit / modulus;
-        let columns = pressure.ncols();
-        Array2::from_shape_fn(pressure.dim(), |(row, column)| scale * displacement[row * columns + column])
+        displacement.par_iter_mut().with_min_len(PIECE).for_each(|value| *value *= scale);
+        on_pixels(displacement, pressure.dim())
     }
 }
 

@@ -1,6 +1,7 @@
 //! From a problem in the solver's units to its solution, coarse grids first.
 
 use std::cell::OnceCell;
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::HalfSpaceError;
@@ -8,7 +9,8 @@ use super::face::{Budget, Goal, GridContact, GridSolution};
 use super::grid::{Grid, Law, Operators, Window, Windows};
 use super::kernel::Beneath;
 use super::precision::Scratch;
-use super::vector::{total, update};
+use super::vector::{PIECE, fold, total, update};
+use rayon::prelude::*;
 
 /// Relative residual to which a coarser grid is solved before the next finer one starts from it.
 const COARSE_TOLERANCE: f64 = 1e-3;
@@ -92,9 +94,12 @@ impl Task<'_> {
     fn blank(&self, grid: &Grid) -> Vec<f64> {
         let value = match self.goal(grid) {
             Goal::Approach(_) => 0.0,
-            Goal::Sum(sum) => sum / grid.heights.iter().filter(|height| height.is_finite()).count().max(1) as f64,
+            Goal::Sum(sum) => {
+                sum / grid.heights.par_iter().with_min_len(PIECE).filter(|height| height.is_finite()).count().max(1)
+                    as f64
+            }
         };
-        grid.heights.iter().map(|height| if height.is_finite() { value } else { 0.0 }).collect()
+        grid.heights.par_iter().with_min_len(PIECE).map(|height| if height.is_finite() { value } else { 0.0 }).collect()
     }
 
     /// Pressure of the next coarser grid, itself started likewise; nothing if there is none.
@@ -184,20 +189,28 @@ impl Task<'_> {
 
     /// Largest gap in contact or overlap out of it, relative to the largest displacement in contact.
     fn residual(&self, pressure: &[f64], displacement: &[f64], approach: f64, compliance: f64) -> f64 {
-        if !approach.is_finite() || pressure.iter().chain(displacement).any(|value| !value.is_finite()) {
+        if !approach.is_finite() {
             return f64::INFINITY;
         }
-        let (mut misfit, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
         let hardness = self.hardness_on(&self.grid);
-        for ((&p, &u), &height) in pressure.iter().zip(displacement).zip(&self.grid.heights) {
-            let gap = u + height - approach;
-            if p > 0.0 {
-                misfit = misfit.max(if p < hardness { gap.abs() } else { gap.max(0.0) });
-                scale = scale.max(u.abs()).max(compliance * p);
-            } else {
-                misfit = misfit.max(-gap);
+        let piece = |range: Range<usize>| {
+            let (mut misfit, mut scale) = (0.0_f64, f64::MIN_POSITIVE);
+            let displaced = pressure[range.clone()].iter().zip(&displacement[range.clone()]);
+            for ((&p, &u), &height) in displaced.zip(&self.grid.heights[range]) {
+                let gap = u + height - approach;
+                if !(p.is_finite() && u.is_finite()) {
+                    misfit = f64::INFINITY;
+                } else if p > 0.0 {
+                    misfit = misfit.max(if p < hardness { gap.abs() } else { gap.max(0.0) });
+                    scale = scale.max(u.abs()).max(compliance * p);
+                } else {
+                    misfit = misfit.max(-gap);
+                }
             }
-        }
+            (misfit, scale)
+        };
+        let larger = |one: (f64, f64), other: (f64, f64)| (one.0.max(other.0), one.1.max(other.1));
+        let (misfit, scale) = fold(pressure.len(), piece, (0.0, f64::MIN_POSITIVE), larger);
         misfit / scale
     }
 }
@@ -213,15 +226,16 @@ struct WindowedGrid<'a> {
 
 impl WindowedGrid<'_> {
     /// Pressure where there is material, scaled to the force; a uniform one if that leaves nothing of it.
-    fn start(&self, pressure: &[f64], heights: &[f64]) -> Vec<f64> {
+    fn start(&self, pressure: Vec<f64>, heights: &[f64]) -> Vec<f64> {
         let material = |p: f64, height: f64| if height.is_finite() { p } else { 0.0 };
-        let mut part: Vec<f64> = pressure.iter().zip(heights).map(|(&p, &height)| material(p, height)).collect();
+        let mut part = pressure;
+        update(&mut part, heights, |p, height| *p = material(*p, height));
         if let Goal::Sum(wanted) = self.goal {
             if total(&part) <= 0.0 {
                 update(&mut part, heights, |p, height| *p = material(1.0, height));
             }
             let factor = wanted / total(&part);
-            part.iter_mut().for_each(|p| *p *= factor);
+            part.par_iter_mut().with_min_len(PIECE).for_each(|p| *p *= factor);
         }
         part
     }
@@ -234,12 +248,12 @@ impl WindowedGrid<'_> {
         scratch: &mut Scratch,
     ) -> GridSolution {
         let heights = self.grid.cut(&self.grid.heights, self.window);
-        let mut part = self.start(&self.grid.cut(pressure, self.window), &heights);
+        let mut part = self.start(self.grid.cut(pressure, self.window).into_owned(), &heights);
         let contact =
             GridContact { operators: self.operators, heights: &heights, goal: self.goal, hardness: self.hardness };
         let outcome = contact.solve(&mut part, tolerance, effort, scratch);
         update(&mut part, &heights, |p, _| *p = p.max(0.0));
-        *pressure = self.grid.paste(&part, self.window);
+        self.grid.paste(part, self.window, pressure);
         outcome
     }
 }

@@ -3,6 +3,7 @@
 use ndarray::Array2;
 
 use super::input::Raw;
+use super::vector::on_pixels;
 use super::{Boundary, PressedMap};
 
 /// Solution of a half-space contact.
@@ -34,13 +35,10 @@ const EDGE_SHARE: f64 = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 
 
 impl Solution {
     pub(super) fn new(problem: &PressedMap<'_>, raw: Raw) -> Self {
-        let columns = problem.heights.ncols();
-        let shape = |values: Vec<f64>| {
-            Array2::from_shape_fn(problem.heights.dim(), |(row, column)| values[row * columns + column])
-        };
+        let pixels = problem.heights.dim();
         Self {
-            pressure: shape(raw.pressure),
-            displacement: shape(raw.displacement),
+            pressure: on_pixels(raw.pressure, pixels),
+            displacement: on_pixels(raw.displacement, pixels),
             indentation: raw.approach,
             residual: raw.residual,
             iterations: raw.iterations,

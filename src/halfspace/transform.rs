@@ -5,6 +5,7 @@
 //! transformed along the rows, and the multiplier is kept as the quarter that is not its own mirror.
 //! Every number is written by one task from the same inputs, so the result does not depend on threads.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use rayon::prelude::*;
@@ -13,6 +14,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftPlanner};
 
 use super::precision::{Precision, Scratch, Spectra, Symbol};
+use super::vector::{lengthen, rows_of_piece};
 
 /// Rows, or columns, that travel together through the transposition.
 const STRIP: usize = 8;
@@ -66,8 +68,8 @@ impl<S: Symbol> Multiplier<S> {
         let Lines { size, period, .. } = self.lines;
         let needed = size.spectrum(period);
         let Spectra { rows, columns } = S::Real::spectra(scratch);
-        rows.resize(needed.max(rows.len()), Complex::default());
-        columns.resize(needed.max(columns.len()), Complex::default());
+        lengthen(rows, needed);
+        lengthen(columns, needed);
         self.lines.transform_rows(x, rows);
         let quarter = period.rows / 2 + 1;
         self.lines.across([rows.as_slice()], (columns.as_mut_slice(), 1), |column, [line]| {
@@ -113,22 +115,20 @@ impl<T: Precision> Lines<T> {
             let output = vec![Complex::default(); strip * half];
             (self.forward_row.make_input_vec(), output, self.forward_row.make_scratch_vec())
         };
-        spectra.par_chunks_mut(strip * half).zip(x.par_chunks(strip * columns)).for_each_init(
-            make,
-            |(input, output, scratch), (block, rows)| {
-                for (row, output) in rows.chunks(columns).zip(output.chunks_mut(half)) {
-                    if row.iter().all(T::is_zero) {
-                        output.fill(Complex::default());
-                    } else {
-                        input[..columns].copy_from_slice(row);
-                        input[columns..].fill(T::default());
-                        // The lengths are those of the plan, the only thing it can object to.
-                        let _ = self.forward_row.process_with_scratch(input, output, scratch);
-                    }
+        let strips = spectra.par_chunks_mut(strip * half).with_min_len(rows_of_piece(strip * half));
+        strips.zip(x.par_chunks(strip * columns)).for_each_init(make, |(input, output, scratch), (block, rows)| {
+            for (row, output) in rows.chunks(columns).zip(output.chunks_mut(half)) {
+                if row.iter().all(T::is_zero) {
+                    output.fill(Complex::default());
+                } else {
+                    input[..columns].copy_from_slice(row);
+                    input[columns..].fill(T::default());
+                    // The lengths are those of the plan, the only thing it can object to.
+                    let _ = self.forward_row.process_with_scratch(input, output, scratch);
                 }
-                interleave(&output[..rows.len() / columns * half], half, (block, strip));
-            },
-        );
+            }
+            interleave(&output[..rows.len() / columns * half], half, (block, strip));
+        });
     }
 
     /// Down the columns, through `change` of what `I` spectra have at each frequency of a row, and up again with the first
@@ -137,26 +137,30 @@ impl<T: Precision> Lines<T> {
         &self,
         spectra: [&[Complex<T>]; I],
         (columns, kept): (&mut [Complex<T>], usize),
-        change: impl Fn(usize, &mut [Vec<Complex<T>>; I]) + Sync,
+        change: impl Fn(usize, [&mut [Complex<T>]; I]) + Sync,
     ) {
         let (rows, period) = (self.size.rows, self.period.rows);
         let length = self.forward_column.get_inplace_scratch_len().max(self.inverse_column.get_inplace_scratch_len());
         let make = || {
-            let lines = std::array::from_fn(|_| vec![Complex::default(); period]);
+            let lines: [Vec<Complex<T>>; I] = std::array::from_fn(|_| vec![Complex::default(); STRIP * period]);
             (lines, vec![Complex::default(); kept * STRIP * rows], vec![Complex::default(); length])
         };
-        columns.par_chunks_mut(kept * STRIP * rows).take(self.half().div_ceil(STRIP)).enumerate().for_each_init(
+        let strips = columns.par_chunks_mut(kept * STRIP * rows).with_min_len(rows_of_piece(STRIP * period));
+        strips.take(self.half().div_ceil(STRIP)).enumerate().for_each_init(
             make,
             |(lines, results, scratch), (index, block)| {
-                let lanes = STRIP.min(self.half() - index * STRIP);
-                for lane in 0..lanes {
-                    let column = index * STRIP + lane;
-                    for (line, spectra) in lines.iter_mut().zip(spectra) {
-                        self.gather_column(spectra, column, &mut line[..rows]);
+                let columns = index * STRIP..self.half().min((index + 1) * STRIP);
+                let lanes = columns.len();
+                for (lines, spectra) in lines.iter_mut().zip(spectra) {
+                    self.gather_columns(spectra, columns.clone(), lines);
+                }
+                for (lane, column) in columns.enumerate() {
+                    let mut lines = lines.each_mut().map(|lines| &mut lines[lane * period..(lane + 1) * period]);
+                    for line in &mut lines {
                         line[rows..].fill(Complex::default());
                         self.forward_column.process_with_scratch(line, scratch);
                     }
-                    change(column, lines);
+                    change(column, lines.each_mut().map(|line| &mut **line));
                     for (line, part) in lines.iter_mut().zip(results.chunks_mut(STRIP * rows)) {
                         self.inverse_column.process_with_scratch(line, scratch);
                         part[lane * rows..(lane + 1) * rows].copy_from_slice(&line[..rows]);
@@ -169,10 +173,15 @@ impl<T: Precision> Lines<T> {
         );
     }
 
-    fn gather_column(&self, spectra: &[Complex<T>], column: usize, line: &mut [Complex<T>]) {
-        let (strip, half) = (self.strip(), self.half());
-        for (part, block) in line.chunks_mut(strip).zip(spectra.chunks(strip * half)) {
-            copy_strip(part, &block[column * strip..]);
+    /// Columns that lie side by side, each to a line of the period: what a strip of rows has of them is one stretch of memory.
+    fn gather_columns(&self, spectra: &[Complex<T>], columns: Range<usize>, lines: &mut [Complex<T>]) {
+        let (strip, period) = (self.strip(), self.period.rows);
+        for (first, block) in (0..self.size.rows).step_by(strip).zip(spectra.chunks(strip * self.half())) {
+            let rows = first..self.size.rows.min(first + strip);
+            let stretch = &block[columns.start * strip..columns.end * strip];
+            for (line, values) in lines.chunks_mut(period).zip(stretch.chunks(strip)) {
+                copy_strip(&mut line[rows.clone()], values);
+            }
         }
     }
 
@@ -180,21 +189,27 @@ impl<T: Precision> Lines<T> {
     pub(super) fn restore_rows(&self, columns: &[Complex<T>], (result, several): (usize, usize), y: &mut [T]) {
         let (size, half) = (self.size, self.half());
         let make = || {
-            (self.inverse_row.make_input_vec(), self.inverse_row.make_output_vec(), self.inverse_row.make_scratch_vec())
+            let inputs = vec![Complex::default(); STRIP * half];
+            (inputs, self.inverse_row.make_output_vec(), self.inverse_row.make_scratch_vec())
         };
-        y.par_chunks_mut(size.columns).enumerate().for_each_init(make, |(input, output, scratch), (row, target)| {
-            for (part, block) in
-                input.chunks_mut(STRIP).zip(columns.chunks(STRIP * size.rows).skip(result).step_by(several))
-            {
-                copy_strip(part, &block[row * STRIP..]);
+        let strips = y.par_chunks_mut(STRIP * size.columns).with_min_len(rows_of_piece(STRIP * half));
+        strips.enumerate().for_each_init(make, |(inputs, output, scratch), (index, targets)| {
+            let blocks = columns.chunks(STRIP * size.rows).skip(result).step_by(several);
+            for (first, block) in (0..half).step_by(STRIP).zip(blocks) {
+                let stretch = &block[index * STRIP * STRIP..];
+                for (input, values) in inputs.chunks_mut(half).zip(stretch.chunks(STRIP)) {
+                    copy_strip(&mut input[first..half.min(first + STRIP)], values);
+                }
             }
-            input[0].im = T::default();
-            if self.period.columns.is_multiple_of(2) {
-                input[half - 1].im = T::default();
+            for (input, target) in inputs.chunks_mut(half).zip(targets.chunks_mut(size.columns)) {
+                input[0].im = T::default();
+                if self.period.columns.is_multiple_of(2) {
+                    input[half - 1].im = T::default();
+                }
+                // The lengths are those of the plan and the imaginary parts it would object to are zero.
+                let _ = self.inverse_row.process_with_scratch(input, output, scratch);
+                target.copy_from_slice(&output[..size.columns]);
             }
-            // The lengths are those of the plan and the imaginary parts it would object to are zero.
-            let _ = self.inverse_row.process_with_scratch(input, output, scratch);
-            target.copy_from_slice(&output[..size.columns]);
         });
     }
 }

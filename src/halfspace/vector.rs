@@ -1,9 +1,15 @@
 //! Sums and updates over pixels in fixed pieces: the same bits on any number of threads.
 
+use ndarray::Array2;
 use rayon::prelude::*;
 
 /// Pixels per piece; part of the result's definition, since it fixes the order of the sums.
-const PIECE: usize = 1 << 13;
+pub(super) const PIECE: usize = 1 << 13;
+
+/// Rows of so many columns that are worth a task of their own.
+pub(super) fn rows_of_piece(columns: usize) -> usize {
+    PIECE.div_ceil(columns.max(1))
+}
 
 /// Σ of a quantity over the pieces `range` of 0..length, added in order.
 pub(super) fn sum(length: usize, piece: impl Fn(std::ops::Range<usize>) -> f64 + Sync) -> f64 {
@@ -39,6 +45,21 @@ pub(super) fn swept<T: Send>(target: &mut [T], change: impl Fn(std::ops::Range<u
     let each = target.par_chunks_mut(PIECE).enumerate();
     let given: Vec<f64> = each.map(|(index, part)| change(index * PIECE..index * PIECE + part.len(), part)).collect();
     given.into_iter().sum()
+}
+
+/// Values pixel by pixel, row after row, as an array of rows and columns.
+pub(super) fn on_pixels(values: Vec<f64>, pixels: (usize, usize)) -> Array2<f64> {
+    // There are as many values as pixels, the only thing it can object to.
+    Array2::from_shape_vec(pixels, values).unwrap_or_else(|_| Array2::zeros(pixels))
+}
+
+/// Makes it at least so long. What it held is lost; all threads write what it holds then, so that none waits for memory
+/// to be handed out page by page.
+pub(super) fn lengthen<T: Copy + Default + Send + Sync>(values: &mut Vec<T>, length: usize) {
+    if values.len() < length {
+        values.clear();
+        values.par_extend(rayon::iter::repeat_n(T::default(), length));
+    }
 }
 
 /// `change(target, source)` for each pair.

@@ -160,7 +160,8 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
 
 /// An edge that obeys a rate law: the whole history again with the edge followed better.
 fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
-    let again = follow(plan, viscoelastic::refined(plan, relaxation, edge), Wanted::NOTHING);
+    let refined = compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge));
+    let again = follow(plan, refined, Wanted::NOTHING);
     let off = again.map_or(f64::NAN, |again| apart(&run.records, &again.records));
     let pieces = if plan.is_curved() { CHORDS * plan.accuracy() * in_balance(run) } else { 0.0 };
     of(

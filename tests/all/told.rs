@@ -206,3 +206,24 @@ fn an_ellipsoid_has_the_peak_pressure_of_its_ellipse() {
     let adhesive = on_shape("Ellipsoid(radius_x: 1e-2, radius_y: 1e-3)", "Press(to: 1e-4, over: 1)");
     assert!(adhesive.error_estimate.relative > 0.09, "the force at a given depth is 10 % too small");
 }
+
+/// The error of a rate law sets one history beside another that is followed better, whatever the places of the bed mean: it is
+/// that of its steps, which are as short as the accuracy of 1e-3 asks for.
+#[test]
+fn the_error_of_a_rate_law_compares_like_with_like() {
+    let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e5, terms: [(modulus: 5e5, time: 0.1)]))";
+    for (shape, work, depth) in [
+        ("Paraboloid(radius: 5e-3)", "0.05", 1e-5),
+        ("Cylinder(radius: 5e-3, datum: 1e-2, width: 1e-3)", "0.05", 1e-5),
+        ("PlaneWave(amplitude: 4e-6, wavelength: 1e-4)", "1e-3", 1e-6),
+    ] {
+        let told = tried(&format!(
+            "(shape: {shape}, bodies: ({body}, Rigid), \
+             adhesion: Jkr(work: {work}, edge: Rate(speed: 1e-5, exponent: 0.5)), accuracy: 1e-3, steps: 8, \
+             history: [Indent(to: {depth:e}, over: 1), Indent(to: {:e}, over: 1)])",
+            0.5 * depth
+        ))
+        .unwrap();
+        assert!(told.error_estimate.relative < 2e-2, "{shape}: {:?}", told.error_estimate);
+    }
+}

@@ -4,6 +4,7 @@ use super::kernel::Sheared;
 use crate::halfspace::kernel::Rectangle;
 use crate::halfspace::spectrum::{Parity, spectrum_of_quarter};
 use crate::halfspace::transform::{Lines, Size, good_length};
+use crate::halfspace::vector::lengthen;
 use crate::material::Pair;
 use crate::shape::Boundary;
 use ndarray::{Array2, ArrayView2};
@@ -191,10 +192,10 @@ impl CoupledResponse {
     ) -> Along {
         let needed = self.size.spectrum(self.period);
         for (spectrum, given) in work.rows.iter_mut().zip(given) {
-            spectrum.resize(needed, Amplitude::default());
+            lengthen(spectrum, needed);
             self.lines.transform_rows(given, spectrum);
         }
-        work.columns.resize(2 * needed, Amplitude::default());
+        lengthen(&mut work.columns, 2 * needed);
         let (rows, quarter) = (self.period.rows, self.period.rows / 2 + 1);
         let [first, second] = &work.rows;
         self.lines.across([first, second], (&mut work.columns, kept), |column, lines| {

@@ -7,13 +7,17 @@ use super::state::{Pressing, response};
 use crate::contact::state::Normal;
 use crate::run::SimulationError;
 use crate::run::record::{ErrorEstimate, Record};
-use crate::scene::law::PixelFriction;
+use crate::scene::law::{ElasticAdhesion, PixelFriction};
 use crate::scene::plan::HalfSpacePlan;
 
 /// Error of the time steps, relative, that is aimed at where less is asked for: pixels have more.
 const OF_TIME: f64 = 1e-4;
 /// The same of steps in which pressures and shear are found together, which are of the first order only.
 const OF_SLIP: f64 = 2e-3;
+/// What twice the pixel makes of the error of an attraction without a range of its own, √2 − 1 more, its inverse: it is given
+/// one of three pixels, and what that is off by is inverse to Tabor's parameter, which grows as the stress does, with the
+/// root of the inverse of the pixel.
+const OF_RANGE: f64 = 1.0 + std::f64::consts::SQRT_2;
 /// Most doublings of the steps between two records.
 const DOUBLINGS: u32 = 5;
 
@@ -92,6 +96,15 @@ impl Rehearsed {
         match &self.records {
             Ok(coarse) => {
                 let of_pixels = apart(coarse, records);
+                let (parts, ranged) = match plan.attraction {
+                    ElasticAdhesion::Vanishing { .. } => {
+                        (OF_RANGE, format!(", {OF_RANGE:.1} times that for the range of three pixels"))
+                    }
+                    ElasticAdhesion::None
+                    | ElasticAdhesion::Outside { .. }
+                    | ElasticAdhesion::Finite { .. }
+                    | ElasticAdhesion::Fading { .. } => (1.0, String::new()),
+                };
                 let of_time = self.of_time.unwrap_or(0.0);
                 let in_words = self.of_time.map_or_else(String::new, |of| format!("; the steps leave {of:.0e}"));
                 // What shear has cost is not known as well as what it carries.
@@ -105,9 +118,9 @@ impl Rehearsed {
                     String::new()
                 };
                 let basis = format!(
-                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{rubbed}{in_words}{edge}"
+                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{ranged}{rubbed}{in_words}{edge}"
                 );
-                ErrorEstimate { relative: (of_pixels + of_time).max(of_edge), basis }
+                ErrorEstimate { relative: (parts * of_pixels + of_time).max(of_edge), basis }
             }
             Err(error) => ErrorEstimate {
                 relative: 1.0,
