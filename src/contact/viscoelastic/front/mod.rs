@@ -74,6 +74,8 @@ pub(super) struct Front<'b> {
     pub motion: Motion,
     /// The shortest time the edge stands still [s].
     pub least: f64,
+    /// Part of the motion to which it is told when an edge that obeys a rate law collapses.
+    pub instantly: f64,
     /// Times between which nothing changes much.
     pub instants: Vec<Instant>,
 }

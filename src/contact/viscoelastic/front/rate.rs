@@ -7,26 +7,33 @@ use crate::numerics::{extremum, root};
 impl Front<'_> {
     /// The way of an edge that opens by the rate law, until it stands still: radii and times.
     ///
-    /// Implicit steps, halves and whole extrapolated, as short as the difference of their contact radii asks for.
+    /// Implicit steps, halves and whole extrapolated, as short as the difference of their contact radii asks for, but no shorter
+    /// than tells when an edge that holds nowhere any more has collapsed.
     pub(super) fn path(&self) -> Vec<(f64, f64)> {
         let duration = self.motion.duration;
-        let (shortest, accuracy) = (1e-12 * duration, self.attraction.map_or(0.0, Attraction::accuracy));
+        let (shortest, accuracy) = (self.instantly * duration, self.attraction.map_or(0.0, Attraction::accuracy));
         let longest = duration * self.attraction.map_or(1.0, Attraction::longest);
         let (mut now, mut a, mut step, mut stride) = (0.0, self.edge, longest, 0.0);
         let mut path = vec![(a, 0.0)];
         while now < duration && a > 0.0 {
             let until = if duration - now <= 1.01 * step { duration } else { now + step };
             let half = 0.5 * (now + until);
+            let radius = |place: f64| self.profile.contact_radius(place);
+            let may_be_shorter = until - now > shortest;
+            let shorter = |error: f64| (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
             let whole = self.opened(a, now, until, stride);
+            // An edge that holds nowhere by then has collapsed on the way: when is known as well as it has been left behind.
+            let left = radius(a) / radius(self.edge);
+            if whole <= 0.0 && left > accuracy && may_be_shorter {
+                step = shorter(left);
+                continue;
+            }
             let middle = self.opened(a, now, half, 0.5 * (a - whole));
             let halves = self.opened(middle, half, until, a - middle);
             stride = a - whole;
-            let radius = |place: f64| self.profile.contact_radius(place);
-            // An edge that holds nowhere by then has collapsed on the way: when is known as well as it has been left behind.
-            let apart = if halves > 0.0 { (radius(whole) - radius(halves)).abs() } else { radius(a) };
-            let error = apart / radius(self.edge);
-            if error > accuracy && until - now > shortest {
-                step = (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
+            let error = if halves > 0.0 { (radius(whole) - radius(halves)).abs() / radius(self.edge) } else { left };
+            if error > accuracy && may_be_shorter {
+                step = shorter(error);
                 continue;
             }
             let next = if halves > 0.0 { (2.0 * halves - whole).clamp(0.0, middle) } else { 0.0 };

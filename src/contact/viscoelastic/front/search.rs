@@ -139,6 +139,7 @@ mod tests {
                 feature: f64::INFINITY,
                 motion: Motion { start: 0.0, speed: 1.0, duration: 1.0 },
                 least: 0.0,
+                instantly: 1e-12,
                 instants: instants(&spectrum, 1.0),
             };
             for (way, sign, mut x) in [(Way::Closing, 1.0, 0.4), (Way::Opening, -1.0, 1.1)] {

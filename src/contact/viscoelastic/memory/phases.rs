@@ -15,6 +15,11 @@ const SMOOTH: f64 = 1e-14;
 /// stands still the sooner there is more.
 const PROGRESS: f64 = 1e-4;
 
+/// Part of a motion to which it is told when an edge that obeys a rate law collapses; of the accuracy, where a look asks only
+/// whether it does.
+const INSTANTLY: f64 = 1e-12;
+const SOON: f64 = 1e-2;
+
 /// Phases that get nowhere before the edge stands still for a while.
 const MOST_STALLS: u32 = 256;
 
@@ -142,8 +147,15 @@ impl Memory {
             feature: self.profile.feature().unwrap_or(f64::INFINITY),
             motion: *motion,
             least: least.min(motion.duration),
+            instantly: self.instantly(),
             instants: instants(&self.spectrum, motion.duration),
         }
+    }
+
+    /// Part of a motion to which it is told when an edge that obeys a rate law collapses.
+    fn instantly(&self) -> f64 {
+        let of_look = self.attraction.as_ref().filter(|_| !self.counts).map(|attraction| SOON * attraction.accuracy());
+        of_look.map_or(INSTANTLY, |part| part.max(INSTANTLY))
     }
 
     /// The springs between the edge and the radius `to` at the end of a motion in which they join or leave, each at
