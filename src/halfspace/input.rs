@@ -45,15 +45,16 @@ struct HeightBounds {
 }
 
 impl Input {
-    /// Checks, scales, solves and scales back; heights come row after row.
+    /// Checks, scales, solves and scales back.
     pub(super) fn solve(
         &self,
-        heights: &[f64],
+        heights: &ArrayView2<'_, f64>,
         start: Start<'_>,
         (settings, response): (&Settings, Option<&SurfaceResponse>),
     ) -> Result<Raw, HalfSpaceError> {
         let bytes = self.check(settings)?;
-        let range = self.range(heights)?;
+        let heights = row_after_row(heights);
+        let range = self.range(&heights)?;
         let floats = response.is_none_or(|response| response.compression() <= 0.0);
         let Some(scale) = self.height_scale(range, floats)? else {
             return Ok(self.apart(range.low, bytes));

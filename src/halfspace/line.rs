@@ -3,7 +3,7 @@
 use ndarray::ArrayView1;
 
 use super::grid::Law;
-use super::input::{Input, Raw, row_after_row};
+use super::input::{Input, Raw};
 use super::transform::Size;
 use super::{HalfSpaceError, Prescribed, Settings, Start};
 
@@ -81,7 +81,7 @@ pub fn solve_plane(
     let input = Input { size, pixel: [problem.step; 2], modulus: problem.modulus, law, control: problem.control };
     let row = start.map(|pressure| ArrayView1::from(pressure).insert_axis(ndarray::Axis(0)));
     let heights = problem.heights.insert_axis(ndarray::Axis(0));
-    let raw = input.solve(&row_after_row(&heights), row.map_or(Start::Coarser, Start::Pressure), (settings, None))?;
+    let raw = input.solve(&heights, row.map_or(Start::Coarser, Start::Pressure), (settings, None))?;
     Ok(solution(problem, raw))
 }
 

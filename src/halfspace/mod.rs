@@ -70,7 +70,7 @@ pub use solution::Solution;
 use ndarray::ArrayView2;
 
 use grid::Law;
-use input::{Input, row_after_row};
+use input::Input;
 use transform::Size;
 
 /// What is prescribed.
@@ -177,7 +177,7 @@ fn solved(
         law,
         control: problem.control,
     };
-    let raw = input.solve(&row_after_row(&problem.heights), start, how)?;
+    let raw = input.solve(&problem.heights, start, how)?;
     Ok(Solution::new(problem, raw))
 }
 
