@@ -2,13 +2,12 @@
 
 use ndarray::ArrayView2;
 use rayon::prelude::*;
-use std::borrow::Cow;
 use std::ops::{Range, RangeInclusive};
 
 use super::grid::{Grid, Law};
 use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
-use super::vector::{PIECE, fold, sum};
+use super::vector::{PIECE, fold, row_after_row, sum};
 use super::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
 
 /// Width over height of a pixel.
@@ -239,11 +238,6 @@ impl Input {
         };
         Raw { pressure: zeros(), displacement: zeros(), approach, bytes, ..Raw::default() }
     }
-}
-
-/// Values row after row: as they lie in memory, where they do so.
-pub(super) fn row_after_row<'v>(values: &'v ArrayView2<'_, f64>) -> Cow<'v, [f64]> {
-    values.as_slice().map_or_else(|| values.iter().copied().collect(), Cow::Borrowed)
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), HalfSpaceError> {

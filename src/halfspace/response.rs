@@ -1,11 +1,10 @@
 //! The surface under pressures that are given.
 
 use super::grid::{Grid, Law, Operators, Windows};
-use super::input::row_after_row;
 use super::kernel::Beneath;
 use super::precision::Scratch;
 use super::transform::Size;
-use super::vector::{PIECE, on_pixels};
+use super::vector::{PIECE, on_pixels, row_after_row};
 use super::{Boundary, PressedMap};
 use crate::ground::Ground;
 use ndarray::{Array2, ArrayView2};

@@ -1,7 +1,8 @@
 //! Sums and updates over pixels in fixed pieces: the same bits on any number of threads.
 
-use ndarray::Array2;
+use ndarray::{Array2, ArrayView2};
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// Pixels per piece; part of the result's definition, since it fixes the order of the sums.
 pub(super) const PIECE: usize = 1 << 13;
@@ -45,6 +46,11 @@ pub(super) fn swept<T: Send>(target: &mut [T], change: impl Fn(std::ops::Range<u
     let each = target.par_chunks_mut(PIECE).enumerate();
     let given: Vec<f64> = each.map(|(index, part)| change(index * PIECE..index * PIECE + part.len(), part)).collect();
     given.into_iter().sum()
+}
+
+/// Values row after row: as they lie in memory, where they do so.
+pub(super) fn row_after_row<'v>(values: &'v ArrayView2<'_, f64>) -> Cow<'v, [f64]> {
+    values.as_slice().map_or_else(|| values.iter().copied().collect(), Cow::Borrowed)
 }
 
 /// Values pixel by pixel, row after row, as an array of rows and columns.
