@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::kernel::{Beneath, Influence, KernelTable, Rectangle};
 use super::spectrum::spectrum_of_even;
 use super::transform::{Multiplier, Size, good_length};
-use super::vector::rows_of_piece;
+use super::vector::{rows_mut, rows_of_piece};
 
 /// Windows of the finest grid have sides of as many of these as they need: a contact that grows or shrinks a little keeps
 /// its window, and the maps made for it.
@@ -143,10 +143,8 @@ impl Grid {
         }
         let mut part = vec![0.0; window.size.pixels()];
         let rows = values.par_chunks(self.size.columns).skip(window.row);
-        let together = rows_of_piece(window.size.columns);
-        part.par_chunks_mut(window.size.columns)
+        rows_mut(&mut part, window.size.columns)
             .zip(rows)
-            .with_min_len(together)
             .for_each(|(part, row)| part.copy_from_slice(&row[window.column..window.column + window.size.columns]));
         Cow::Owned(part)
     }
@@ -158,7 +156,7 @@ impl Grid {
             return;
         }
         let columns = window.column..window.column + window.size.columns;
-        let rows = values.par_chunks_mut(self.size.columns).with_min_len(rows_of_piece(self.size.columns));
+        let rows = rows_mut(values, self.size.columns);
         rows.enumerate().for_each(|(row, values)| {
             values.fill(0.0);
             if (window.row..window.row + window.size.rows).contains(&row) {
@@ -311,7 +309,7 @@ fn circulant_table(table: &[f64], period: Size, circulant: Size) -> Vec<f64> {
     let share = |step: usize, period: usize| (period - step) as f64 / period as f64;
     let at = |row: usize, column: usize| table[row * stride + column];
     let mut nearest = vec![0.0; (rows / 2 + 1) * (columns / 2 + 1)];
-    let lines = nearest.par_chunks_mut(columns / 2 + 1).with_min_len(rows_of_piece(columns / 2 + 1));
+    let lines = rows_mut(&mut nearest, columns / 2 + 1);
     lines.enumerate().for_each(|(row, line)| {
         let down = share(row, rows);
         let other = if row == 0 { 0 } else { rows - row };
@@ -331,7 +329,7 @@ fn wave_numbers(grid: &Grid) -> Vec<f64> {
     let step = [unit / (grid.pixel[0] * grid.size.columns as f64), unit / (grid.pixel[1] * grid.size.rows as f64)];
     let quarter = grid.size.rows / 2 + 1;
     let mut waves = vec![0.0; (grid.size.columns / 2 + 1) * quarter];
-    let lines = waves.par_chunks_mut(quarter).with_min_len(rows_of_piece(quarter));
+    let lines = rows_mut(&mut waves, quarter);
     lines.enumerate().for_each(|(column, waves)| {
         let across = column as f64 * step[0];
         waves.iter_mut().enumerate().for_each(|(row, wave)| *wave = across.hypot(row as f64 * step[1]));

@@ -7,7 +7,7 @@ use std::ops::{Range, RangeInclusive};
 use super::grid::{Grid, Law};
 use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
-use super::vector::{PIECE, fold, row_after_row, sum};
+use super::vector::{self, each, fold, row_after_row, sum};
 use super::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
 
 /// Width over height of a pixel.
@@ -58,7 +58,7 @@ impl Input {
         let Some(scale) = self.height_scale(range, floats)? else {
             return Ok(self.apart(range.low, bytes));
         };
-        let scaled = heights.par_iter().with_min_len(PIECE).map(|height| (height - range.low) / scale);
+        let scaled = each(&heights).map(|height| (height - range.low) / scale);
         let heights: Vec<f64> = scaled.collect();
         let pressure_unit = self.modulus * scale / self.unit();
         let origin = self.origin(start, pressure_unit)?;
@@ -106,7 +106,7 @@ impl Input {
 
     fn range(&self, heights: &[f64]) -> Result<HeightBounds, HalfSpaceError> {
         let refused = |height: f64| height.is_nan() || height <= f64::NEG_INFINITY;
-        if let Some(index) = heights.par_iter().with_min_len(PIECE).position_first(|&height| refused(height)) {
+        if let Some(index) = each(heights).position_first(|&height| refused(height)) {
             let (row, column) = (index / self.size.columns, index % self.size.columns);
             return Err(HalfSpaceError::Height { row, column, value: heights[index] });
         }
@@ -201,21 +201,17 @@ impl Input {
         }
         let refused = |value: f64| !value.is_finite() || value < 0.0;
         let pressure = row_after_row(&pressure);
-        if let Some(index) = pressure.par_iter().with_min_len(PIECE).position_first(|&value| refused(value)) {
+        if let Some(index) = each(&pressure).position_first(|&value| refused(value)) {
             let (row, column) = (index / columns, index % columns);
             return Err(HalfSpaceError::StartValue { row, column, value: pressure[index] });
         }
-        let scaled: Vec<f64> = pressure.par_iter().with_min_len(PIECE).map(|value| value / unit).collect();
-        Ok(if scaled.par_iter().with_min_len(PIECE).any(|&value| value > 0.0) {
-            Origin::Pressure(scaled)
-        } else {
-            Origin::Nothing
-        })
+        let scaled: Vec<f64> = each(&pressure).map(|value| value / unit).collect();
+        Ok(if each(&scaled).any(|&value| value > 0.0) { Origin::Pressure(scaled) } else { Origin::Nothing })
     }
 
     fn restore(&self, answer: ScaledSolution, [low, scale]: [f64; 2], pressure_unit: f64) -> Raw {
         let to_si = |mut values: Vec<f64>, unit: f64| {
-            values.par_iter_mut().with_min_len(PIECE).for_each(|value| *value *= unit);
+            vector::scale(&mut values, unit);
             values
         };
         Raw {

@@ -4,11 +4,10 @@ use super::grid::{Grid, Law, Operators, Windows};
 use super::kernel::Beneath;
 use super::precision::Scratch;
 use super::transform::Size;
-use super::vector::{PIECE, on_pixels, row_after_row};
+use super::vector::{self, on_pixels, row_after_row};
 use super::{Boundary, PressedMap};
 use crate::ground::Ground;
 use ndarray::{Array2, ArrayView2};
-use rayon::prelude::*;
 use std::fmt::{self, Debug, Formatter};
 use std::sync::Arc;
 
@@ -142,8 +141,7 @@ impl SurfaceResponse {
         let given = row_after_row(&pressure);
         let mut displacement = vec![0.0; given.len()];
         self.operators.influence.apply(&given, &mut displacement, &mut Scratch::default());
-        let scale = self.unit / modulus;
-        displacement.par_iter_mut().with_min_len(PIECE).for_each(|value| *value *= scale);
+        vector::scale(&mut displacement, self.unit / modulus);
         on_pixels(displacement, pressure.dim())
     }
 }

@@ -9,7 +9,7 @@ use super::face::{Budget, Goal, GridContact, GridSolution};
 use super::grid::{Grid, Law, Operators, Window, Windows};
 use super::kernel::Beneath;
 use super::precision::Scratch;
-use super::vector::{PIECE, fold, total, update};
+use super::vector::{each, fold, scale, total, update};
 use rayon::prelude::*;
 
 /// Relative residual to which a coarser grid is solved before the next finer one starts from it.
@@ -94,12 +94,9 @@ impl Task<'_> {
     fn blank(&self, grid: &Grid) -> Vec<f64> {
         let value = match self.goal(grid) {
             Goal::Approach(_) => 0.0,
-            Goal::Sum(sum) => {
-                sum / grid.heights.par_iter().with_min_len(PIECE).filter(|height| height.is_finite()).count().max(1)
-                    as f64
-            }
+            Goal::Sum(sum) => sum / each(&grid.heights).filter(|height| height.is_finite()).count().max(1) as f64,
         };
-        grid.heights.par_iter().with_min_len(PIECE).map(|height| if height.is_finite() { value } else { 0.0 }).collect()
+        each(&grid.heights).map(|height| if height.is_finite() { value } else { 0.0 }).collect()
     }
 
     /// Pressure of the next coarser grid, itself started likewise; nothing if there is none.
@@ -235,7 +232,7 @@ impl WindowedGrid<'_> {
                 update(&mut part, heights, |p, height| *p = material(1.0, height));
             }
             let factor = wanted / total(&part);
-            part.par_iter_mut().with_min_len(PIECE).for_each(|p| *p *= factor);
+            scale(&mut part, factor);
         }
         part
     }

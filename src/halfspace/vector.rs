@@ -12,6 +12,26 @@ pub(super) fn rows_of_piece(columns: usize) -> usize {
     PIECE.div_ceil(columns.max(1))
 }
 
+/// Values one by one, in pieces that are worth a task of their own.
+pub(super) fn each<T: Sync>(values: &[T]) -> impl IndexedParallelIterator<Item = &T> {
+    values.par_iter().with_min_len(PIECE)
+}
+
+/// The same to be changed.
+pub(super) fn each_mut<T: Send>(values: &mut [T]) -> impl IndexedParallelIterator<Item = &mut T> {
+    values.par_iter_mut().with_min_len(PIECE)
+}
+
+/// Rows of so many columns, as many together as are worth a task of their own.
+pub(super) fn rows_mut<T: Send>(values: &mut [T], columns: usize) -> impl IndexedParallelIterator<Item = &mut [T]> {
+    values.par_chunks_mut(columns).with_min_len(rows_of_piece(columns))
+}
+
+/// All of them `by` times.
+pub(super) fn scale(values: &mut [f64], by: f64) {
+    each_mut(values).for_each(|value| *value *= by);
+}
+
 /// Σ of a quantity over the pieces `range` of 0..length, added in order.
 pub(super) fn sum(length: usize, piece: impl Fn(std::ops::Range<usize>) -> f64 + Sync) -> f64 {
     fold(length, piece, 0.0, |total, part| total + part)

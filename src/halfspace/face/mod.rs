@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::grid::Operators;
 use super::precision::{Precision, Scratch};
-use super::vector::{PIECE, fold, total, update};
+use super::vector::{each, each_mut, fold, total, update};
 
 /// What is prescribed, in the solver's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -150,7 +150,7 @@ impl GridContact<'_> {
         let prescribed_sum = matches!(self.goal, Goal::Sum(_));
         let mut state = Iterate {
             lift: vec![0.0; pixels],
-            contact: pressure.par_iter().with_min_len(PIECE).map(|&p| p > 0.0).collect(),
+            contact: each(pressure).map(|&p| p > 0.0).collect(),
             yields: if self.hardness.is_finite() { vec![false; pixels] } else { Vec::new() },
             unit: 0.0,
             residual: vec![0.0; pixels],
@@ -166,11 +166,9 @@ impl GridContact<'_> {
         self.lift(pressure, &mut state, effort, scratch);
         let approach = self.approach(&state);
         let yields = |index: usize| state.yields.get(index).is_some_and(|&yields| yields);
-        state.contact.par_iter_mut().with_min_len(PIECE).zip(&state.lift).enumerate().for_each(
-            |(index, (contact, lift))| {
-                *contact |= *lift < approach && !yields(index);
-            },
-        );
+        each_mut(&mut state.contact).zip(&state.lift).enumerate().for_each(|(index, (contact, lift))| {
+            *contact |= *lift < approach && !yields(index);
+        });
         self.stiffen(&mut state, scratch);
         state
     }
@@ -221,12 +219,12 @@ impl GridContact<'_> {
     /// Contact from the present pressure and gap: pulling pixels leave it, overlapping ones join. What that cuts off the
     /// pressure goes to the residual.
     fn correct(&self, pressure: &mut [f64], state: &mut Iterate, approach: f64) {
-        state.residual.par_iter_mut().with_min_len(PIECE).for_each(|cut| *cut = 0.0);
+        each_mut(&mut state.residual).for_each(|cut| *cut = 0.0);
         self.correct_yielding(pressure, state, approach);
         let Iterate { contact, residual, lift, threshold, yields, unit, .. } = state;
         let (threshold, unit) = (*threshold, *unit);
-        let each = contact.par_iter_mut().with_min_len(PIECE).zip(pressure.par_iter_mut()).zip(residual.par_iter_mut());
-        each.enumerate().for_each(|(index, ((contact, p), cut))| {
+        let pixels = each_mut(contact).zip(pressure.par_iter_mut()).zip(residual.par_iter_mut());
+        pixels.enumerate().for_each(|(index, ((contact, p), cut))| {
             if !yields.get(index).is_some_and(|&yields| yields) {
                 *contact = if *contact { *p >= 0.0 } else { lift[index] - approach < -threshold };
                 if *p < 0.0 {

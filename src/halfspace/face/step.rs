@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::{Budget, Goal, GridContact, Iterate};
 use crate::halfspace::precision::{Precision, Scratch};
-use crate::halfspace::vector::{PIECE, sum, swept, update};
+use crate::halfspace::vector::{each_mut, scale, sum, swept, update};
 
 impl GridContact<'_> {
     /// Stiffness of the present contact against a uniform displacement.
@@ -15,10 +15,7 @@ impl GridContact<'_> {
             return;
         }
         let ones = &mut state.residual;
-        ones.par_iter_mut()
-            .with_min_len(PIECE)
-            .zip(&state.contact)
-            .for_each(|(one, &contact)| *one = f32::from(u8::from(contact)));
+        each_mut(ones).zip(&state.contact).for_each(|(one, &contact)| *one = f32::from(u8::from(contact)));
         self.operators.stiffness.apply(ones, &mut state.uniform, scratch);
         state.uniform_total = keep_where(&mut state.uniform, &state.contact);
     }
@@ -27,7 +24,7 @@ impl GridContact<'_> {
     pub(super) fn step(&self, pressure: &mut [f64], state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
         let approach = self.approach(state);
         let per_unit = state.unit.recip();
-        let known = state.residual.par_iter_mut().with_min_len(PIECE).zip(&state.lift).zip(&state.contact);
+        let known = each_mut(&mut state.residual).zip(&state.lift).zip(&state.contact);
         known.for_each(|((residual, lift), &contact)| {
             *residual = if contact { f32::nearest(per_unit * (approach - lift)) } else { 0.0 };
         });
@@ -72,7 +69,7 @@ impl GridContact<'_> {
 
     /// Pressure and displacement `by` times.
     pub(super) fn rescale(&self, pressure: &mut [f64], lift: &mut [f64], by: f64) {
-        pressure.par_iter_mut().with_min_len(PIECE).for_each(|p| *p *= by);
+        scale(pressure, by);
         update(lift, self.heights, |lift, height| {
             if height.is_finite() {
                 *lift = height + by * (*lift - height);
