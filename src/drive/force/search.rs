@@ -31,9 +31,13 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
         }
     };
     // A guess, widened until it brackets the root: the force grows with the speed.
-    let still = look(0.0).0;
+    let (still, joined) = look(0.0);
     if still.abs() <= UNSEEN * state.stiffness * depth.abs() {
         return Ok(Some(0.0));
+    }
+    if still > 0.0 && !joined {
+        // At rest they have parted by then.
+        return failed.get().map_or(Ok(None), Err);
     }
     let width = (first_way(&state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
     let Some((inner, width)) = bracket(&mut look, still, width) else { return failed.get().map_or(Ok(None), Err) };
@@ -81,17 +85,17 @@ const MET: f64 = 1e-9;
 /// Two speeds between which the force is met, from zero on and widened from `width` [m/s]; `still` is what it is too
 /// great by at rest [N]. `None` if no speed meets it.
 fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64) -> Option<(f64, f64)> {
-    let mut inner = 0.0;
+    let mut inner = (0.0, still);
     while width.abs() < FASTEST {
         let (residual, joined) = look(width);
-        if residual > 0.0 && !joined && still > 0.0 {
-            // Parted: the pull must be found before, if anywhere.
-            return last_pull(look, inner, width).map(|pull| (inner, pull));
+        if residual >= 0.0 && !joined && still > 0.0 {
+            // Parted, which meets no force too: the pull must be found before, if anywhere.
+            return last_pull(look, inner, width).map(|pull| (inner.0, pull));
         }
         if (residual > 0.0) != (still > 0.0) {
-            return Some((inner, width));
+            return Some((inner.0, width));
         }
-        (inner, width) = (width, 2.0 * width);
+        (inner, width) = ((width, residual), 2.0 * width);
     }
     None
 }
@@ -99,15 +103,21 @@ fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64
 /// Speeds tried between one that keeps the bodies together and one that parts them. Where the pull is stronger than
 /// prescribed for less than this, a shorter piece shows it.
 const TRIES: u32 = 12;
+/// By how much more than on the last step the pull may still grow on another as long.
+const GROWS: f64 = 2.0;
 
 /// A speed between one that keeps the bodies together and one that parts them at which the pull is
-/// stronger than prescribed.
-fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: f64, mut parted: f64) -> Option<f64> {
+/// stronger than prescribed; `held` is such a speed and what the pull lacks there [N].
+///
+/// The nearer to where it gives way, the slower the pull of a contact grows with the way: what it lacks tells that there
+/// is none.
+fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: (f64, f64), mut parted: f64) -> Option<f64> {
     for _ in 0..TRIES {
-        let middle = 0.5 * (held + parted);
+        let middle = 0.5 * (held.0 + parted);
         match look(middle) {
             (residual, true) if residual <= 0.0 => return Some(middle),
-            (_, true) => held = middle,
+            (residual, true) if residual > GROWS * (held.1 - residual) => return None,
+            (residual, true) => held = (middle, residual),
             (_, false) => parted = middle,
         }
     }

@@ -58,6 +58,8 @@ pub(super) struct Front<'b> {
     pub attraction: Option<&'b Attraction>,
     /// The spring at the distance x from the axis, at the edge the one that may go that way.
     pub see: &'b dyn Fn(Way, f64) -> SightedSpring,
+    /// Whether it has been asked for springs that are not known: then what comes out is of no use.
+    pub fails: &'b dyn Fn() -> bool,
     /// The shape of the indenter.
     pub profile: &'b dyn Profile,
     /// Contact radius [m].

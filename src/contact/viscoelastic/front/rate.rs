@@ -15,7 +15,7 @@ impl Front<'_> {
         let longest = duration * self.attraction.map_or(1.0, Attraction::longest);
         let (mut now, mut a, mut step, mut stride) = (0.0, self.edge, longest, 0.0);
         let mut path = vec![(a, 0.0)];
-        while now < duration && a > 0.0 {
+        while now < duration && a > 0.0 && !(self.fails)() {
             let until = if duration - now <= 1.01 * step { duration } else { now + step };
             let half = 0.5 * (now + until);
             let radius = |place: f64| self.profile.contact_radius(place);

@@ -131,6 +131,7 @@ mod tests {
                 spectrum: &spectrum,
                 attraction: None,
                 see: &see,
+                fails: &|| false,
                 profile: &profile,
                 edge: 0.5,
                 limit: 2.0,

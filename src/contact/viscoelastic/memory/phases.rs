@@ -96,8 +96,9 @@ impl Memory {
     /// What happens first in a motion.
     fn next(&self, motion: &Motion, least: f64) -> Result<PhaseStep, BedError> {
         let see = |way: Way, x: f64| self.seen(way, x);
+        let fails = || self.fails();
         let borders = self.borders();
-        let front = self.front(motion, least, &borders, &see);
+        let front = self.front(motion, least, &borders, (&see, &fails));
         let (phase, way) = front.phase();
         let mut ended = None;
         let (duration, change) = match phase {
@@ -130,13 +131,14 @@ impl Memory {
         motion: &Motion,
         least: f64,
         borders: &'b [f64],
-        see: &'b dyn Fn(Way, f64) -> SightedSpring,
+        (see, fails): (&'b dyn Fn(Way, f64) -> SightedSpring, &'b dyn Fn() -> bool),
     ) -> Front<'b> {
         Front {
             spectrum: &self.spectrum,
             attraction: self.attraction.as_ref(),
             profile: self.profile.as_ref(),
             see,
+            fails,
             edge: self.radius(),
             limit: match self.profile.rim() {
                 Rim::None => f64::MAX,
