@@ -39,7 +39,7 @@ pub use drawn::{Drawn, DrawnMoment, DrawnState, SteppedDrawn, Turnover};
 pub use mass::{Happening, Mass, MassMoment, MassState};
 pub use rated::{RatedMass, RatedState};
 pub use stability::{Carried, Threshold, threshold};
-pub use stepped::SteppedMachine;
+pub use stepped::{Creeping, SteppedMachine};
 
 use crate::contact::error::ContactError;
 use crate::contact::model::ContactModel;
@@ -101,6 +101,11 @@ pub trait MovedMass {
     /// # Errors
     /// The contact cannot follow.
     fn contact(&mut self) -> Result<&dyn ContactModel, ContactError>;
+
+    /// Time [s] from which on it only creeps, if that is told.
+    fn creeps_since(&self) -> Option<f64> {
+        None
+    }
 
     /// One step towards the time `until` [s]; what happens at its end, before which nothing does.
     ///
@@ -224,6 +229,8 @@ pub enum MachineError {
     },
 }
 
+#[cfg(test)]
+mod creeping_tests;
 #[cfg(test)]
 mod rated_tests;
 #[cfg(test)]

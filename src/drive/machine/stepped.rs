@@ -4,7 +4,7 @@ use super::mass::{Happening, MassMoment, MassState};
 use super::{Held, MachineError, MovedMass, Suspension};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
-use crate::drive::force::{ahead, depth_of};
+use crate::drive::force::{ForceDrive, Ramp, ahead, depth_of};
 use crate::numerics::extrapolation::Stepper;
 
 /// A mass that drives any contact in straight pieces of its depth, in flight on the parabola of its fall.
@@ -12,7 +12,8 @@ use crate::numerics::extrapolation::Stepper;
 /// In a step of the duration h the depth goes straight, with the mean w of the speeds at both ends:
 /// m(v₁ − v₀) = ∫(W − k(d − D) − cw − F)dt, that of the contact along the piece by Simpson's rule. Times w it is the balance
 /// of energies, to the error of that rule however long the steps; of second order in h. Steps begin short where the bodies
-/// touch, part or the mass turns.
+/// touch, part or the mass turns. A mass that falls on bodies that remember comes to creep, if they are asked about
+/// ([`until_it_creeps`](Self::until_it_creeps)): its inertia is next to nothing then, and what it weighs leads the depth.
 pub struct SteppedMachine<'c> {
     contact: &'c mut dyn ContactModel,
     suspension: Suspension,
@@ -24,7 +25,26 @@ pub struct SteppedMachine<'c> {
     /// Acceleration in the last step [m/s²].
     pace: f64,
     steps: usize,
+    /// Steps in which the inertia was next to nothing.
+    idle: usize,
+    /// Error of the force on a mass that creeps, relative to the forces in balance, if its weight is to lead it.
+    creep: Option<f64>,
+    creeping: Option<Creeping>,
 }
+
+/// A mass that creeps: what it weighs leads the depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Creeping {
+    /// Time from which on it does [s].
+    pub since: f64,
+    /// The inertia then, as a part of the forces in balance: it is left out.
+    pub inertia: f64,
+}
+
+/// Inertia, as a part of the forces in balance, that is next to nothing, and for how many steps it must have been so: more
+/// than a swing has in a half of it.
+const IDLE: f64 = 1e-3;
+const IDLE_STEPS: usize = 256;
 
 /// First step, relative to the longest.
 const FIRST: f64 = 1e-3;
@@ -51,7 +71,35 @@ impl<'c> SteppedMachine<'c> {
         (depth, longest): (f64, f64),
     ) -> Self {
         let state = MassState { depth, ..MassState::default() };
-        Self { contact, suspension, held, longest, state, since: 0.0, pace: 0.0, steps: 0 }
+        Self {
+            contact,
+            suspension,
+            held,
+            longest,
+            state,
+            since: 0.0,
+            pace: 0.0,
+            steps: 0,
+            idle: 0,
+            creep: None,
+            creeping: None,
+        }
+    }
+
+    /// The same; once its inertia is next to nothing its weight alone leads the depth, of a mass that neither a spring nor a
+    /// damper holds: it is borne to `accuracy`, relative to the forces in balance.
+    #[must_use]
+    pub fn until_it_creeps(self, accuracy: f64) -> Self {
+        let Suspension { stiffness, damping, .. } = self.suspension;
+        let free = stiffness <= 0.0 && damping <= 0.0 && self.held.push > 0.0;
+        let creep = (free && self.contact.memory().is_some()).then_some(accuracy);
+        Self { creep, ..self }
+    }
+
+    /// Since when the mass creeps, if it does.
+    #[must_use]
+    pub fn creeping(&self) -> Option<Creeping> {
+        self.creeping
     }
 }
 
@@ -64,7 +112,14 @@ impl MovedMass for SteppedMachine<'_> {
         Ok(&*self.contact)
     }
 
+    fn creeps_since(&self) -> Option<f64> {
+        self.creeping.map(|creeping| creeping.since)
+    }
+
     fn step(&mut self, until: f64) -> Result<Option<MassMoment>, MachineError> {
+        if let (Some(accuracy), Some(_)) = (self.creep, self.creeping) {
+            return self.creep(until, accuracy).map(|()| None);
+        }
         self.steps += 1;
         if self.steps > MOST_STEPS {
             return Err(MachineError::TooManyTurns { most: MOST_STEPS, time: self.state.time });
@@ -140,6 +195,46 @@ impl SteppedMachine<'_> {
         };
         self.since += step;
         self.pace = 2.0 * (mean - speed) / step;
+        self.rests()
+    }
+
+    /// Whether the mass has come to creep: for as long as a swing takes its inertia has been next to nothing beside what
+    /// carries it.
+    fn rests(&mut self) -> Result<(), MachineError> {
+        if self.creep.is_none() {
+            return Ok(());
+        }
+        let carried = self.carried()?;
+        let inertia = self.suspension.mass * self.pace.abs() / carried;
+        self.idle = if inertia <= IDLE && self.contact.joined() { self.idle + 1 } else { 0 };
+        self.creeping = (self.idle >= IDLE_STEPS).then_some(Creeping { since: self.state.time, inertia });
+        Ok(())
+    }
+
+    /// The forces in balance on the mass [N]: its weight, or what the contact bears at rest.
+    fn carried(&mut self) -> Result<f64, MachineError> {
+        let instant = self.contact.memory().map_or(0.0, |spectrum| spectrum.instant());
+        let rest = ahead(self.contact, 0.0, instant);
+        Ok(self.contact.look(&rest)?.force.abs().max(self.held.push))
+    }
+
+    /// Creeps under its weight to the time `until` [s].
+    fn creep(&mut self, until: f64, accuracy: f64) -> Result<(), MachineError> {
+        let begin = self.state.time;
+        let (push, scale) = (self.held.push, self.carried()?);
+        let stiffness = scale / self.state.depth.abs().max(f64::MIN_POSITIVE);
+        let ramp = Ramp { from: push, rate: 0.0, accuracy, scale, stiffness };
+        let mut drive = ForceDrive::new(ramp, until - begin, None, false);
+        let mut now = 0.0;
+        while let Some(piece) = drive.next(self.contact)? {
+            self.contact.follow(&ahead(self.contact, piece.speed, piece.until - now))?;
+            (now, self.state.speed) = (piece.until, piece.speed);
+        }
+        if let Some(met) = drive.met(self.contact, now)? {
+            self.contact.follow(&met)?;
+            self.state.speed = met.speed;
+        }
+        (self.state.time, self.state.depth) = (until, depth_of(self.contact));
         Ok(())
     }
 

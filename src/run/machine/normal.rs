@@ -65,8 +65,8 @@ impl Motion<'_> {
     /// Follows the mass, and tells of it.
     pub(super) fn told(mut self, mass: &mut dyn MovedMass) -> Result<Moved, SimulationError> {
         self.begins(mass)?;
-        let lies = self.follow(mass)?;
-        let mut results = self.results(lies);
+        let rest = self.follow(mass)?;
+        let mut results = self.results(rest);
         let stiffness = self.suspension.stiffness + self.before.normal.stiffness;
         // An adhesive edge moves along, and makes the contact softer than it is at a given edge.
         let plain = self.before.normal.stored.surface.abs() <= 0.0;
@@ -143,8 +143,8 @@ impl<'r> Motion<'r> {
         Ok(())
     }
 
-    /// Moves to the end of the entry, or to where the mass lies, and says whether it does.
-    fn follow(&mut self, mass: &mut dyn MovedMass) -> Result<bool, SimulationError> {
+    /// Moves to the end of the entry, or to where the mass lies, and says from which time [s] of the entry on it does or creeps.
+    fn follow(&mut self, mass: &mut dyn MovedMass) -> Result<Option<f64>, SimulationError> {
         let fault = failed(self.entry.entry);
         for k in 1..=self.entry.records {
             let until = self.entry.over * k as f64 / self.entry.records as f64;
@@ -156,13 +156,13 @@ impl<'r> Motion<'r> {
                     self.push(normal, moment.state);
                 }
                 if self.lies() {
-                    return Ok(true);
+                    return Ok(Some(moment.state.time));
                 }
             }
             let normal = self.normal(mass)?;
             self.push(normal, mass.state());
         }
-        Ok(false)
+        Ok(mass.creeps_since())
     }
 
     fn normal(&self, mass: &mut dyn MovedMass) -> Result<Normal, SimulationError> {
@@ -219,13 +219,13 @@ impl<'r> Motion<'r> {
         self.records.push(Record { entry, time, normal, machine: Some(machine), ..*self.before });
     }
 
-    fn results(&self, lies: bool) -> Vec<Named> {
+    fn results(&self, rest: Option<f64>) -> Vec<Named> {
         match self.entry.motion {
             MachineMotion::Ring { .. } => swing(&self.moments, self.held.depth),
             MachineMotion::Fall { .. } => {
-                let rest = self.records.last().filter(|_| lies);
-                let mut results = vec![Named::count("bounces", self.bounces.len()), Named::answer("lies", lies)];
-                results.extend(rest.map(|record| Named::number("rest_time", Unit::SECOND, record.time)));
+                let mut results =
+                    vec![Named::count("bounces", self.bounces.len()), Named::answer("lies", rest.is_some())];
+                results.extend(rest.map(|time| Named::number("rest_time", Unit::SECOND, self.begin + time)));
                 results
             }
             MachineMotion::Drive { .. } => Vec::new(),
