@@ -157,10 +157,11 @@ proptest! {
         prop_assert!(out.abs() < bound && down.abs() < bound, "{out:e} {down:e} {bound:e}");
     }
 
-    /// Close to the surface σ_zz is minus the pressure and τ minus the drag; outside the contact both vanish.
+    /// Close to the surface σ_zz is minus the pressure and τ minus the drag; outside the contact both vanish. Away from the edges.
     #[test]
-    fn the_surface_carries_the_pressure(shape in 0usize..8, across in 2i32..180, drag in 0i32..5) {
-        prop_assume!(!(56..65).contains(&across) && !(95..106).contains(&across));
+    fn the_surface_carries_the_pressure(
+        shape in 0usize..8, across in prop_oneof![2i32..56, 65i32..95, 106i32..180], drag in 0i32..5,
+    ) {
         let (r, drag) = (0.01 * f64::from(across), 0.1 * f64::from(drag));
         let loaded = loaded(shapes()[shape].clone(), -0.03);
         let stress = loaded.field(0.3).dragged(drag).at(r, 0.0);

@@ -163,6 +163,11 @@ impl ForceDrive {
         self.now
     }
 
+    /// Errors are measured against the force `scale` [N] from now on.
+    pub fn measure_against(&mut self, scale: f64) {
+        self.ramp.scale = scale;
+    }
+
     /// The force prescribed at the time `t` [s].
     #[must_use]
     pub fn prescribed(&self, t: f64) -> f64 {

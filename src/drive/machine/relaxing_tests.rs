@@ -35,13 +35,15 @@ fn changes(mass: &mut dyn DrawnMass, until: f64) -> Vec<DrawnMoment> {
     std::iter::from_fn(|| mass.step(until).unwrap()).collect()
 }
 
-/// How far what is there at the end is from what has been put in, as a part of it.
+/// How far what is there at the end is from what has been put in, as a part of it, or of what the spring holds as it is drawn by a
+/// thousandth of the depth, where nothing moves.
 fn open(mass: &SteppedDrawn, begin: f64) -> f64 {
     let (state, tangential) = (mass.state(), mass.tangential());
     let spring = 0.5 * mass.suspension().stiffness * state.extension * state.extension;
     let kept = mass.suspension().kinetic(state.speed) + spring + tangential.stored.unwrap();
     let lost = state.damped + tangential.dissipated.unwrap() + mass.relaxed();
-    (kept + lost - begin - state.work).abs() / state.work.abs().max(kept)
+    let least = 0.5 * mass.suspension().stiffness * 1e-6;
+    (kept + lost - begin - state.work).abs() / state.work.abs().max(kept).max(least)
 }
 
 /// Without terms it is the memory of turning points: times and forces of slips to a cell in 400, as bound in the friction of

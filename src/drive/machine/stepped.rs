@@ -4,7 +4,7 @@ use super::mass::{Happening, MassMoment, MassState};
 use super::{Held, MachineError, MovedMass, Suspension};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
-use crate::drive::force::{ForceDrive, Ramp, ahead, depth_of};
+use crate::drive::force::{ForceDrive, Ramp, Stretch, ahead, depth_of};
 use crate::numerics::extrapolation::Stepper;
 
 /// A mass that drives any contact in straight pieces of its depth, in flight on the parabola of its fall.
@@ -27,9 +27,10 @@ pub struct SteppedMachine<'c> {
     steps: usize,
     /// Steps in which the inertia was next to nothing.
     idle: usize,
-    /// Error of the force on a mass that creeps, relative to the forces in balance, if its weight is to lead it.
-    creep: Option<f64>,
-    creeping: Option<Creeping>,
+    /// Error of the force on a mass that creeps, relative to the forces in balance, and the end of its motion [s], if its weight is to
+    /// lead it.
+    creep: Option<(f64, f64)>,
+    creeping: Option<CreepingMass>,
 }
 
 /// A mass that creeps: what it weighs leads the depth.
@@ -39,6 +40,14 @@ pub struct Creeping {
     pub since: f64,
     /// The inertia then, as a part of the forces in balance: it is left out.
     pub inertia: f64,
+}
+
+/// A mass that creeps, on its way.
+struct CreepingMass {
+    told: Creeping,
+    drive: ForceDrive,
+    /// What is left of a piece in which a record lies.
+    piece: Option<Stretch>,
 }
 
 /// Inertia, as a part of the forces in balance, that is next to nothing, and for how many steps it must have been so: more
@@ -87,19 +96,19 @@ impl<'c> SteppedMachine<'c> {
     }
 
     /// The same; once its inertia is next to nothing its weight alone leads the depth, of a mass that neither a spring nor a
-    /// damper holds: it is borne to `accuracy`, relative to the forces in balance.
+    /// damper holds: it is borne to `accuracy`, relative to the forces in balance, up to the time `end` [s].
     #[must_use]
-    pub fn until_it_creeps(self, accuracy: f64) -> Self {
+    pub fn until_it_creeps(self, accuracy: f64, end: f64) -> Self {
         let Suspension { stiffness, damping, .. } = self.suspension;
         let free = stiffness <= 0.0 && damping <= 0.0 && self.held.push > 0.0;
-        let creep = (free && self.contact.memory().is_some()).then_some(accuracy);
+        let creep = (free && self.contact.memory().is_some()).then_some((accuracy, end));
         Self { creep, ..self }
     }
 
     /// Since when the mass creeps, if it does.
     #[must_use]
     pub fn creeping(&self) -> Option<Creeping> {
-        self.creeping
+        self.creeping.as_ref().map(|creeping| creeping.told)
     }
 }
 
@@ -113,12 +122,12 @@ impl MovedMass for SteppedMachine<'_> {
     }
 
     fn creeps_since(&self) -> Option<f64> {
-        self.creeping.map(|creeping| creeping.since)
+        self.creeping().map(|creeping| creeping.since)
     }
 
     fn step(&mut self, until: f64) -> Result<Option<MassMoment>, MachineError> {
-        if let (Some(accuracy), Some(_)) = (self.creep, self.creeping) {
-            return self.creep(until, accuracy).map(|()| None);
+        if let Some(creeping) = self.creeping.take() {
+            return self.creep(creeping, until).map(|()| None);
         }
         self.steps += 1;
         if self.steps > MOST_STEPS {
@@ -201,13 +210,17 @@ impl SteppedMachine<'_> {
     /// Whether the mass has come to creep: for as long as a swing takes its inertia has been next to nothing beside what
     /// carries it.
     fn rests(&mut self) -> Result<(), MachineError> {
-        if self.creep.is_none() {
-            return Ok(());
-        }
+        let Some((accuracy, end)) = self.creep else { return Ok(()) };
         let carried = self.carried()?;
         let inertia = self.suspension.mass * self.pace.abs() / carried;
         self.idle = if inertia <= IDLE && self.contact.joined() { self.idle + 1 } else { 0 };
-        self.creeping = (self.idle >= IDLE_STEPS).then_some(Creeping { since: self.state.time, inertia });
+        if self.idle >= IDLE_STEPS {
+            let MassState { time: since, depth, .. } = self.state;
+            let (from, stiffness) = (self.held.push, carried / depth.abs().max(f64::MIN_POSITIVE));
+            let ramp = Ramp { from, rate: 0.0, accuracy, scale: carried, stiffness };
+            let drive = ForceDrive::new(ramp, end - since, None, false);
+            self.creeping = Some(CreepingMass { told: Creeping { since, inertia }, drive, piece: None });
+        }
         Ok(())
     }
 
@@ -219,22 +232,24 @@ impl SteppedMachine<'_> {
     }
 
     /// Creeps under its weight to the time `until` [s].
-    fn creep(&mut self, until: f64, accuracy: f64) -> Result<(), MachineError> {
-        let begin = self.state.time;
-        let (push, scale) = (self.held.push, self.carried()?);
-        let stiffness = scale / self.state.depth.abs().max(f64::MIN_POSITIVE);
-        let ramp = Ramp { from: push, rate: 0.0, accuracy, scale, stiffness };
-        let mut drive = ForceDrive::new(ramp, until - begin, None, false);
-        let mut now = 0.0;
-        while let Some(piece) = drive.next(self.contact)? {
-            self.contact.follow(&ahead(self.contact, piece.speed, piece.until - now))?;
-            (now, self.state.speed) = (piece.until, piece.speed);
+    fn creep(&mut self, mut creeping: CreepingMass, until: f64) -> Result<(), MachineError> {
+        creeping.drive.measure_against(self.carried()?);
+        let (begin, mut now) = (creeping.told.since, self.state.time);
+        while now < until {
+            let piece =
+                creeping.piece.take().map_or_else(|| creeping.drive.next(self.contact), |piece| Ok(Some(piece)))?;
+            let Some(piece) = piece else { break };
+            let end = (begin + piece.until).min(until);
+            self.contact.follow(&ahead(self.contact, piece.speed, end - now))?;
+            creeping.piece = (begin + piece.until > until).then_some(piece);
+            (now, self.state.speed) = (end, piece.speed);
         }
-        if let Some(met) = drive.met(self.contact, now)? {
+        if let Some(met) = creeping.drive.met(self.contact, now - begin)? {
             self.contact.follow(&met)?;
             self.state.speed = met.speed;
         }
         (self.state.time, self.state.depth) = (until, depth_of(self.contact));
+        self.creeping = Some(creeping);
         Ok(())
     }
 

@@ -88,7 +88,7 @@ fn led(
     contact.follow(&jump).map_err(|source| failed(motion.entry.entry)(source.into()))?;
     let (suspension, held) = (motion.suspension, motion.held);
     let mass = SteppedMachine::new(contact, suspension, held, (motion.from, longest));
-    let mut mass = if motion.fall > 0.0 { mass.until_it_creeps(accuracy) } else { mass };
+    let mut mass = if motion.fall > 0.0 { mass.until_it_creeps(accuracy, motion.entry.over) } else { mass };
     let moved = motion.clone().told(&mut mass)?;
     Ok((moved, mass.creeping()))
 }
