@@ -15,8 +15,9 @@ pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String>
     if let Some(why) = regained(whole, exact * energy, counts) {
         return Some(why);
     }
-    let (first, last) = (whole.records.first()?, whole.records.last()?);
-    let [every, second] = [1, 2].map(|step| put_in(whole, step));
+    let led = led(&whole.records);
+    let (first, last) = (led.first()?, led.last()?);
+    let [every, second] = [1, 2].map(|step| put_in(led, step));
     let off = (every - accounted(last) + accounted(first)).abs();
     // Of a force that changes between two records nobody knows the work: then every second record tells another.
     let bound = (TRAPEZOIDS + exact) * energy + (every - second).abs();
@@ -55,10 +56,18 @@ fn accounted(record: &Record) -> f64 {
     record.normal.stored.stored() + record.normal.dissipated + rubbed
 }
 
+/// The records from which on the depth is led: a table may begin in contact, to which the bodies come at once.
+fn led(records: &[Record]) -> &[Record] {
+    let Some(first) = records.first() else { return records };
+    let begin = records.partition_point(|record| record.time <= first.time).saturating_sub(1);
+    let came = |record: &Record| record.normal.indentation != first.normal.indentation;
+    if records.get(begin).is_some_and(came) { &records[begin..] } else { records }
+}
+
 /// Work [J] by the trapezoidal rule over every `step`-th record, and the last.
-fn put_in(whole: &Outcome, step: usize) -> f64 {
-    let last = whole.records.len().saturating_sub(1);
-    let taken: Vec<&Record> = (0..last).step_by(step).chain([last]).filter_map(|k| whole.records.get(k)).collect();
+fn put_in(records: &[Record], step: usize) -> f64 {
+    let last = records.len().saturating_sub(1);
+    let taken: Vec<&Record> = (0..last).step_by(step).chain([last]).filter_map(|k| records.get(k)).collect();
     taken.windows(2).map(|pair| work(pair[0], pair[1])).sum()
 }
 

@@ -190,9 +190,11 @@ impl Cell {
 /// Cut at a part of its ways, as a table, with its bodies swapped, with another name for its attraction: it may end
 /// `exact` apart.
 fn same_ways(whole: &Outcome, written: &Written, (part, exact): (f64, f64)) -> Vec<Kept> {
-    let cut = written.cut(part);
+    // A pad is led from where its highest part just touches.
+    let begin = whole.records.first().and_then(|record| record.normal.indentation).unwrap_or(0.0);
+    let cut = written.cut(part, begin);
     let cut = (cut.history != written.history).then_some((Law::Cut, cut));
-    let table = written.in_rows().map(|table| (Law::Table, table));
+    let table = written.in_rows(begin).map(|table| (Law::Table, table));
     let bridge = written.as_maugis().map(|bridge| (Law::Bridge, bridge));
     let ways = [cut, table, Some((Law::Swap, written.swapped())), bridge].into_iter().flatten();
     ways.filter(|(_, other)| other.plan().is_ok())

@@ -143,9 +143,9 @@ impl Written {
         InMemory::default().with("rows.csv", if self.friction.is_empty() { &columns[..2] } else { &columns[..] })
     }
 
-    /// The same scene with every straight way cut in two, at the part `part` of its time.
-    pub(super) fn cut(&self, part: f64) -> Self {
-        let mut at = [("Indent", 0.0), ("Press", 0.0), ("Slide", 0.0)];
+    /// The same scene with every straight way cut in two, at the part `part` of its time; the first depth leads on from `begin` [m].
+    pub(super) fn cut(&self, part: f64, begin: f64) -> Self {
+        let mut at = [("Indent", begin), ("Press", 0.0), ("Slide", 0.0)];
         let mut legs = Vec::new();
         for leg in &self.history {
             match leg {
@@ -195,9 +195,9 @@ impl Written {
         Self { bodies: [other, one], ..self.clone() }
     }
 
-    /// The same depths as a table; `None` where they are not all prescribed.
-    pub(super) fn in_rows(&self) -> Option<Self> {
-        let mut rows = vec![[0.0; 3]];
+    /// The same depths as a table, from `begin` [m] on; `None` where they are not all prescribed.
+    pub(super) fn in_rows(&self, begin: f64) -> Option<Self> {
+        let mut rows = vec![[0.0, begin, 0.0]];
         for leg in &self.history {
             let [time, depth, slide] = *rows.last()?;
             rows.push(match *leg {

@@ -134,8 +134,8 @@ impl Pad {
     fn pulled(&mut self, force: f64) -> Vec<Event> {
         let path = self.path();
         let end = path.end().min(self.depth);
-        let adheres = self.bed.hold().leaves > 0.0;
-        let turn = path.least_below(self.depth).unwrap_or(if adheres { self.depth } else { end });
+        // What holds so little that it never pulls goes to its end.
+        let turn = path.least_below(self.depth).unwrap_or(if path.gives_way(self.depth) { self.depth } else { end });
         if path.force(turn) <= force {
             self.to(path.between((turn, self.depth), force));
             return Vec::new();

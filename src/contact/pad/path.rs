@@ -77,6 +77,11 @@ impl Path {
         turns.then(|| root::within(|d| self.slope(d), last, below))
     }
 
+    /// Whether on the way out from the depth `depth` [m] the pull is less at once: it has been at its greatest.
+    pub(super) fn gives_way(&self, depth: f64) -> bool {
+        self.hold.leaves > 0.0 && self.slope(depth - self.width()) <= 0.0
+    }
+
     /// The depth [m] from which on the force grows on the way in, between these depths: `low` if it grows at once.
     pub(super) fn grows_from(&self, low: f64, high: f64) -> f64 {
         if self.slope(low) >= 0.0 { low } else { root::within(|d| self.slope(d), low, high) }

@@ -116,8 +116,9 @@ proptest! {
 
     /// A force finds the depth that carries it, and what it does is stored or lost.
     #[test]
-    fn a_force_finds_its_depth(kind in 0i32..2, work in 0i32..9, load in 1i32..40, back in -5i32..30) {
-        let work = 0.25 * f64::from(work);
+    fn a_force_finds_its_depth(kind in 0i32..2, work in 0i32..12, load in 1i32..40, back in -5i32..30) {
+        // What hardly adheres never pulls.
+        let work = [0.0, 1e-8, 1e-5, 1e-2].get(usize::try_from(work).unwrap()).copied().unwrap_or(0.25 * f64::from(work - 3));
         let bed = if kind == 0 { springs(1.0, (work, 0.5 * work)) } else { summits(1.0, work) };
         let mut pad = Pad::new(bed);
         let (load, back) = (0.1 * f64::from(load), 0.05 * f64::from(back));

@@ -200,6 +200,10 @@ impl<'r> Motion<'r> {
     }
 
     fn push(&mut self, normal: Normal, state: MassState) {
+        // In flight the depth is that of the mass.
+        let apart = normal.contact_radius.is_none_or(|radius| radius <= 0.0);
+        let indentation = if apart { Some(state.depth) } else { normal.indentation };
+        let normal = Normal { indentation, ..normal };
         let (kinetic, spring, weight) = self.energies(&state);
         let spring_force = self.suspension.push(self.held, state.depth);
         let work = self.initial + weight;
