@@ -8,7 +8,6 @@ use crate::drive::impact::{Projectile, StruckHalfSpace};
 use crate::drive::machine::{Creeping, SteppedMachine, Suspension};
 use crate::material::Relaxation;
 use crate::run::follow::Run;
-use crate::run::record::Record;
 use crate::run::{SimulationError, error};
 use crate::scene::law::MachineLaw;
 use crate::scene::plan::RoundPlan;
@@ -50,21 +49,29 @@ pub(super) fn run(
         let mut contact = start.copy();
         led(contact.as_mut(), &motion, (longest, CREEPS * (longest / first).powi(2)))
     };
-    let (mut coarse, _) = led_by(longest)?;
+    let (mut coarse, mut crept) = led_by(longest)?;
     let mut done = 0;
     loop {
         longest *= 0.5;
         let (mut fine, creeping) = led_by(longest)?;
         done += 1;
-        // In flight the records of a ball that bounces tell nothing.
-        let joined = |record: &Record| record.normal.contact_radius.is_some_and(|radius| radius > 0.0);
-        let told: Vec<Record> = fine.records.iter().copied().filter(|record| !law.falls() || joined(record)).collect();
-        let error = apart(&coarse, &fine).max(error::apart(&coarse.records, &told));
+        // Where a blow falls between two records these tell nothing of a ball that bounces, up to where it only creeps.
+        let from = match (crept, creeping) {
+            _ if !law.falls() => 0,
+            (Some(one), Some(other)) => {
+                let begin = last.time + one.since.max(other.since);
+                fine.records.partition_point(|record| record.time < begin)
+            }
+            _ => fine.records.len(),
+        };
+        let records = error::apart(&coarse.records, &fine.records[from..]);
+        let error = apart(&coarse, &fine).max(records);
         if done >= most || error <= plan.accuracy() {
             let left_out = creeping.map_or(0.0, |creeping| creeping.inertia);
             fine.error = Some((error.max(left_out), TWICE_AS_LONG));
             return Ok(fine);
         }
+        crept = creeping;
         coarse = fine;
     }
 }
