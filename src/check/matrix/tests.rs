@@ -50,6 +50,16 @@ fn the_laws_hold_across_the_matrix() {
     assert!(broken.is_empty(), "{broken:#?}");
 }
 
+/// A mass that falls on a wavy body that remembers, in steps so short that its last way to the surface is one of rounding.
+#[test]
+fn a_fall_on_a_wavy_body_that_remembers_ends() {
+    let parts = "shape: WavyParaboloid(radius: 2e-2, amplitude: 1e-8, wavelength: 1e-4), bodies: (Viscoelastic(poisson: 0.5, \
+                 shear: (equilibrium: 3e5, terms: [(modulus: 5e5, time: 1e-1), (modulus: 2e5, time: 3e0)])), Rigid), \
+                 machine: (mass: 1e-4), accuracy: 1e-6";
+    let last = last(parts, "Fall(height: 1e-4, over: 2e-2)", &[]);
+    assert!(last.normal.indentation.unwrap() < -9e-5, "{last:?}");
+}
+
 /// The last record of a scene with the history `history`; `rows` of time and depth are its table.
 fn last(parts: &str, history: &str, rows: &[[f64; 2]]) -> Record {
     let column = |k: usize| rows.iter().map(|row| row[k]).collect::<Vec<_>>();

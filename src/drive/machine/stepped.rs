@@ -155,10 +155,17 @@ impl SteppedMachine<'_> {
         let (low, high) = self.change(mean, step, joined)?;
         let mean = if low > 0.0 { self.mean_speed(low)? } else { mean };
         self.go(mean, low, None)?;
-        // Over the last bit, in which nothing acts.
-        let bit = high - low;
-        self.contact.follow(&ahead(self.contact, mean, bit))?;
-        (self.state.time, self.state.depth) = (self.state.time + bit, depth_of(self.contact));
+        // Over the last bit, in which nothing acts; bodies that by rounding do not touch yet where a look at them did go on.
+        let (mut bit, mut left) = (high - low, step - low);
+        loop {
+            self.contact.follow(&ahead(self.contact, mean, bit))?;
+            (self.state.time, self.state.depth) = (self.state.time + bit, depth_of(self.contact));
+            left -= bit;
+            if joined || self.contact.joined() || left <= 0.0 {
+                break;
+            }
+            bit *= 2.0;
+        }
         // The way differs a little from the one that was looked at.
         if joined && self.contact.joined() {
             self.contact.leave();
