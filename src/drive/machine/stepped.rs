@@ -161,7 +161,7 @@ impl SteppedMachine<'_> {
             self.contact.follow(&ahead(self.contact, mean, bit))?;
             (self.state.time, self.state.depth) = (self.state.time + bit, depth_of(self.contact));
             left -= bit;
-            if joined || self.contact.joined() || left <= 0.0 {
+            if joined || self.contact.joined() || left <= 0.0 || bit <= 0.0 {
                 break;
             }
             bit *= 2.0;
