@@ -27,6 +27,8 @@ pub struct SteppedMachine<'c> {
     steps: usize,
     /// Steps in which the inertia was next to nothing.
     idle: usize,
+    /// The largest of it in the second half of these, as a part of the forces in balance: a swing has its most there too.
+    left_out: f64,
     /// Error of the force on a mass that creeps, relative to the forces in balance, and the end of its motion [s], if its weight is to
     /// lead it.
     creep: Option<(f64, f64)>,
@@ -38,7 +40,7 @@ pub struct SteppedMachine<'c> {
 pub struct Creeping {
     /// Time from which on it does [s].
     pub since: f64,
-    /// The inertia then, as a part of the forces in balance: it is left out.
+    /// The inertia just before, at its most, as a part of the forces in balance: it is left out.
     pub inertia: f64,
 }
 
@@ -90,6 +92,7 @@ impl<'c> SteppedMachine<'c> {
             pace: 0.0,
             steps: 0,
             idle: 0,
+            left_out: 0.0,
             creep: None,
             creeping: None,
         }
@@ -221,7 +224,9 @@ impl SteppedMachine<'_> {
         let carried = self.carried()?;
         let inertia = self.suspension.mass * self.pace.abs() / carried;
         self.idle = if inertia <= IDLE && self.contact.joined() { self.idle + 1 } else { 0 };
+        self.left_out = if self.idle > IDLE_STEPS / 2 { self.left_out.max(inertia) } else { 0.0 };
         if self.idle >= IDLE_STEPS {
+            let inertia = self.left_out;
             let MassState { time: since, depth, .. } = self.state;
             let (from, stiffness) = (self.held.push, carried / depth.abs().max(f64::MIN_POSITIVE));
             let ramp = Ramp { from, rate: 0.0, accuracy, scale: carried, stiffness };
