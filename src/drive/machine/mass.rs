@@ -68,6 +68,10 @@ const TOLERANCE: f64 = 1e-13;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Most turns of a mass.
 pub const MOST_TURNS: usize = 200_000;
+/// Part of the energy of a mass that touches which the contact takes over its first step, times that; and the shortest way
+/// of the longest to which that is looked for.
+const TAKEN: f64 = 0.125;
+const SHORTEST: f64 = f64::EPSILON;
 /// Growth of the first step of a contact over that of the one before.
 const BOLDER: f64 = 4.0;
 
@@ -111,7 +115,11 @@ impl<'c> Mass<'c> {
         let touching = depth > 0.0;
         let forces = Forces { contact, suspension, held, touching, failed: None };
         let state = MassState { depth, speed, ..MassState::default() };
-        let stepper = Stepper::new(TOLERANCE);
+        let mut stepper = Stepper::new(TOLERANCE);
+        if touching {
+            let stiffness = suspension.stiffness + forces.contact.state().stiffness;
+            stepper.restart((suspension.mass / stiffness).sqrt());
+        }
         Self { forces, state, touching, stepper, first: f64::INFINITY, turns: 0 }
     }
 
@@ -135,6 +143,18 @@ impl<'c> Mass<'c> {
     ) -> Result<Option<(f64, [f64; 3])>, MachineError> {
         let landed = self.stepper.landing(&mut self.forces, (from, to), (step, at, 0.0));
         landed.map(Some).ok_or_else(|| self.failure())
+    }
+
+    /// A step \[s\] over which a mass that has touched is slowed down, of at most `longest` \[s\]: what lies far beyond where it
+    /// turns may be dear to know, and a step too long would look there.
+    fn slowed(&mut self, longest: f64) -> f64 {
+        let (speed, way) = (self.state.speed, self.state.speed * longest);
+        let energy = self.forces.suspension.mass * speed * speed;
+        let mut depth = SHORTEST * way;
+        while depth < way && self.forces.contact(depth) * depth < TAKEN * energy {
+            depth *= 2.0;
+        }
+        if depth < way { depth / speed } else { longest }
     }
 
     fn happen(&mut self, ((after, to), what): ((f64, [f64; 3]), Happening)) -> Result<MassMoment, MachineError> {
@@ -182,6 +202,10 @@ impl MovedMass for Mass<'_> {
         let MassState { time, depth, speed, damped } = self.state;
         self.forces.touching = self.touching;
         let (from, longest) = ([depth, speed, damped], until - time);
+        if self.touching && self.stepper.next().is_infinite() && speed > 0.0 {
+            let step = self.slowed(longest);
+            self.stepper.restart(step);
+        }
         let stepped = self.stepper.step(&mut self.forces, &from, longest);
         let (step, to) = stepped.ok_or_else(|| self.failure())?;
         if self.first.is_infinite() && self.touching {

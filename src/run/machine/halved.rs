@@ -8,6 +8,7 @@ use crate::drive::impact::{Projectile, StruckHalfSpace};
 use crate::drive::machine::{Creeping, SteppedMachine, Suspension};
 use crate::material::Relaxation;
 use crate::run::follow::Run;
+use crate::run::record::Record;
 use crate::run::{SimulationError, error};
 use crate::scene::law::MachineLaw;
 use crate::scene::plan::RoundPlan;
@@ -15,7 +16,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// What the error stands on.
-const TWICE_AS_LONG: &str = "motion of the mass in straight steps of the depth: times and speeds of what happens, and the records of a swing and of a creep, against those in steps twice as long, the inertia that is left out of a creep, and the balance of energies";
+const TWICE_AS_LONG: &str = "motion of the mass in straight steps of the depth: times and speeds of what happens, and the records of a swing and of a mass in contact, against those in steps twice as long, the inertia that is left out of a creep, and the balance of energies";
 /// Longest steps of the first run, in the time of an elastic impact or of a radian of the swing, and how often they are halved.
 const STEPS: f64 = 25.0;
 const HALVINGS: usize = 2;
@@ -49,29 +50,18 @@ pub(super) fn run(
         let mut contact = start.copy();
         led(contact.as_mut(), &motion, (longest, CREEPS * (longest / first).powi(2)))
     };
-    let (mut coarse, mut crept) = led_by(longest)?;
+    let (mut coarse, _) = led_by(longest)?;
     let mut done = 0;
     loop {
         longest *= 0.5;
         let (mut fine, creeping) = led_by(longest)?;
         done += 1;
-        // Where a blow falls between two records these tell nothing of a ball that bounces, up to where it only creeps.
-        let from = match (crept, creeping) {
-            _ if !law.falls() => 0,
-            (Some(one), Some(other)) => {
-                let begin = last.time + one.since.max(other.since);
-                fine.records.partition_point(|record| record.time < begin)
-            }
-            _ => fine.records.len(),
-        };
-        let records = error::apart(&coarse.records, &fine.records[from..]);
-        let error = apart(&coarse, &fine).max(records);
+        let error = apart(&coarse, &fine).max(records_apart(&coarse, &fine, law));
         if done >= most || error <= plan.accuracy() {
             let left_out = creeping.map_or(0.0, |creeping| creeping.inertia);
             fine.error = Some((error.max(left_out), TWICE_AS_LONG));
             return Ok(fine);
         }
-        crept = creeping;
         coarse = fine;
     }
 }
@@ -102,6 +92,15 @@ fn apart(coarse: &Moved, fine: &Moved) -> f64 {
     let fastest = other.iter().map(|moment| moment.state.speed.abs()).fold(f64::MIN_POSITIVE, f64::max);
     // One happening more or less is one of a mass that all but lies.
     times.fold(0.0, f64::max) / last + speeds.fold(0.0, f64::max) / fastest
+}
+
+/// How far the records of two runs are apart; those of a ball that bounces where either has it in contact, for in flight
+/// they tell nothing.
+fn records_apart(coarse: &Moved, fine: &Moved, law: &MachineLaw) -> f64 {
+    let touching = |record: &&Record| !law.falls() || record.normal.contact_radius.is_some_and(|radius| radius > 0.0);
+    let of = |records: &[Record]| -> Vec<Record> { records.iter().filter(touching).copied().collect() };
+    let [one, other] = [&coarse.records, &fine.records];
+    error::apart(one, &of(other)).max(error::apart(other, &of(one)))
 }
 
 /// The time in which the contact moves fastest [s].

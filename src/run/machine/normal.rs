@@ -153,7 +153,7 @@ impl<'r> Motion<'r> {
                 let normal = self.normal(mass)?;
                 self.happens(moment, &normal);
                 if self.moments.len() < MOST_MOMENTS {
-                    self.push(normal, moment.state);
+                    self.push(touching(normal, moment.what), moment.state);
                 }
                 if self.lies() {
                     return Ok(Some(moment.state.time));
@@ -235,6 +235,15 @@ impl<'r> Motion<'r> {
             MachineMotion::Drive { .. } => Vec::new(),
         }
     }
+}
+
+/// A contact at what happens: where bodies that do not adhere touch, it carries nothing yet, however a dashpot answers to the
+/// rounding by which it is deeper.
+fn touching(normal: Normal, what: Happening) -> Normal {
+    if what != Happening::Touches || normal.stored.surface.abs() > 0.0 {
+        return normal;
+    }
+    Normal { force: 0.0, contact_radius: Some(0.0), stiffness: 0.0, ..normal }
 }
 
 /// Frequency of a swing between the deepest points, and its damping ratio from their heights above the rest `depth` [m].
