@@ -109,6 +109,11 @@ pub trait Ground: Debug + Send + Sync {
     /// uniform pressure, under which it may be infinite.
     fn wave(&self, k: f64) -> f64;
 
+    /// E* times what a place gives per pressure on it [m], where its neighbours do nothing to it.
+    fn alone(&self) -> Option<f64> {
+        None
+    }
+
     /// E* times what the surface gives per pressure [m] at `away` [m] along x and y from the middle of a loaded rectangle
     /// of the `sides` [m], on which a homogeneous half-space would give `endless` [m].
     fn under_rectangle(&self, away: [f64; 2], sides: [f64; 2], endless: f64) -> f64;

@@ -67,6 +67,10 @@ impl Ground for Springs {
         self.thickness
     }
 
+    fn alone(&self) -> Option<f64> {
+        Some(self.thickness)
+    }
+
     /// Springs that are not loaded stay.
     fn under_rectangle(&self, away: [f64; 2], sides: [f64; 2], _endless: f64) -> f64 {
         let loaded = away.iter().zip(sides).all(|(away, side)| 2.0 * away.abs() <= side);

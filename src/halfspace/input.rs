@@ -4,6 +4,7 @@ use ndarray::ArrayView2;
 use rayon::prelude::*;
 use std::ops::{Range, RangeInclusive};
 
+use super::alone::LonePixels;
 use super::grid::{Grid, Law};
 use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
@@ -61,11 +62,16 @@ impl Input {
         let scaled = each(&heights).map(|height| (height - range.low) / scale);
         let heights: Vec<f64> = scaled.collect();
         let pressure_unit = self.modulus * scale / self.unit();
-        let origin = self.origin(start, pressure_unit)?;
         let hardness = match self.control {
             Prescribed::Indentation(_) => response.map_or(f64::INFINITY, SurfaceResponse::hardness),
             Prescribed::Force(_) => f64::INFINITY,
         };
+        if let Some(give) = response.and_then(SurfaceResponse::alone) {
+            let wanted = self.wanted([range.low, scale]);
+            let springs = LonePixels { heights, give: give / self.unit(), hardness: hardness / pressure_unit };
+            return Ok(Raw { bytes, ..self.restore(springs.pressed(wanted), [range.low, scale], pressure_unit) });
+        }
+        let origin = self.origin(start, pressure_unit)?;
         let task = Task {
             whole: response.map(SurfaceResponse::operators),
             windows: response.and_then(SurfaceResponse::windows),
@@ -159,11 +165,15 @@ impl Input {
         self.pixel[0].sqrt() * self.pixel[1].sqrt()
     }
 
-    fn task(&self, heights: Vec<f64>, [low, scale]: [f64; 2], settings: &Settings) -> Task<'static> {
-        let wanted = match self.control {
+    fn wanted(&self, [low, scale]: [f64; 2]) -> ScaledLoad {
+        match self.control {
             Prescribed::Indentation(depth) => ScaledLoad::Approach((depth - low) / scale),
             Prescribed::Force(force) => ScaledLoad::Force(force / self.force_unit() / scale),
-        };
+        }
+    }
+
+    fn task(&self, heights: Vec<f64>, [low, scale]: [f64; 2], settings: &Settings) -> Task<'static> {
+        let wanted = self.wanted([low, scale]);
         let law = match self.law {
             Law::FreePlane(datum) => Law::FreePlane(datum / self.unit()),
             Law::FreeSpace | Law::PeriodicSpace | Law::PeriodicPlane => self.law,

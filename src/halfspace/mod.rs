@@ -37,6 +37,7 @@
 //! # Ok::<(), springbed::halfspace::HalfSpaceError>(())
 //! ```
 
+mod alone;
 mod coupled;
 mod error;
 mod face;

@@ -113,6 +113,11 @@ impl SurfaceResponse {
         self.beneath(1.0).map_or(0.0, |beneath| beneath.wave(0.0))
     }
 
+    /// E* times what a pixel gives per pressure on it \[m\], where its neighbours do nothing to it.
+    pub(crate) fn alone(&self) -> Option<f64> {
+        self.ground.as_ref()?.alone()
+    }
+
     /// Whether the map has the same pixels.
     pub(super) fn suits(&self, map: &PressedMap<'_>) -> bool {
         self.pixels == (map.heights.dim().into(), map.pixel, map.boundary)
@@ -138,6 +143,9 @@ impl SurfaceResponse {
     /// The pressure has other pixels than the response.
     #[must_use]
     pub fn displacement(&self, pressure: ArrayView2<'_, f64>, modulus: f64) -> Array2<f64> {
+        if let Some(give) = self.alone() {
+            return &pressure * (give / modulus);
+        }
         let given = row_after_row(&pressure);
         let mut displacement = vec![0.0; given.len()];
         self.operators.influence.apply(&given, &mut displacement, &mut Scratch::default());

@@ -74,9 +74,26 @@ impl Attraction {
         }
     }
 
-    /// e^(−g/ρ), zero where it is over.
-    fn faded(self, gap: f64) -> f64 {
-        if gap < self.reach() { (-gap / self.range()).exp() } else { 0.0 }
+    /// Range ρ \[m\] of what fades.
+    pub(super) fn fading(self) -> Option<f64> {
+        (self.fall == Fall::ByAndBy).then(|| self.range())
+    }
+
+    /// Attractive stress \[Pa\] across the gap `gap` \[m\].
+    pub(super) fn at(self, gap: f64) -> f64 {
+        match self.fall {
+            _ if gap >= self.reach() => 0.0,
+            Fall::AtOnce => self.stress,
+            Fall::ByAndBy => self.stress * (-gap / self.range()).exp(),
+        }
+    }
+
+    /// Energy \[J/m²\] across the gap `gap` \[m\], zero far apart.
+    pub(super) fn energy_at(self, gap: f64) -> f64 {
+        match self.fall {
+            Fall::AtOnce => -self.stress * (self.range() - gap).max(0.0),
+            Fall::ByAndBy => -self.range() * self.at(gap),
+        }
     }
 
     /// Length \[m\] of the ring outside a wide contact in which it acts.
@@ -88,7 +105,7 @@ impl Attraction {
     pub(super) fn pull(self, gap: &Array2<f64>, boundary: Boundary) -> Array2<f64> {
         match self.fall {
             Fall::AtOnce => self.stress * within::shares(gap, self.range(), boundary),
-            Fall::ByAndBy => gap.mapv(|gap| self.stress * self.faded(gap)),
+            Fall::ByAndBy => gap.mapv(|gap| self.at(gap)),
         }
     }
 
@@ -96,7 +113,7 @@ impl Attraction {
     pub(super) fn energy(self, gap: &Array2<f64>, boundary: Boundary) -> f64 {
         match self.fall {
             Fall::AtOnce => -self.stress * within::depth(gap, self.range(), boundary),
-            Fall::ByAndBy => gap.fold(0.0, |sum, &gap| sum - self.work * self.faded(gap)),
+            Fall::ByAndBy => gap.fold(0.0, |sum, &gap| sum + self.energy_at(gap)),
         }
     }
 }

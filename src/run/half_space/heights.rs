@@ -81,6 +81,29 @@ impl Heights {
         self.values.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
+    /// How much lower [m] the surface may be between its lowest pixels and those beside them than on any: the vertices of
+    /// the paraboloids through nine, twice, for of a wave that four pixels carry these see six tenths.
+    pub(super) fn below_touch(&self, boundary: Boundary) -> f64 {
+        let (rows, columns) = self.values.dim();
+        let lowest = self.touch();
+        let at = |row: usize, column: usize| self.values[[row % rows, column % columns]];
+        let below = |(row, column): (usize, usize), height: f64| {
+            let around = |down: usize, right: usize| at(row + rows - 1 + down, column + columns - 1 + right) - height;
+            let inside = row > 0 && row + 1 < rows && column > 0 && column + 1 < columns;
+            let beside = [around(0, 1), around(1, 0), around(1, 2), around(2, 1)];
+            let askew = [around(0, 0), around(0, 2), around(2, 0), around(2, 2)];
+            let is_lowest = beside.iter().chain(&askew).all(|&other| other >= 0.0);
+            if (boundary == Boundary::Free && !inside) || !is_lowest {
+                return 0.0;
+            }
+            let [above, left, right, under] = beside;
+            let mixed = 0.25 * (askew[0] - askew[1] - askew[2] + askew[3]);
+            vertex([0.5 * (right - left), 0.5 * (under - above)], [left + right, above + under, mixed])
+        };
+        let reached = self.values.indexed_iter().map(|(at, &height)| 2.0 * below(at, height) - (height - lowest));
+        reached.fold(0.0, f64::max)
+    }
+
     /// The same, or the apex [m] of a tip that stands between the nodes.
     pub(super) fn touch_of(&self, indenter: &PixelledIndenter) -> f64 {
         match indenter {
@@ -94,6 +117,14 @@ impl Heights {
         let (rows, columns) = self.values.dim();
         [columns as f64 * self.pixel[0], rows as f64 * self.pixel[1]]
     }
+}
+
+/// How deep the vertex of a paraboloid lies beneath the place at which it has the slopes `along` x and y and the second
+/// derivatives `bent` along x, y and both; 0 where it has none.
+fn vertex(along: [f64; 2], bent: [f64; 3]) -> f64 {
+    let ([x, y], [xx, yy, xy]) = (along, bent);
+    let whole = xx * yy - xy * xy;
+    if whole > 0.0 && whole.is_finite() { 0.5 * (x * x * yy - 2.0 * x * y * xy + y * y * xx) / whole } else { 0.0 }
 }
 
 /// Height of a smooth shape [m] at the radius `r` [m]; +∞ where it has no material.
@@ -226,5 +257,27 @@ mod tests {
         assert_eq!((heights.touch(), heights.values[[4, 8]], heights.values[[4, 9]]), (0.0, 0.0, 0.5));
         let thinned = heights.thinned();
         assert_eq!((thinned.touch(), thinned.values.dim(), thinned.sides()), (0.0, (4, 8), heights.sides()));
+    }
+
+    /// A paraboloid that stands askew between pixels is lower there by what its vertex is; on a pixel by nothing.
+    #[test]
+    fn a_peak_between_pixels_is_found() {
+        let bowl = |x0: f64, y0: f64| {
+            Heights::about_tip([9, 8], [1.0; 2], |x, y| {
+                let (x, y) = (x - x0, y - y0);
+                x * x + 2.0 * y * y + 1.5 * x * y
+            })
+        };
+        let between = bowl(0.4, -0.3);
+        assert!((between.below_touch(Boundary::Free) - 2.0 * between.touch()).abs() < 1e-12);
+        assert!(bowl(0.0, 1.0).below_touch(Boundary::Free) < 1e-14);
+        // Across the border of what repeats: −cos(x − π/4), of which eight pixels carry a wave, is lowest there by 1 − cos(π/8).
+        let wave = Array2::from_shape_fn((3, 8), |(_, j)| -(std::f64::consts::FRAC_PI_4 * (j as f64 + 0.5)).cos());
+        let wave = Heights { values: wave + &ndarray::arr2(&[[1.0], [0.0], [1.0]]), pixel: [1.0; 2] };
+        let below = wave.below_touch(Boundary::Periodic);
+        let exact = 1.0 - (0.125 * std::f64::consts::PI).cos();
+        assert!(below > exact && below < 2.0 * exact, "{below} {exact}");
+        let holed = Heights { values: Array2::from_elem((4, 4), f64::INFINITY), pixel: [1.0; 2] };
+        assert!(holed.below_touch(Boundary::Periodic) <= 0.0);
     }
 }

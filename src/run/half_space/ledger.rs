@@ -56,8 +56,15 @@ impl Ledger {
         self.lost
     }
 
-    /// Adds what a step that ends with `now` loses, and tells what it leaves open; nothing where a force tears them apart,
-    /// which takes what is missing.
+    /// A step that ends with `now` and whose losses are accounted for.
+    pub(super) fn stands(&mut self, now: Stand) {
+        (self.last, self.slope) = (Some(now), None);
+        let (Stand::Together(Entry { accounted, .. }) | Stand::Apart(accounted)) = now;
+        self.largest = self.largest.max(accounted.abs());
+    }
+
+    /// Adds what a step that ends with `now` loses, and tells what it leaves open; where a force tears them
+    /// apart, which takes what is missing, what they had stored.
     ///
     /// On a smooth way the work ∫F dd is the energy gained, and nothing is lost, however long the steps. What the
     /// trapezoid finds beyond that is a loss where it is more than the trapezoid may miss, by the change of the slope
@@ -68,6 +75,11 @@ impl Ledger {
         match (self.last.replace(now), now) {
             (Some(Stand::Together(last)), Stand::Together(now)) => self.moved(last, now),
             (Some(Stand::Apart(accounted)), Stand::Together(now)) => self.joined(accounted, now, from),
+            (Some(Stand::Together(last)), Stand::Apart(accounted)) => {
+                self.slope = None;
+                self.lost += (last.accounted - accounted).max(0.0);
+                Open::default()
+            }
             (_, Stand::Apart(_)) | (None, Stand::Together(_)) => {
                 self.slope = None;
                 Open::default()
@@ -111,6 +123,15 @@ impl Ledger {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// What is torn apart with its springs stretched loses what these had stored.
+    #[test]
+    fn what_is_stored_is_lost_as_a_force_tears() {
+        let mut ledger = Ledger::default();
+        ledger.step(Stand::Together(Entry { force: -1.0, depth: -0.5, accounted: 3.0 }), None);
+        ledger.step(Stand::Apart(0.25), None);
+        assert!((ledger.lost() - 2.75).abs() < 1e-15);
+    }
 
     /// What a force has torn apart and presses together again loses what the attraction gives; led by the depth, that less
     /// what is done on the way.

@@ -36,12 +36,12 @@ pub(super) struct Mixed {
 impl Mixed {
     /// The attraction to go on from, after a round that led from `before` to `after`.
     pub(super) fn next(&mut self, before: &Array2<f64>, after: Array2<f64>, change: f64, most: f64) -> Array2<f64> {
-        if let Some((safe, _)) = self.passed_over.take().filter(|(_, before)| change > *before) {
-            self.patience = (2 * self.patience).max(ALONE);
-            self.alone = self.patience;
-            (self.rounds, self.momentum) = (Vec::new(), Momentum::default());
+        if self.passed_over.as_ref().is_some_and(|(_, before)| change > *before)
+            && let Some(safe) = self.back()
+        {
             return safe;
         }
+        self.passed_over = None;
         if change > MIXED {
             (self.rounds, self.momentum) = (Vec::new(), Momentum::default());
             return after;
@@ -59,6 +59,15 @@ impl Mixed {
         let Some(guess) = guess else { return after };
         self.passed_over = Some((after, change));
         guess.mapv_into(|pull| pull.clamp(0.0, most))
+    }
+
+    /// The attraction that was not taken for the last guess, if it was one, from which rounds go on without a guess for a while.
+    pub(super) fn back(&mut self) -> Option<Array2<f64>> {
+        let (safe, _) = self.passed_over.take()?;
+        self.patience = (2 * self.patience).max(ALONE);
+        self.alone = self.patience;
+        (self.rounds, self.momentum) = (Vec::new(), Momentum::default());
+        Some(safe)
     }
 
     /// Where the rounds end if their steps go on to change as they did, in the least squares; `None` of the first.

@@ -19,10 +19,10 @@ mod attraction;
 mod coupled;
 mod dent;
 mod distribution;
-mod error;
 mod heights;
 mod ledger;
 mod load;
+mod lone;
 mod memory;
 mod mixed;
 mod pixels;
@@ -80,17 +80,12 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
     let pressing = Pressing::of(plan, &heights, &response);
     let pressing = Pressing { tangential: rubbing::tangential_modulus(plan, &pressing), ..pressing };
     let rehearsed = Rehearsed::of(plan, &pressing);
-    let depth = Depth::Whole { told: wanted.instants, energy: rehearsed.as_ref().map_or(0.0, Rehearsed::energy) };
-    let mut series = Series::new(plan, pressing, depth, rehearsed.as_ref().map_or(1, |coarse| coarse.steps));
+    let depth = Depth::Whole { told: wanted.instants, energy: rehearsed.energy() };
+    let mut series = Series::new(plan, pressing, depth, rehearsed.steps);
     let records = series.follow(done)?;
     let glides = steady::steady(plan, &pressing, &records)?;
     let map = if wanted.fields { map(&pressing, &series, &glides)? } else { None };
-    let alone = || error::estimate(plan, &pressing, &series);
-    let estimate = match &rehearsed {
-        Some(coarse) if series.pixels().has_past() => coarse.estimate(plan, &records, &heights),
-        Some(coarse) => error::larger(coarse.estimate(plan, &records, &heights), alone()),
-        None => alone(),
-    };
+    let estimate = rehearsed.estimate(plan, &records, &series);
     Ok(Outcome {
         results: told::results(plan, &records, &series, &glides),
         fields: Vec::new(),

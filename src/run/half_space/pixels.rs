@@ -3,9 +3,10 @@
 use super::attraction::Attraction;
 use super::coupled::Coupled;
 use super::dent::Dent;
+use super::lone::LoneSprings;
 use super::memory::{Memory, Step};
 use super::pressed::{Pressed, area};
-use super::rounds::{Rounds, Settled};
+use super::rounds::Rounds;
 use super::state::Pressing;
 use crate::contact::adhesion::line::Energy;
 use crate::halfspace::{HalfSpaceError, Prescribed, PressedMap, Solution, Start, SurfaceResponse, solve_on};
@@ -17,6 +18,10 @@ pub(super) struct Pixels<'p> {
     pressing: Pressing<'p>,
     memory: Option<Memory>,
     attraction: Option<Attraction>,
+    /// Its pixels, if their neighbours do nothing to them.
+    lone: Option<LoneSprings>,
+    /// Energy that they have lost in jumps \[J per m² of a pixel\].
+    snapped: f64,
     /// What pressures do to a surface that yields.
     yielding: Option<SurfaceResponse>,
     pull: Option<Array2<f64>>,
@@ -35,6 +40,7 @@ pub(super) struct Pixels<'p> {
 pub(super) struct Past {
     memory: Option<Memory>,
     pull: Option<Array2<f64>>,
+    snapped: f64,
     dent: Option<Dent>,
     last: Option<Array2<f64>>,
     earlier: Option<(Array2<f64>, f64)>,
@@ -45,6 +51,8 @@ impl<'p> Pixels<'p> {
         let (pixels, side) = (pressing.heights.values.dim(), area(pressing.heights.pixel).sqrt());
         let memory = plan.relaxation.clone().map(|relaxation| Memory::new(relaxation, pixels));
         let attraction = Attraction::of(plan.attraction, side, pressing.modulus);
+        let stiffness = pressing.response.alone().map(|give| pressing.modulus / give);
+        let lone = attraction.zip(stiffness).map(|(attraction, stiffness)| LoneSprings::new(attraction, stiffness));
         let dent = plan.hardness.map(|hardness| Dent { hardness, depth: Array2::zeros(pixels), dissipated: 0.0 });
         let yielding = plan.hardness.map(|hardness| pressing.response.clone().yielding_under(hardness));
         Self {
@@ -53,6 +61,8 @@ impl<'p> Pixels<'p> {
             dent,
             pull: attraction.map(|_| Array2::zeros(pixels)),
             attraction,
+            lone,
+            snapped: 0.0,
             yielding,
             coupled: Coupled::of(plan, &pressing),
             last: None,
@@ -64,12 +74,18 @@ impl<'p> Pixels<'p> {
         self.attraction
     }
 
+    /// Whether all that a jump under a prescribed depth loses is known.
+    pub(super) fn knows_losses(&self) -> bool {
+        self.lone.is_some()
+    }
+
     /// What the last state leaves to the next.
     pub(super) fn past(&self) -> Past {
-        let Self { memory, pull, dent, last, earlier, .. } = self;
+        let Self { memory, pull, snapped, dent, last, earlier, .. } = self;
         Past {
             memory: memory.clone(),
             pull: pull.clone(),
+            snapped: *snapped,
             dent: dent.clone(),
             last: last.clone(),
             earlier: earlier.clone(),
@@ -84,8 +100,8 @@ impl<'p> Pixels<'p> {
 
     /// Goes back to a state.
     pub(super) fn go_back(&mut self, past: Past) {
-        let Past { memory, pull, dent, last, earlier } = past;
-        (self.memory, self.pull, self.dent) = (memory, pull, dent);
+        let Past { memory, pull, snapped, dent, last, earlier } = past;
+        (self.memory, self.pull, self.snapped, self.dent) = (memory, pull, snapped, dent);
         (self.last, self.earlier) = (last, earlier);
     }
 
@@ -177,12 +193,11 @@ impl<'p> Pixels<'p> {
         let map = PressedMap { heights: lifted.view(), pixel: heights.pixel, modulus, boundary, control: prescribed };
         let mut contact = match (self.attraction, &self.pull) {
             (Some(attraction), Some(pull)) => {
-                let rounds = Rounds { attraction, response, map, settings };
-                let Some(Settled { contact, pull }) = rounds.settled(self.last.as_ref(), pull.clone())? else {
-                    return Ok(None);
-                };
-                self.pull = Some(pull);
-                contact
+                let rounds = Rounds { attraction, lone: self.lone, response, map, settings };
+                let Some(settled) = rounds.settled(self.last.as_ref(), pull.clone())? else { return Ok(None) };
+                self.snapped += self.lone.map_or(0.0, |lone| lone.lost(pull, &settled.pull));
+                self.pull = Some(settled.pull);
+                settled.contact
             }
             _ => {
                 let start = self.last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
@@ -231,9 +246,12 @@ impl<'p> Pixels<'p> {
             Some(memory) => area * memory.stored(displacement),
             None => self.pressing.elastic(pressure, displacement),
         };
-        let surface =
-            self.attraction.map_or(0.0, |attraction| area * attraction.energy(&pressed.gap, self.pressing.boundary));
-        pressed.stored = Energy { elastic, surface };
+        let surface = match (self.lone, self.attraction) {
+            (Some(lone), _) => lone.surface(&pressed.gap),
+            (None, Some(attraction)) => attraction.energy(&pressed.gap, self.pressing.boundary),
+            (None, None) => 0.0,
+        };
+        pressed.stored = Energy { elastic, surface: area * surface };
         pressed.dissipated = self.dissipated();
     }
 
@@ -247,6 +265,6 @@ impl<'p> Pixels<'p> {
     pub(super) fn dissipated(&self) -> f64 {
         let remembered = self.memory.as_ref().map_or(0.0, Memory::dissipated);
         let dented = self.dent.as_ref().map_or(0.0, |dent| dent.dissipated);
-        area(self.pressing.heights.pixel) * (remembered + dented)
+        area(self.pressing.heights.pixel) * (remembered + dented + self.snapped)
     }
 }

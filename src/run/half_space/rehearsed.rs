@@ -1,9 +1,9 @@
-//! The history of bodies with a past, gone through on fewer pixels first: how many steps it takes, and what pixels cost.
+//! The history, gone through on fewer pixels first: how many steps it takes, and what pixels cost.
 
-use super::error::of_edge;
-use super::heights::Heights;
 use super::series::{Depth, Series};
+use super::settings;
 use super::state::{Pressing, response};
+use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::state::Normal;
 use crate::run::SimulationError;
 use crate::run::record::{ErrorEstimate, Record};
@@ -39,35 +39,37 @@ struct Order {
 }
 
 impl Rehearsed {
-    /// Of bodies with a past, or friction; that of bodies which remember, or of pressures and shear together, with twice as many
-    /// steps again and again, until force and depth no longer change.
-    pub(super) fn of(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> Option<Self> {
+    /// That of bodies which remember, or of pressures and shear together, with twice as many steps again and again, until
+    /// force and depth no longer change.
+    pub(super) fn of(plan: &HalfSpacePlan, pressing: &Pressing<'_>) -> Self {
         let thinned = pressing.heights.thinned();
-        let response = response(plan, &thinned).ok()?;
-        let pressing = Pressing { heights: &thinned, response: &response, ..*pressing };
-        let follow = |steps: u32| {
-            let mut series = Series::new(plan, pressing, Depth::Outline, steps);
-            series.has_past().then(|| series.follow(&|_| ()))
+        let response = match response(plan, &thinned) {
+            Ok(response) => response,
+            Err(error) => {
+                return Self { records: Err(SimulationError::Refused(error.to_string())), steps: 1, of_time: None };
+            }
         };
-        let first = Self { records: follow(1)?, steps: 1, of_time: None };
+        let pressing = Pressing { heights: &thinned, response: &response, ..*pressing };
+        let follow = |steps: u32| Series::new(plan, pressing, Depth::Outline, steps).follow(&|_| ());
+        let first = Self { records: follow(1), steps: 1, of_time: None };
         let order = if let Some(PixelFriction::Coupled { .. }) = plan.friction {
             Order { aimed: OF_SLIP, parts: 1.0 }
         } else if plan.relaxation.is_some() {
             Order { aimed: OF_TIME, parts: 3.0 }
         } else {
-            return Some(first);
+            return first;
         };
-        Some(first.refined(plan.accuracy().max(order.aimed), order, follow))
+        first.refined(plan.accuracy().max(order.aimed), order, follow)
     }
 
     fn refined(
         mut self,
         aimed: f64,
         order: Order,
-        follow: impl Fn(u32) -> Option<Result<Vec<Record>, SimulationError>>,
+        follow: impl Fn(u32) -> Result<Vec<Record>, SimulationError>,
     ) -> Self {
         for doubling in 1..=DOUBLINGS {
-            let (Ok(coarse), Some(Ok(finer))) = (&self.records, follow(1 << doubling)) else { break };
+            let (Ok(coarse), Ok(finer)) = (&self.records, follow(1 << doubling)) else { break };
             let apart = apart(coarse, &finer);
             let of_time = apart / order.parts;
             if of_time + apart <= aimed {
@@ -88,46 +90,111 @@ impl Rehearsed {
         self.records.iter().flatten().map(|record| of(&record.normal)).fold(0.0, f64::max)
     }
 
-    /// The error of the records on all of the pixels.
-    pub(super) fn estimate(&self, plan: &HalfSpacePlan, records: &[Record], heights: &Heights) -> ErrorEstimate {
-        let (rows, columns) = heights.values.dim();
-        // The radius under Hertz' pressures is not counted in pixels.
-        let hertzian = plan.friction.is_some() && plan.ground.is_none();
+    /// The error of the records on all of the pixels, which `series` has led to.
+    pub(super) fn estimate(&self, plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) -> ErrorEstimate {
+        let (rows, columns) = series.size();
         match &self.records {
-            Ok(coarse) => {
-                let of_pixels = apart(coarse, records);
-                let (parts, ranged) = match plan.attraction {
-                    ElasticAdhesion::Vanishing { .. } => {
-                        (OF_RANGE, format!(", {OF_RANGE:.1} times that for the range of three pixels"))
-                    }
-                    ElasticAdhesion::None
-                    | ElasticAdhesion::Outside { .. }
-                    | ElasticAdhesion::Finite { .. }
-                    | ElasticAdhesion::Fading { .. } => (1.0, String::new()),
-                };
-                let of_time = self.of_time.unwrap_or(0.0);
-                let in_words = self.of_time.map_or_else(String::new, |of| format!("; the steps leave {of:.0e}"));
-                // What shear has cost is not known as well as what it carries.
-                let loss = apart_in(|record| record.tangential?.dissipated, coarse, records);
-                let rubbed = if loss > 0.0 { format!(", what friction has taken {loss:.1e}") } else { String::new() };
-                let radii = records.iter().filter_map(|record| record.normal.contact_radius);
-                let of_edge = of_edge(radii, heights.pixel, hertzian);
-                let edge = if of_edge > 0.0 {
-                    format!("; the edge lies within half a pixel, {of_edge:.1e} of the radius")
-                } else {
-                    String::new()
-                };
-                let basis = format!(
-                    "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{ranged}{rubbed}{in_words}{edge}"
-                );
-                ErrorEstimate { relative: (parts * of_pixels + of_time).max(of_edge), basis }
-            }
+            Ok(coarse) => self.beside(plan, (coarse, records), series),
             Err(error) => ErrorEstimate {
                 relative: 1.0,
                 basis: format!("not known: on every second of {columns} × {rows} pixels there is no answer ({error})"),
             },
         }
     }
+
+    fn beside(
+        &self,
+        plan: &HalfSpacePlan,
+        (coarse, records): (&[Record], &[Record]),
+        series: &Series<'_>,
+    ) -> ErrorEstimate {
+        let ((rows, columns), tolerance) = (series.size(), settings(plan).tolerance);
+        if series.largest.is_none() {
+            return ErrorEstimate { relative: tolerance, basis: "the bodies never press on each other".to_owned() };
+        }
+        let of_pixels = apart(coarse, records);
+        let (parts, ranged) = match plan.attraction {
+            ElasticAdhesion::Vanishing { .. } => {
+                (OF_RANGE, format!(", {OF_RANGE:.1} times that for the range of three pixels"))
+            }
+            ElasticAdhesion::None
+            | ElasticAdhesion::Outside { .. }
+            | ElasticAdhesion::Finite { .. }
+            | ElasticAdhesion::Fading { .. } => (1.0, String::new()),
+        };
+        let of_time = self.of_time.unwrap_or(0.0);
+        let in_words = self.of_time.map_or_else(String::new, |of| format!("; the steps leave {of:.0e}"));
+        // What shear has cost is not known as well as what it carries.
+        let loss = apart_in(|record| record.tangential?.dissipated, coarse, records);
+        let rubbed = if loss > 0.0 { format!(", what friction has taken {loss:.1e}") } else { String::new() };
+        // Without a past radii follow from pressures or areas, which are known better than from pixel to pixel.
+        let has_past = series.pixels().has_past();
+        let radii = records.iter().filter_map(|record| record.normal.contact_radius);
+        let of_edge = of_edge(radii, series.pixel(), !has_past);
+        let edge = if of_edge > 0.0 {
+            format!("; an edge lies within half a pixel, {of_edge:.1e} of the largest radius")
+        } else {
+            String::new()
+        };
+        let (of_area, touching) = match area_apart((coarse, records), series).filter(|_| !has_past) {
+            Some((area, peak)) => (
+                area,
+                format!("; under the largest load peak pressure {peak:.1e}, area {area:.1e} with what its edges add"),
+            ),
+            None => (0.0, String::new()),
+        };
+        let (of_touch, first) = touch_apart(plan, records, series);
+        let basis = format!(
+            "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{ranged}{rubbed}{in_words}{first}{touching}{edge}; residual of the solver {tolerance:.0e}"
+        );
+        let relative = (parts * of_pixels + of_time + of_touch).max(of_edge).max(of_area).max(tolerance);
+        ErrorEstimate { relative, basis }
+    }
+}
+
+/// What it is worth that the highest peak of a rough surface may lie between its pixels, and the same in words: depths are told
+/// from first touch. A force that leads finds the same contact.
+fn touch_apart(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) -> (f64, String) {
+    let below = series.below_touch();
+    if plan.surface().is_none() || below <= 0.0 {
+        return (0.0, String::new());
+    }
+    let largest = |of: fn(&Record) -> f64| records.iter().map(of).filter(|of| of.is_finite()).fold(0.0, f64::max);
+    let part = |of: f64, whole: f64| if whole > 0.0 { of / whole } else { 0.0 };
+    let told = "; between its pixels the surface may touch earlier, ";
+    if plan.stages.iter().filter_map(|stage| stage.control).all(|control| control == Control::Force) {
+        let depth = part(below, largest(|record| record.normal.indentation.map_or(0.0, f64::abs)));
+        return (0.0, format!("{told}which adds {depth:.1e} of the largest to the depths alone"));
+    }
+    let stiffness = largest(|record| record.normal.stiffness);
+    let force = part(below * stiffness, largest(|record| record.normal.force.abs()));
+    (force, format!("{told}{force:.1e} of the largest force"))
+}
+
+/// How far area and peak pressure of the record of the largest force are apart, as parts of the finer ones.
+///
+/// Areas are of first order at best and scatter: their error is what counting whole pixels adds along the edges, although
+/// that is taken off, or the difference if that is more.
+fn area_apart((coarse, records): (&[Record], &[Record]), series: &Series<'_>) -> Option<(f64, f64)> {
+    let contact = &series.largest.as_ref()?.1.contact;
+    let both =
+        shared(coarse, records).filter_map(|(one, other)| Some((other.normal.force, one.pixels?, other.pixels?)));
+    let (_, coarse, fine) = both.max_by(|one, other| one.0.total_cmp(&other.0))?;
+    let part = |of: f64, other: f64| if of > 0.0 { (other / of - 1.0).abs() } else { 1.0 };
+    let edges = part(contact.contact_area(), contact.corrected_area());
+    Some((part(fine.area, coarse.area).max(edges), part(fine.peak_pressure, coarse.peak_pressure)))
+}
+
+/// Half a pixel, of the largest of the radii of contact \[m\]: what is known of an edge that is found by counting pixels.
+/// Where it follows from pressures or areas it is known better, but of a contact no wider than two pixels.
+fn of_edge(radii: impl Iterator<Item = f64>, pixel: [f64; 2], known: bool) -> f64 {
+    let side = pixel[0].max(pixel[1]);
+    let (mut least, mut largest) = (f64::INFINITY, 0.0_f64);
+    for radius in radii.filter(|&radius| radius > 0.0) {
+        (least, largest) = (least.min(radius), largest.max(radius));
+    }
+    let is_counted = !known || least < side;
+    if largest > 0.0 && is_counted { 0.5 * side / largest } else { 0.0 }
 }
 
 /// How far two histories are apart at the times that both have, in forces and in indentation, of the largest of each.

@@ -1,6 +1,7 @@
 //! Contact and attraction find each other, on the part of the pixels where either acts.
 
 use super::attraction::Attraction;
+use super::lone::LoneSprings;
 use super::mixed::Mixed;
 use super::pressed::area;
 use crate::halfspace::{
@@ -25,6 +26,8 @@ const STEP: usize = 8;
 /// A surface that is pressed and pulled.
 pub(super) struct Rounds<'r> {
     pub(super) attraction: Attraction,
+    /// Pixels that neighbours do nothing to.
+    pub(super) lone: Option<LoneSprings>,
     /// What pressures do to its pixels.
     pub(super) response: &'r SurfaceResponse,
     /// Its heights without either, with what is prescribed of both together.
@@ -154,7 +157,7 @@ impl Rounds<'_> {
         (last, pull): (Option<&Array2<f64>>, &Array2<f64>),
         left: &mut usize,
     ) -> Result<Reached, HalfSpaceError> {
-        let Self { attraction, map, .. } = self;
+        let Self { attraction, lone, map, .. } = self;
         let own = (part.size() != <[usize; 2]>::from(map.heights.dim())).then(|| self.response.part(part.size()));
         let response = own.as_ref().unwrap_or(self.response);
         let settings = Settings { tolerance: LOOSE, ..self.settings };
@@ -164,7 +167,12 @@ impl Rounds<'_> {
         let mut mixed = Mixed::default();
         while *left > 0 {
             *left -= 1;
-            let Some(control) = self.control(&pull) else { return Ok(Reached::TornOff) };
+            let Some(control) = self.control(&pull) else {
+                // A guess may pull less than what holds the bodies.
+                let Some(safe) = mixed.back() else { return Ok(Reached::TornOff) };
+                pull = safe;
+                continue;
+            };
             let pulled = -response.displacement(pull.view(), map.modulus);
             let lifted = &heights + &pulled;
             let start = last.as_ref().map_or(Start::Coarser, |last| Start::Pressure(last.view()));
@@ -175,7 +183,12 @@ impl Rounds<'_> {
                 *gap = if pressure > 0.0 { 0.0 } else { (moved + (*gap - contact.indentation)).max(0.0) };
             });
             contact.displacement += &pulled;
-            let after = attraction.pull(&gap, map.boundary);
+            let after = match lone {
+                Some(lone) => Zip::from(&heights)
+                    .and(&pull)
+                    .map_collect(|height, &pull| lone.pull(height - contact.indentation, pull)),
+                None => attraction.pull(&gap, map.boundary),
+            };
             let change = most_apart(&pull, &after) / attraction.stress;
             if change <= SETTLED {
                 return Ok(Reached::Settled(Settled { contact, pull }));
@@ -253,6 +266,7 @@ mod tests {
             let attraction = Attraction::of(law, 0.01, 1.0).unwrap();
             let rounds = |depth: i32| Rounds {
                 attraction,
+                lone: None,
                 response: &response,
                 map: PressedMap {
                     heights: heights.view(),

@@ -75,7 +75,8 @@ impl Series<'_> {
     /// A step that leaves more open than is asked for is gone in two, for a jump in it loses what the force does between
     /// where it was and where it is found.
     fn part(&mut self, part: Part<'_>, known: Option<Reached>) -> Result<Option<Pressed>, SimulationError> {
-        let before = self.seeks().then(|| (self.pixels.past(), self.ledger));
+        let is_known = self.pixels.knows_losses() && part.goal.control == Control::Indentation;
+        let before = (self.seeks() && !is_known).then(|| (self.pixels.past(), self.ledger));
         let pressed = self.reach(part.goal, known)?;
         self.least = pressed.as_ref().map_or(self.least, |pressed| self.least.min(pressed.force()));
         if self.pixels.attraction().is_none() {
@@ -83,6 +84,10 @@ impl Series<'_> {
         }
         let apart = || Stand::Apart(self.pixels.accounted_apart());
         let stand = pressed.as_ref().map_or_else(apart, |pressed| Stand::Together(self.entry(pressed)));
+        if is_known {
+            self.ledger.stands(stand);
+            return Ok(pressed);
+        }
         let from = (part.goal.control == Control::Indentation).then_some(part.goal.from);
         let Open { open, missing } = self.ledger.step(stand, from);
         let Some(before) = before else { return Ok(pressed) };

@@ -110,11 +110,6 @@ impl<'p> Series<'p> {
         }
     }
 
-    /// Whether a state tells more than what is prescribed at it.
-    pub(super) fn has_past(&self) -> bool {
-        self.pixels.has_past() || self.rubbing.is_some()
-    }
-
     /// Bytes of what is kept from state to state.
     pub(super) fn bytes(&self) -> usize {
         self.pixels.bytes() + self.rubbing.as_ref().map_or(0, Rubbing::bytes)
@@ -126,6 +121,21 @@ impl<'p> Series<'p> {
             (Some(rubbing), Some((_, sheared))) => rubbing.shown(sheared),
             _ => Ok(None),
         }
+    }
+
+    /// Rows and columns.
+    pub(super) fn size(&self) -> (usize, usize) {
+        self.pressing.heights.values.dim()
+    }
+
+    /// How much earlier \[m\] the surface may touch between its pixels.
+    pub(super) fn below_touch(&self) -> f64 {
+        self.pressing.heights.below_touch(self.pressing.boundary)
+    }
+
+    /// Width and height of a pixel \[m\].
+    pub(super) fn pixel(&self) -> [f64; 2] {
+        self.pressing.heights.pixel
     }
 
     pub(super) fn pixels(&self) -> &Pixels<'p> {
