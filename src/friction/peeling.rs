@@ -134,14 +134,16 @@ impl ShearedAdhesion {
         self.at_radius(a, under, slide)
     }
 
-    /// What is left of the contact where its edge has given way; it slides freely.
+    /// What is left of the contact where its edge has given way; it slides freely. At a depth at which nothing presses the
+    /// bodies, nothing is: the radius is zero.
     ///
     /// # Errors
-    /// Nothing presses the bodies: they part. The profile ends before the force is reached.
+    /// No force presses the bodies: they part, for good. The profile ends before the force is reached.
     pub fn without_edge(&self, under: Prescribed) -> Result<Sheared, FrictionError> {
         let Prescribed { control, value } = under;
         let a = match control {
-            Control::Indentation | Control::Force if value <= 0.0 => None,
+            Control::Force if value <= 0.0 => None,
+            Control::Indentation if value <= 0.0 => Some(0.0),
             Control::Indentation => self.profile().edge(value).or(self.wall()),
             Control::Force => Some(self.plain_radius(value).or_else(|beyond| self.wall().ok_or(beyond))?),
         };
@@ -395,6 +397,17 @@ mod tests {
         let under = |part: f64| contact.under(0.1, TangentialLoad::Force(part * critical.tangential_force));
         assert!(under(1.0 - 1e-9).is_ok());
         assert_eq!(under(1.0 + 1e-9), Err(FrictionError::Peeled { force: 0.1 }));
+    }
+
+    /// Bodies that are not pressed part: at a depth with nothing in contact, under a force for good.
+    #[test]
+    fn nothing_is_left_where_nothing_presses() {
+        let contact = sheared(&Paraboloid { radius: Length::new(1.0).unwrap() }, (1.0, 1.0), 1.0);
+        let left = |control, value| contact.without_edge(Prescribed { control, value });
+        let apart = left(Control::Indentation, -0.1).unwrap();
+        assert_eq!((apart.contact_radius, apart.indentation, apart.tangential_force), (0.0, -0.1, 0.0));
+        assert!(contact.force_of(&apart).abs() <= 0.0);
+        assert_eq!(left(Control::Force, 0.0), Err(FrictionError::Peeled { force: 0.0 }));
     }
 
     /// The energy balance by finite differences: at given displacements U_el − wπa² has zero slope.

@@ -19,8 +19,9 @@ pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String>
     let (first, last) = (led.first()?, led.last()?);
     let [every, second] = [1, 2].map(|step| put_in(led, step));
     let off = (every - accounted(last) + accounted(first)).abs();
-    // Of a force that changes between two records nobody knows the work: then every second record tells another.
-    let bound = (TRAPEZOIDS + exact) * energy + (every - second).abs();
+    // Of a force that changes between two records nobody knows the work: then every second record tells another, and one
+    // that jumps may do so at either of them.
+    let bound = (TRAPEZOIDS + exact) * energy + (every - second).abs() + jump(led);
     (off > bound || off.is_nan()).then(|| format!("the ledger is open by {:e} of the energies", off / energy))
 }
 
@@ -69,6 +70,15 @@ fn put_in(records: &[Record], step: usize) -> f64 {
     let last = records.len().saturating_sub(1);
     let taken: Vec<&Record> = (0..last).step_by(step).chain([last]).filter_map(|k| records.get(k)).collect();
     taken.windows(2).map(|pair| work(pair[0], pair[1])).sum()
+}
+
+/// The most [J] that a jump between two records may leave open.
+fn jump(records: &[Record]) -> f64 {
+    let depth = |record: &Record| record.normal.indentation.unwrap_or(0.0);
+    let open =
+        |one: &Record, two: &Record| 0.5 * ((two.normal.force - one.normal.force) * (depth(two) - depth(one))).abs();
+    let between = records.windows(2).filter(|pair| pair.iter().all(|record| record.normal.indentation.is_some()));
+    between.map(|pair| open(&pair[0], &pair[1])).fold(0.0, f64::max)
 }
 
 /// Work between two records [J]; what a force does as it tears the bodies apart no record tells, but it is lost, not found.

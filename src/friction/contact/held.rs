@@ -101,6 +101,9 @@ impl<Rule: Copy> ShearedEdge<Rule> {
     /// The load of the normal contact as the shear has left it.
     pub(super) fn loading(&self) -> Option<Box<dyn Loading + '_>> {
         let state = self.present.as_ref()?.state;
+        if state.contact_radius <= 0.0 {
+            return None;
+        }
         let ground = self.contact.line.ground();
         let edge = state.indentation - ground.profile().reduced(state.contact_radius);
         // Where no adhesion is left the edge is that of the plain contact, to rounding.
