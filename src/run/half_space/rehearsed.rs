@@ -127,10 +127,11 @@ impl Rehearsed {
         // What shear has cost is not known as well as what it carries.
         let loss = apart_in(|record| record.tangential?.dissipated, coarse, records);
         let rubbed = if loss > 0.0 { format!(", what friction has taken {loss:.1e}") } else { String::new() };
-        // Without a past radii follow from pressures or areas, which are known better than from pixel to pixel.
+        // Without a past, and under friction, radii follow from pressures or areas known better than from pixel to pixel.
         let has_past = series.pixels().has_past();
+        let is_known = !has_past || (plan.friction.is_some() && plan.ground.is_none());
         let radii = records.iter().filter_map(|record| record.normal.contact_radius);
-        let of_edge = of_edge(radii, series.pixel(), !has_past);
+        let of_edge = of_edge(radii, series.pixel(), is_known);
         let edge = if of_edge > 0.0 {
             format!("; an edge lies within half a pixel, {of_edge:.1e} of the largest radius")
         } else {
