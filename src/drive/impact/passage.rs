@@ -43,9 +43,6 @@ struct StableStretch {
 
 /// Places in a leg at which the kinetic energy is looked at.
 const LOOKS: u32 = 24;
-/// Way by which the deepest point is passed as it is looked for, of the most there can be to it, and the least of the way behind.
-const MARGIN: f64 = 1.1;
-const LEAST: f64 = 1e-3;
 /// Most parts a leg is cut into for its duration.
 const MOST_PARTS: usize = 64;
 /// Places at which the pace of a part is met.
@@ -156,8 +153,7 @@ impl Passage {
                     if let Some(leg) = self.walk(contact, (from, from + step), &jumps)? {
                         return Ok(leg);
                     }
-                    (contact, from) = (ahead, from + step);
-                    step = self.reach(&contact, from).min(2.0 * step);
+                    (contact, from, step) = (ahead, from + step, 2.0 * step);
                 }
                 Err(_) if step > 1e-9 * (from.abs() + step) && step > f64::MIN_POSITIVE => step *= 0.5,
                 Err(_) => {
@@ -166,14 +162,6 @@ impl Passage {
                 }
             }
         }
-    }
-
-    /// How much deeper \[m\] the mass gets at most from the depth `from` \[m\] on, with a margin, while no jump comes: the
-    /// force grows with the depth. What lies beyond may be dear to know.
-    fn reach(&self, contact: &QuasiStatic, from: f64) -> f64 {
-        let energy = self.impact.energy() - contact.energy().stored() - self.lost;
-        let force = contact.present().balance.force;
-        if force > 0.0 { (MARGIN * energy / force).max(LEAST * from.abs()) } else { f64::INFINITY }
     }
 
     /// Adds the legs between the jumps of a motion; the last one, if the mass comes to rest on it.

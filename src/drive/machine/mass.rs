@@ -68,9 +68,9 @@ const TOLERANCE: f64 = 1e-13;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Most turns of a mass.
 pub const MOST_TURNS: usize = 200_000;
-/// Part of the energy of a mass that touches which the contact takes over its first step, times that; and the shortest way
-/// of the longest to which that is looked for.
-const TAKEN: f64 = 0.125;
+/// Fd of mv² at which a mass that has touched counts as slowed down: of a ball it has gone two to four fifths of its way to where
+/// it turns; and the least of the way of the longest step at which that is looked for.
+const SLOWED: f64 = 0.125;
 const SHORTEST: f64 = f64::EPSILON;
 /// Growth of the first step of a contact over that of the one before.
 const BOLDER: f64 = 4.0;
@@ -151,7 +151,7 @@ impl<'c> Mass<'c> {
         let (speed, way) = (self.state.speed, self.state.speed * longest);
         let energy = self.forces.suspension.mass * speed * speed;
         let mut depth = SHORTEST * way;
-        while depth < way && self.forces.contact(depth) * depth < TAKEN * energy {
+        while depth < way && self.forces.contact(depth) * depth < SLOWED * energy {
             depth *= 2.0;
         }
         if depth < way { depth / speed } else { longest }

@@ -1,5 +1,6 @@
 //! How bodies that attract each other come together before a history, and are drawn apart until nothing holds them.
 
+use super::super::attraction::Attraction;
 use super::super::state::State;
 use super::{Goal, Series};
 use crate::contact::adhesion::equilibrium::Control;
@@ -40,7 +41,9 @@ impl Series<'_> {
         (stage, speed): (&Stage, f64),
         (start, from): (f64, f64),
     ) -> Result<f64, SimulationError> {
-        let [range, reach] = self.pixels.attraction().map_or([0.0; 2], |pull| [pull.range(), pull.reach()]);
+        let range = self.pixels.attraction().map_or(0.0, Attraction::range);
+        // What only fades has no end: out of the reach from which bodies come, nothing is left to tell.
+        let faded = self.pixels.attraction().filter(|pull| pull.fading().is_some()).map(Attraction::reach);
         let step = (from / stage.records as f64).max(range / EIGHTH);
         let mut time = start;
         for number in 1..=PULLED * stage.records {
@@ -51,8 +54,7 @@ impl Series<'_> {
             let goal = Goal { control, from: before, value, over: step / speed, time, slide, entry: stage.entry };
             let state = self.at(goal)?;
             self.push(records, (stage.entry, time), state);
-            // What only fades has no end: out of the reach from which bodies come, nothing is left to tell.
-            if state.parted || (state.count == 0 && goal.value < -reach) {
+            if state.parted || state.count == 0 && faded.is_some_and(|reach| goal.value < -reach) {
                 break;
             }
         }
