@@ -1,26 +1,26 @@
 //! Pressure under a body that slides: minimal residuals on the present contact, which is then corrected pixel by pixel.
 //!
 //! What slides answers to itself before and behind differently, so that there is no energy whose least the contact would
-//! be, and no conjugate directions. On the contact as it is now the gap is closed by directions whose effects are
-//! orthogonal (Vinsome 1976, Orthomin; it converges where the symmetric part is positive, which it is: what is lost is
-//! never negative); then pixels that pull leave it and pixels that overlap join it, all at once (Hintermüller, Ito & Kunisch 2002).
+//! be, and no conjugate directions. On the contact as it is now the gap is closed by the directions that leave the least
+//! of it ([`Subspace`]); then pixels that pull leave it and pixels that overlap join it, all at once (Hintermüller, Ito &
+//! Kunisch 2002) as long as ever fewer are wrong.
 
+use super::subspace::Subspace;
 use crate::halfspace::precision::Scratch;
 use crate::halfspace::transform::Multiplier;
-use crate::halfspace::vector::{dot, fold, sum, total, update};
+use crate::halfspace::vector::{fold, sum, total, update};
 use crate::halfspace::{HalfSpaceError, Settings};
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 
-/// Directions that are kept.
-pub(super) const KEPT: usize = 8;
+/// Directions of one cycle on a contact.
+pub(super) const DIRECTIONS: usize = 40;
+/// Cycles on one contact before it is corrected in any case.
+const CYCLES: usize = 5;
 /// Part of the misfit of a contact that its own gap may be before the contact is corrected.
 const SETTLED: f64 = 0.1;
-/// Steps on one contact before it is corrected in any case.
-const MOST_STEPS: usize = 40;
-/// Corrections of all pixels at once, and of those that are half as far off as the worst; from then on of the worst alone.
-const BOLD: usize = 30;
-const CAREFUL: usize = 150;
+/// Corrections of all pixels at once that need not lead to fewer wrong ones than ever before.
+const CHANCES: usize = 10;
 
 /// What is prescribed, in the solver's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +37,8 @@ pub(super) struct SlidingContact<'a> {
     pub(super) influence: &'a Multiplier<Complex<f64>>,
     /// Roughly displacement → pressure.
     pub(super) stiffness: &'a Multiplier<Complex<f64>>,
+    /// Pixels along the motion.
+    pub(super) columns: usize,
     /// Heights of the body, +∞ where it has no material.
     pub(super) heights: &'a [f64],
     pub(super) load: Load,
@@ -54,12 +56,6 @@ pub(super) struct Found {
     pub(super) products: usize,
 }
 
-/// A direction of the pressure, and what it does to the gap.
-struct Direction {
-    pressure: Vec<f64>,
-    effect: Vec<f64>,
-}
-
 /// Where the search is.
 struct Search {
     pressure: Vec<f64>,
@@ -67,6 +63,7 @@ struct Search {
     contact: Vec<bool>,
     scratch: Scratch,
     corrections: usize,
+    pivots: Pivots,
     iterations: usize,
     products: usize,
 }
@@ -132,6 +129,7 @@ impl SlidingContact<'_> {
             contact,
             scratch: Scratch::default(),
             corrections: 0,
+            pivots: Pivots { fewest: usize::MAX, chances: 0 },
             iterations: 0,
             products: 0,
         };
@@ -188,25 +186,57 @@ impl SlidingContact<'_> {
     /// Closes the gap of the present contact, down to a part `target` of the largest displacement; some of it in any case,
     /// unless it is closed to the tolerance.
     fn settle(&self, search: &mut Search, [tolerance, target]: [f64; 2]) {
-        let mut kept: Vec<Direction> = Vec::new();
-        for step in 0..MOST_STEPS {
+        for cycle in 0..CYCLES {
             let misfit = self.misfit(search);
-            let allowed = if step == 0 { tolerance } else { target };
-            if misfit.gap <= allowed * misfit.scale || search.contact.iter().all(|&contact| !contact) {
+            let allowed = if cycle == 0 { tolerance } else { target };
+            if misfit.gap <= allowed * misfit.scale {
                 return;
             }
             let residual = self.open(search, misfit.approach);
-            let Some(direction) = self.direction(search, &residual, &kept) else { return };
-            let length = dot(&residual, &direction.effect);
-            update(&mut search.pressure, &direction.pressure, |p, d| *p += length * d);
-            if kept.len() == KEPT {
-                kept.remove(0);
+            if !self.descend(search, residual, target * misfit.scale) {
+                return;
             }
-            kept.push(direction);
-            self.influence.apply(&search.pressure, &mut search.displacement, &mut search.scratch);
+        }
+    }
+
+    /// Leaves of a residual what directions of one cycle cannot close, or what is allowed; whether there were any.
+    fn descend(&self, search: &mut Search, residual: Vec<f64>, allowed: f64) -> bool {
+        let Some(mut subspace) = Subspace::around(self.on_contact(search, residual)) else { return false };
+        for _ in 0..DIRECTIONS {
+            let mut effect = vec![0.0; self.heights.len()];
+            let pressure = self.pressed(search, subspace.next());
+            self.influence.apply(&pressure, &mut effect, &mut search.scratch);
+            self.restrict(search, &mut effect);
             search.products += 1;
             search.iterations += 1;
+            if !subspace.take(self.on_contact(search, effect)) || subspace.rest() <= allowed {
+                break;
+            }
         }
+        let more = self.pressed(search, &subspace.best());
+        update(&mut search.pressure, &more, |p, more| *p += more);
+        self.influence.apply(&search.pressure, &mut search.displacement, &mut search.scratch);
+        search.products += 1;
+        true
+    }
+
+    /// Values on the contact alone, one after the other.
+    fn on_contact(&self, search: &Search, values: Vec<f64>) -> Vec<f64> {
+        values.into_iter().zip(&search.contact).filter_map(|(value, &contact)| contact.then_some(value)).collect()
+    }
+
+    /// Roughly the pressure on the contact of a displacement there.
+    fn pressed(&self, search: &mut Search, displacement: &[f64]) -> Vec<f64> {
+        let mut given = displacement.iter();
+        let spread: Vec<f64> = search
+            .contact
+            .iter()
+            .map(|&contact| if contact { given.next().copied().unwrap_or_default() } else { 0.0 })
+            .collect();
+        let mut pressure = vec![0.0; spread.len()];
+        self.stiffness.apply(&spread, &mut pressure, &mut search.scratch);
+        self.restrict(search, &mut pressure);
+        pressure
     }
 
     /// What the displacement lacks on the contact.
@@ -214,28 +244,6 @@ impl SlidingContact<'_> {
         let lacks = |index: usize| approach - search.displacement[index] - self.heights[index];
         let on_contact = |index: usize| if search.contact[index] { lacks(index) } else { 0.0 };
         (0..self.heights.len()).into_par_iter().map(on_contact).collect()
-    }
-
-    /// A direction for a residual: its effect is of length one and orthogonal to those kept.
-    fn direction(&self, search: &mut Search, residual: &[f64], kept: &[Direction]) -> Option<Direction> {
-        let mut pressure = vec![0.0; residual.len()];
-        self.stiffness.apply(residual, &mut pressure, &mut search.scratch);
-        self.restrict(search, &mut pressure);
-        let mut effect = vec![0.0; residual.len()];
-        self.influence.apply(&pressure, &mut effect, &mut search.scratch);
-        search.products += 1;
-        self.restrict(search, &mut effect);
-        for old in kept {
-            let share = dot(&effect, &old.effect);
-            update(&mut effect, &old.effect, |value, old| *value -= share * old);
-            update(&mut pressure, &old.pressure, |value, old| *value -= share * old);
-        }
-        let length = dot(&effect, &effect).sqrt();
-        if !(length > 0.0 && length.is_finite()) {
-            return None;
-        }
-        [&mut pressure, &mut effect].into_iter().for_each(|values| values.par_iter_mut().for_each(|v| *v /= length));
-        Some(Direction { pressure, effect })
     }
 
     /// Zero out of contact; under a prescribed sum zero in the mean, too.
@@ -250,31 +258,49 @@ impl SlidingContact<'_> {
 
     /// Lets go of what pulls and joins what overlaps; whether the contact has changed.
     fn correct(&self, search: &mut Search) -> bool {
-        let Misfit { approach, scale, overlap, .. } = self.misfit(search);
-        let pulls =
-            |range: std::ops::Range<usize>| search.pressure[range].iter().fold(0.0, |least: f64, &p| least.min(p));
-        let strongest = fold(self.heights.len(), pulls, 0.0, f64::min);
-        search.corrections += 1;
-        // Corrected all at once a contact may come back to where it was.
-        let part = match search.corrections {
-            count if count <= BOLD => 0.0,
-            count if count <= CAREFUL => 0.5,
-            _ => 1.0 - 1e-9,
+        let Misfit { approach, scale, .. } = self.misfit(search);
+        let least = f64::EPSILON * scale;
+        let is_wrong = |index: usize| match search.contact[index] {
+            true => search.pressure[index] < 0.0,
+            false => search.displacement[index] + self.heights[index] - approach < -least,
         };
-        let least = (f64::EPSILON * scale).max(part * overlap);
-        let mut changed = false;
-        for index in 0..self.heights.len() {
-            let gap = search.displacement[index] + self.heights[index] - approach;
-            let contact = &mut search.contact[index];
-            if *contact && search.pressure[index] < part * strongest {
-                (search.pressure[index], *contact, changed) = (0.0, false, true);
-            } else if !*contact && gap < -least {
-                (*contact, changed) = (true, true);
+        let wrong: Vec<usize> = (0..self.heights.len()).into_par_iter().filter(|&index| is_wrong(index)).collect();
+        search.corrections += 1;
+        let chosen = search.pivots.chosen(&wrong, self.columns);
+        for index in chosen {
+            search.contact[index] = !search.contact[index];
+            if !search.contact[index] {
+                search.pressure[index] = 0.0;
             }
         }
-        if changed {
+        if !wrong.is_empty() {
             self.refresh(search);
         }
-        changed
+        !wrong.is_empty()
+    }
+}
+
+/// Which of the pixels that are wrong change sides.
+///
+/// All at once as long as there are fewer of them after a few corrections than ever before; else those of the foremost
+/// line alone, since what lies behind is late of what lies before it (Júdice & Pires 1994, Comput. Oper. Res. 21, 587).
+struct Pivots {
+    fewest: usize,
+    chances: usize,
+}
+
+impl Pivots {
+    fn chosen(&mut self, wrong: &[usize], columns: usize) -> Vec<usize> {
+        if wrong.len() < self.fewest {
+            (self.fewest, self.chances) = (wrong.len(), CHANCES);
+            return wrong.to_vec();
+        }
+        if self.chances > 0 {
+            self.chances -= 1;
+            return wrong.to_vec();
+        }
+        let column = |index: &usize| index % columns;
+        let foremost = wrong.iter().map(column).max();
+        wrong.iter().copied().filter(|index| Some(column(index)) == foremost).collect()
     }
 }

@@ -34,6 +34,7 @@
 
 mod face;
 mod kernel;
+mod subspace;
 #[cfg(test)]
 mod tests;
 
@@ -156,6 +157,7 @@ impl SteadyResponse {
         let contact = SlidingContact {
             influence: &self.influence,
             stiffness: &self.stiffness,
+            columns: self.size.columns,
             heights: &scaled,
             load: match control {
                 Prescribed::Indentation(depth) => face::Load::Approach(depth / self.unit),
@@ -191,7 +193,7 @@ impl SteadyResponse {
     /// Upper bound of the bytes that a solution takes.
     fn bytes(&self) -> u64 {
         let complex = 3 * 2 * 2 * self.size.pixels();
-        let real = (8 + 2 * face::KEPT) * self.size.pixels();
+        let real = (8 + face::DIRECTIONS) * self.size.pixels();
         8 * u64::try_from(complex + real).unwrap_or(u64::MAX / 8)
     }
 }

@@ -172,3 +172,31 @@ proptest! {
         prop_assert!((other.solution.indentation / found.solution.indentation - 1.0).abs() < 1e-6);
     }
 }
+
+/// Over a ground that gives way at no time at once, or next to nothing, the pressure rises and falls once along the motion,
+/// though pixels that take turns would hardly be told apart in their middles; what it costs tends to a limit as pixels
+/// shrink, of first order or better.
+#[test]
+fn pixels_do_not_take_turns() {
+    for (terms, viscosity) in
+        [(Vec::new(), 0.03), (Vec::new(), 0.1), (vec![(1e3, 3e-5)], 0.0), (vec![(1e3, 1e-4)], 0.0)]
+    {
+        let ground = Spectrum::new(&Relaxation { equilibrium: 1.0, terms, viscosity });
+        let mut coarser: Option<Array2<f64>> = None;
+        let resistances = [32, 64, 128].map(|n| {
+            let (heights, side) = ball(n, 0.15);
+            let response = SteadyResponse::new(&ground, [n, n], &travelled(side, Boundary::Free, 1.0));
+            let start = coarser.as_ref().map(|coarser| Array2::from_shape_fn((n, n), |(i, j)| coarser[[i / 2, j / 2]]));
+            let start = start.as_ref().map(|start| start.view());
+            let contact = response.solve(heights.view(), Prescribed::Force(1e-3), start, &Settings::default()).unwrap();
+            coarser = Some(contact.solution.pressure.clone());
+            let along: Vec<f64> = contact.solution.pressure.row(n / 2).to_vec();
+            let way: f64 = along.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum();
+            let peak = along.iter().copied().fold(0.0, f64::max);
+            assert!(way < 1.1 * 2.0 * peak, "{viscosity} {n}: {}", way / (2.0 * peak));
+            contact.resistance
+        });
+        let apart = [0, 1].map(|k| (resistances[k] - resistances[k + 1]).abs());
+        assert!(apart[1] < 0.75 * apart[0], "{viscosity}: {resistances:?}");
+    }
+}

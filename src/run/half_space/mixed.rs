@@ -36,7 +36,7 @@ pub(super) struct Mixed {
 impl Mixed {
     /// The attraction to go on from, after a round that led from `before` to `after`.
     pub(super) fn next(&mut self, before: &Array2<f64>, after: Array2<f64>, change: f64, most: f64) -> Array2<f64> {
-        if self.passed_over.as_ref().is_some_and(|(_, before)| change > *before)
+        if self.passed_over.as_ref().is_some_and(|(_, before)| change >= *before)
             && let Some(safe) = self.back()
         {
             return safe;
@@ -70,7 +70,8 @@ impl Mixed {
         Some(safe)
     }
 
-    /// Where the rounds end if their steps go on to change as they did, in the least squares; `None` of the first.
+    /// Where the rounds end if their steps go on to change as they did, in the least squares; `None` of the first, and of
+    /// rounds whose steps grow: they are on their way to another branch, and what they would end in lies behind them.
     ///
     /// Of each round kept the change of the step since, made orthogonal to those of later ones, with what it changed in the
     /// attraction.
@@ -95,7 +96,7 @@ impl Mixed {
         }
         let (length, most) = (dot(&away, &away), FAR * FAR * dot(step, step));
         let part = if length > most { (most / length).sqrt() } else { 1.0 };
-        (!known.is_empty()).then(|| after + &(away * part))
+        (dot(&away, step) > 0.0).then(|| after + &(away * part))
     }
 }
 
@@ -122,5 +123,28 @@ impl Momentum {
         let next = 0.5 * (1.0 + (1.0 + 4.0 * t * t).sqrt());
         self.gathered = next - 1.0;
         (after + moved * ((t - 1.0) / next)).mapv_into(|pull| pull.clamp(0.0, most))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ndarray::arr2;
+
+    /// Rounds that lead away from where two branches part go on to the next one: steps that grow are not summed, and of
+    /// those that shrink the sum is the end.
+    #[test]
+    fn only_steps_that_shrink_are_summed() {
+        let round = |pull: f64, after: f64| (arr2(&[[pull]]), arr2(&[[after]]));
+        for (factor, end) in [(3.0, None), (0.5, Some(2.0))] {
+            let mut mixed = Mixed::default();
+            let (first, second) = (round(0.0, 1.0), round(1.0, 1.0 + factor));
+            let mut next = |(before, after): (Array2<f64>, Array2<f64>)| {
+                let change = 0.01 * (after[[0, 0]] - before[[0, 0]]);
+                mixed.next(&before, after, change, 100.0)[[0, 0]]
+            };
+            let found = [next(first), next(second)];
+            assert_eq!(found, [1.0, end.unwrap_or(1.0 + factor)]);
+        }
     }
 }

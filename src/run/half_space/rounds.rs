@@ -165,6 +165,7 @@ impl Rounds<'_> {
         let mut last = last.map(|last| part.of(&last.view()).to_owned());
         let mut pull = part.of(&pull.view()).to_owned();
         let mut mixed = Mixed::default();
+        let mut change = f64::INFINITY;
         while *left > 0 {
             *left -= 1;
             let Some(control) = self.control(&pull) else {
@@ -189,7 +190,7 @@ impl Rounds<'_> {
                     .map_collect(|height, &pull| lone.pull(height - contact.indentation, pull)),
                 None => attraction.pull(&gap, map.boundary),
             };
-            let change = most_apart(&pull, &after) / attraction.stress;
+            change = most_apart(&pull, &after) / attraction.stress;
             if change <= SETTLED {
                 return Ok(Reached::Settled(Settled { contact, pull }));
             }
@@ -199,7 +200,7 @@ impl Rounds<'_> {
             }
             last = Some(contact.pressure);
         }
-        Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: f64::NAN, tolerance: SETTLED })
+        Err(HalfSpaceError::NotConverged { iterations: ROUNDS, residual: change, tolerance: SETTLED })
     }
 
     /// What a part has come to, on all pixels.

@@ -15,6 +15,7 @@ use crate::run::unit::Unit;
 use crate::scene::law::Travel;
 use crate::scene::plan::{HalfSpacePlan, PixelledIndenter};
 use crate::shape::Boundary;
+use ndarray::{Array2, ArrayView2};
 
 /// The steady states, one per speed.
 #[derive(Default)]
@@ -41,6 +42,11 @@ const COLUMNS: [Column<Touching>; 3] = [
     Column::new("peak_pressure", Unit::PASCAL, "largest pressure", |contact| Some(contact.peak_pressure)),
 ];
 
+/// How often the way between two speeds is halved to get from one to the other.
+const HALVINGS: u32 = 6;
+/// By how much slower the body is that is looked at first if the way from rest is too long.
+const SLOWER: f64 = 4.0;
+
 /// What the error of a steady state is.
 const BASIS: &str = "steady motion: resistance and force against those on every second pixel";
 
@@ -52,26 +58,51 @@ struct Sliding<'s> {
     prescribed: Prescribed,
 }
 
+/// A steady state, and the speed [m/s] at which it is one.
+struct Steady {
+    speed: f64,
+    contact: SteadyContact,
+}
+
 impl Sliding<'_> {
-    /// The steady state at the speed `speed` [m/s], sought from the pressures of another one on; from a body at rest if
-    /// that leads nowhere.
+    /// The steady state at the speed `speed` [m/s], sought from that at another one on, from that on every second pixel, or
+    /// from a body at rest; if none leads there, by speeds between.
     fn at(
         &self,
         plan: &HalfSpacePlan,
         (speed, pressing): (f64, &Pressing<'_>),
-        start: Option<&Solution>,
-    ) -> Result<SteadyContact, HalfSpaceError> {
+        (start, coarser, halvings): (Option<&Steady>, Option<&Steady>, u32),
+    ) -> Result<Steady, HalfSpaceError> {
         let (pixel, boundary) = (self.heights.pixel, self.boundary);
         let travelled = Travelled { pixel, boundary, speed, ground: plan.ground.clone() };
         let response = SteadyResponse::new(self.spectrum, self.heights.values.dim().into(), &travelled);
-        let from = |start: Option<&Solution>| {
-            let pressure = start.map(|solution| solution.pressure.view());
-            response.solve(self.heights.values.view(), self.prescribed, pressure, &pressing.settings)
+        let from = |start: Option<ArrayView2<'_, f64>>| {
+            let contact = response.solve(self.heights.values.view(), self.prescribed, start, &pressing.settings)?;
+            Ok(Steady { speed, contact })
         };
-        match from(start) {
-            Err(HalfSpaceError::NotConverged { .. }) if start.is_some() => from(None),
+        let refined = coarser.map(|coarser| self.refined(&coarser.contact.solution.pressure));
+        let starts = [start.map(|start| start.contact.solution.pressure.view()), refined.as_ref().map(|p| p.view())];
+        for start in starts.into_iter().flatten() {
+            match from(Some(start)) {
+                Err(HalfSpaceError::NotConverged { .. }) => {}
+                found => return found,
+            }
+        }
+        match from(None) {
+            Err(HalfSpaceError::NotConverged { .. }) if halvings > 0 => {
+                let between = start.map_or(speed / SLOWER, |start| (start.speed * speed).sqrt());
+                let there = self.at(plan, (between, pressing), (start, None, halvings - 1))?;
+                self.at(plan, (speed, pressing), (Some(&there), None, halvings - 1))
+            }
             found => found,
         }
+    }
+
+    /// Pressures of every second pixel on all of them.
+    fn refined(&self, coarser: &Array2<f64>) -> Array2<f64> {
+        let (rows, columns) = coarser.dim();
+        let at = |(i, j): (usize, usize)| coarser[[(i / 2).min(rows - 1), (j / 2).min(columns - 1)]];
+        Array2::from_shape_fn(self.heights.values.dim(), at)
     }
 }
 
@@ -100,16 +131,17 @@ fn at_speeds(
     let (spectrum, thinned) = (Spectrum::new(&travel.relaxation), pressing.heights.thinned());
     let on = |heights| Sliding { spectrum: &spectrum, heights, boundary: plan.boundary, prescribed };
     let (fine, coarse) = (on(pressing.heights), on(&thinned));
-    let (mut glides, mut coarser) = (Glides::default(), None);
+    let (mut glides, mut last, mut coarser) = (Glides::default(), None, None);
     for &speed in &travel.speeds {
-        let found = fine.at(plan, (speed, pressing), glides.last.as_ref())?;
-        let rough = coarse.at(plan, (speed, pressing), coarser.as_ref())?;
-        let error = apart(&found, &rough);
-        glides.states.push(state(plan, pressing, &found, (speed, error)));
-        glides.contacts.push(touching(&found.solution));
+        let rough = coarse.at(plan, (speed, pressing), (coarser.as_ref(), None, HALVINGS))?;
+        let found = fine.at(plan, (speed, pressing), (last.as_ref(), Some(&rough), HALVINGS))?;
+        let error = apart(&found.contact, &rough.contact);
+        glides.states.push(state(plan, pressing, &found.contact, (speed, error)));
+        glides.contacts.push(touching(&found.contact.solution));
         glides.rubbing.extend(rubbing(plan, pressing.heights, &glides));
-        (glides.last, coarser) = (Some(found.solution), Some(rough.solution));
+        (last, coarser) = (Some(found), Some(rough));
     }
+    glides.last = last.map(|steady| steady.contact.solution);
     Ok(glides)
 }
 

@@ -27,11 +27,15 @@ pub(super) fn of_history(plan: &HalfSpacePlan) -> Result<[f64; 2], SimulationErr
     if let Some(side) = plan.window {
         return Ok([side; 2]);
     }
+    let relaxed = relaxed(plan);
     let guess = guessed(plan);
     let mut sides = along(&plan.indenter, guess).map(|radius| 4.0 * radius);
     for _ in 0..TRIES {
         let Some(heights) = of_tip(&plan.indenter, [TRIED; 2], sides) else { break };
-        let states = tried(plan, &heights)?;
+        let mut states = tried(plan, &heights)?;
+        if let Some(relaxed) = &relaxed {
+            states.extend(tried(relaxed, &heights)?);
+        }
         let meets = states.iter().any(|state| state.meets_border);
         let extent = states.iter().fold([0.0_f64; 2], |[x, y], state| [x.max(state.extent[0]), y.max(state.extent[1])]);
         if extent[0] <= 0.0 && !states.iter().any(|state| state.count > 0) {
@@ -45,15 +49,15 @@ pub(super) fn of_history(plan: &HalfSpacePlan) -> Result<[f64; 2], SimulationErr
             break;
         }
     }
-    let wider = relaxed(plan);
-    Ok(sides.map(|side| wider * side))
+    Ok(sides)
 }
 
-/// By how much a contact that glides slowly may be wider than the one that has just been pressed: that of a ball under
-/// a force, whose ground has relaxed.
-fn relaxed(plan: &HalfSpacePlan) -> f64 {
-    let Some(travel) = &plan.travel else { return 1.0 };
-    (travel.relaxation.instantaneous() / travel.relaxation.equilibrium).cbrt().min(4.0)
+/// The same history of bodies that have relaxed, on which a contact that glides slowly is wider.
+fn relaxed(plan: &HalfSpacePlan) -> Option<HalfSpacePlan> {
+    let modulus = plan.travel.as_ref()?.relaxation.equilibrium;
+    let mut slow = HalfSpacePlan { relaxation: None, travel: None, ..plan.clone() };
+    slow.shared.pair.normal = modulus;
+    Some(slow)
 }
 
 fn tried(plan: &HalfSpacePlan, heights: &Heights) -> Result<Vec<State>, SimulationError> {
