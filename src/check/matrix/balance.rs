@@ -16,6 +16,10 @@ pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String>
         return Some(why);
     }
     let led = led(&whole.records);
+    // A pull that is over on the way from one record to the next is in none of them.
+    if !led.iter().any(|record| record.normal.force.abs() > 0.0) {
+        return None;
+    }
     let (first, last) = (led.first()?, led.last()?);
     let [every, second] = [1, 2].map(|step| put_in(led, step));
     let off = (every - accounted(last) + accounted(first)).abs();

@@ -255,10 +255,14 @@ impl<'p> Pixels<'p> {
         pressed.dissipated = self.dissipated();
     }
 
-    /// Energy [J] that bodies which nothing holds together have stored and lost.
+    /// Energy [J] that bodies which nothing holds together still store.
+    pub(super) fn stored_apart(&self) -> f64 {
+        area(self.pressing.heights.pixel) * self.memory.as_ref().map_or(0.0, Memory::stored_apart)
+    }
+
+    /// The same with what they have lost.
     pub(super) fn accounted_apart(&self) -> f64 {
-        let stored = self.memory.as_ref().map_or(0.0, Memory::stored_apart);
-        area(self.pressing.heights.pixel) * stored + self.dissipated()
+        self.stored_apart() + self.dissipated()
     }
 
     /// Energy lost in the bodies so far [J].

@@ -131,12 +131,17 @@ impl Rehearsed {
         let has_past = series.pixels().has_past();
         let is_known = !has_past || (plan.friction.is_some() && plan.ground.is_none());
         let radii = records.iter().filter_map(|record| record.normal.contact_radius);
-        let of_edge = of_edge(radii, series.pixel(), is_known);
-        let edge = if of_edge > 0.0 {
-            format!("; an edge lies within half a pixel, {of_edge:.1e} of the largest radius")
-        } else {
-            String::new()
-        };
+        let mut of_edge = of_edge(radii, series.pixel(), is_known);
+        let mut edge = String::new();
+        if of_edge > 0.0 {
+            edge = format!("; an edge lies within half a pixel, {of_edge:.1e} of the largest radius");
+        }
+        if series.pixels().attraction().is_some() {
+            // What pulls holds an edge from pixel to pixel, and further off the larger they are.
+            let held = apart_in(|record| record.normal.contact_radius, coarse, records);
+            edge = format!("{edge}, and {held:.1e} from where it is held on every second");
+            of_edge = of_edge.max(held);
+        }
         let (of_area, touching) = match area_apart((coarse, records), series).filter(|_| !has_past) {
             Some((area, peak)) => (
                 area,

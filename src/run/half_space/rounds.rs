@@ -191,7 +191,9 @@ impl Rounds<'_> {
                 None => attraction.pull(&gap, map.boundary),
             };
             change = most_apart(&pull, &after) / attraction.stress;
-            if change <= SETTLED {
+            // What is left of a pull is none where nothing is within reach any more.
+            let lets_go = after.iter().all(|&pull| pull <= 0.0) && pull.iter().any(|&pull| pull > 0.0);
+            if change <= SETTLED && !lets_go {
                 return Ok(Reached::Settled(Settled { contact, pull }));
             }
             pull = mixed.next(&pull, after, change, attraction.stress);
@@ -292,6 +294,20 @@ mod tests {
                 (last, pull) = (Some(part.contact.pressure), part.pull);
             }
         }
+    }
+
+    /// Bodies drawn apart hold nothing, not even what a round may be off by.
+    #[test]
+    fn nothing_is_left_out_of_reach() {
+        let heights = two_balls([20, 20], 0.0);
+        let response = SurfaceResponse::new([SIDE; 2], [0.01; 2], Boundary::Free);
+        let attraction = Attraction::of(ElasticAdhesion::Finite { work: 2e-5, stress: 0.04 }, 0.01, 1.0).unwrap();
+        let (pixel, boundary, control) = ([0.01; 2], Boundary::Free, Prescribed::Indentation(-1e-2));
+        let map = PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary, control };
+        let rounds = Rounds { attraction, lone: None, response: &response, map, settings: Settings::default() };
+        let little = Array2::from_elem((SIDE, SIDE), 1e-6 * attraction.stress);
+        let found = rounds.settled(None, little).unwrap().unwrap();
+        assert!(found.pull.iter().all(|&pull| pull <= 0.0) && found.contact.contact_pixels() == 0);
     }
 
     /// Parts keep their margin and are no larger than what there is.

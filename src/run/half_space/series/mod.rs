@@ -337,6 +337,7 @@ impl<'p> Series<'p> {
         let mut state = self.pressing.apart(0.0);
         state.normal.indentation = None;
         state.pixels.mean_gap = None;
+        state.normal.stored.elastic = self.pixels.stored_apart();
         state.normal.dissipated = self.pixels.dissipated() + self.ledger.lost();
         state
     }
