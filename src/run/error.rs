@@ -98,9 +98,13 @@ fn springs_error(plan: &RoundPlan, springs: NonZeroUsize, work: f64, records: &[
     ErrorEstimate { relative: second, basis }
 }
 
-/// The largest force of a run [N], above zero.
+/// Part of the forces in balance beside which a force is none.
+const NO_FORCE: f64 = 1e-3;
+
+/// The largest force of a run [N], above zero; of a contact that is held by no force, what would be one.
 fn largest_force(run: &Run) -> f64 {
-    run.records.iter().map(|record| record.normal.force.abs()).fold(f64::MIN_POSITIVE, f64::max)
+    let largest = |of: fn(&Normal) -> f64| run.records.iter().map(|record| of(&record.normal)).fold(0.0, f64::max);
+    largest(|normal| normal.force.abs()).max(NO_FORCE * largest(Normal::in_balance)).max(f64::MIN_POSITIVE)
 }
 
 /// The largest contact radius among records [m].

@@ -227,3 +227,19 @@ fn the_error_of_a_rate_law_compares_like_with_like() {
         assert!(told.error_estimate.relative < 2e-2, "{shape}: {:?}", told.error_estimate);
     }
 }
+
+/// An edge that opens by a rate law jumps over the waves of a ball that is pulled off: pieces of the depth as short as time can
+/// be told are not halved for ever.
+#[test]
+fn a_pull_over_waves_ends() {
+    let outcome = tried(
+        "(shape: WavyParaboloid(radius: 1.1246826503806982e-3, amplitude: 5.623413251903491e-10, \
+         wavelength: 5.623413251903491e-6), bodies: (Viscoelastic(poisson: 0.5, shear: \
+         (equilibrium: 1.7782794100389228e9, terms: [], viscosity: 0)), Rigid), \
+         adhesion: Jkr(work: 1.1246826503806984e-4, edge: Rate(speed: 1.0000000000000002e-6, exponent: 0.5)), steps: 4, \
+         history: [Press(to: 1.778279410038923e-2, over: 3.1622776601683795), \
+         Press(to: 7.113117640155692e-3, over: 5.623413251903492e-1), Press(to: -1.778279410038923e-3, over: 5.623413251903491)])",
+    )
+    .unwrap();
+    assert!(outcome.records.last().unwrap().normal.indentation.is_none(), "the pull tears them apart");
+}

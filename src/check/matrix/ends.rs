@@ -32,6 +32,11 @@ impl Largest {
         if self.radius > 0.0 { self.energy / self.radius } else { 0.0 }
     }
 
+    /// The largest force [N], or that beside which one is none.
+    pub(super) fn tellable_force(&self) -> f64 {
+        self.force.max(LEAST * self.balance())
+    }
+
     pub(super) fn of(outcome: &Outcome) -> Self {
         let largest = |of: &dyn Fn(&Record) -> f64| outcome.records.iter().map(|r| of(r).abs()).fold(0.0, f64::max);
         Self {
@@ -81,7 +86,7 @@ impl Ends {
     pub(super) fn differ(&self, other: &Self, bound: f64) -> Option<String> {
         let largest = &self.largest;
         let pairs = [
-            ("force", self.force, other.force, largest.force.max(LEAST * largest.balance())),
+            ("force", self.force, other.force, largest.tellable_force()),
             ("depth", self.depth, other.depth, largest.depth),
             ("stored", self.stored, other.stored, largest.energy),
             ("dissipated", self.dissipated, other.dissipated, largest.energy),
@@ -110,11 +115,11 @@ fn computed(written: &Written, wanted: Wanted) -> Result<Outcome, String> {
     run::run(&plan, wanted).map_err(|error| error.to_string())
 }
 
-/// How the end of another scene differs beyond `bound`, if it does.
-pub(super) fn compared(whole: &Outcome, other: &Written, bound: f64) -> Option<String> {
+/// How the end of another scene differs by more than either is `known`, if it does.
+pub(super) fn compared(whole: &Outcome, other: &Written, known: &dyn Fn(&Outcome) -> f64) -> Option<String> {
     let other = match outcome(other) {
         Ok(other) => other,
         Err(why) => return Some(why),
     };
-    Ends::of(whole)?.differ(&Ends::of(&other)?, bound)
+    Ends::of(whole)?.differ(&Ends::of(&other)?, known(whole).max(known(&other)))
 }

@@ -49,7 +49,7 @@ fn apart(whole: &Outcome, fine: &Outcome) -> Option<[f64; 2]> {
         // Of nothing at all nothing is off.
         offs.map(f64::abs).fold(0.0, worst) / scale.max(f64::MIN_POSITIVE)
     };
-    Some([most(&mut { force }, largest.force), most(&mut { radius }, largest.radius)])
+    Some([most(&mut { force }, largest.tellable_force()), most(&mut { radius }, largest.radius)])
 }
 
 /// Whether two records are of the same time.

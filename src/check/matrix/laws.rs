@@ -104,7 +104,7 @@ impl Cell {
             Err(why) => return vec![Kept::of(Law::Ledger, Some(why), &written)],
         };
         let exact = self.bound(&written, &whole);
-        let mut kept = same_ways(&whole, &written, (part, exact));
+        let mut kept = same_ways(&whole, &written, (part, &|outcome| self.bound(&written, outcome)));
         kept.extend(self.other_units(&whole, variation, exact));
         if written.relaxes() {
             kept.extend(elastic_limit(&written, exact));
@@ -187,9 +187,9 @@ impl Cell {
     }
 }
 
-/// Cut at a part of its ways, as a table, with its bodies swapped, with another name for its attraction: it may end
-/// `exact` apart.
-fn same_ways(whole: &Outcome, written: &Written, (part, exact): (f64, f64)) -> Vec<Kept> {
+/// Cut at a part of its ways, as a table, with its bodies swapped, with another name for its attraction: it may end as
+/// far apart as either is `known`.
+fn same_ways(whole: &Outcome, written: &Written, (part, known): (f64, &dyn Fn(&Outcome) -> f64)) -> Vec<Kept> {
     // A pad is led from where its highest part just touches.
     let begin = whole.records.first().and_then(|record| record.normal.indentation).unwrap_or(0.0);
     let cut = written.cut(part, begin);
@@ -198,7 +198,7 @@ fn same_ways(whole: &Outcome, written: &Written, (part, exact): (f64, f64)) -> V
     let bridge = written.as_maugis().map(|bridge| (Law::Bridge, bridge));
     let ways = [cut, table, Some((Law::Swap, written.swapped())), bridge].into_iter().flatten();
     ways.filter(|(_, other)| other.plan().is_ok())
-        .map(|(law, other)| Kept::of(law, compared(whole, &other, exact), &other))
+        .map(|(law, other)| Kept::of(law, compared(whole, &other, known), &other))
         .collect()
 }
 

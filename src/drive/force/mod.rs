@@ -131,6 +131,8 @@ const PARTED: f64 = 1e-12;
 /// failed that is left where it tells nothing any more.
 const TOWARDS: f64 = 0.3;
 const PASSED: f64 = 0.1;
+/// The next piece, relative to the one that would just be allowed, and at the least that by which one is shortened.
+const SHORTER: f64 = 0.8;
 /// Shortest piece, relative to the whole.
 const SHORTEST: f64 = 1e-18;
 /// First piece tried after a jump, relative to the whole.
@@ -202,9 +204,10 @@ impl ForceDrive {
                 continue;
             };
             let error = self.error(contact, speed, duration)?;
-            let shortest = duration <= SHORTEST * self.end || until <= self.now.next_up();
+            // Of a piece of two roundings there is none that is shorter by a little.
+            let shortest = duration <= SHORTEST * self.end || self.now + SHORTER * duration >= until;
             if error > 1.0 && !shortest && !self.is_first_touch(contact, speed * duration) {
-                let shorter = duration * (0.8 / error.sqrt()).clamp(1e-3, 0.8);
+                let shorter = duration * (SHORTER / error.sqrt()).clamp(1e-3, SHORTER);
                 self.step = if draws(contact, speed, duration)? { SHORTEST * self.end } else { shorter };
                 continue;
             }
@@ -215,7 +218,8 @@ impl ForceDrive {
                 self.pace.add(speed, self.now + 0.5 * duration);
             }
             self.now = until;
-            self.step = if jumped { AFTER_JUMP * self.end } else { duration * (0.8 / error.sqrt()).clamp(0.2, 5.0) };
+            self.step =
+                if jumped { AFTER_JUMP * self.end } else { duration * (SHORTER / error.sqrt()).clamp(0.2, 5.0) };
             self.unmet = self.unmet.filter(|unmet| unmet.at - self.now > PASSED * unmet.duration);
             if let Some(unmet) = self.unmet {
                 self.step = self.step.min(TOWARDS * (unmet.at - self.now));
