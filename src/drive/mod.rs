@@ -298,8 +298,8 @@ impl Driver {
     fn meet(&self, contact: &mut dyn ContactModel, until: f64) -> Result<(), ContactError> {
         let Remainder::Force(force) = &self.stage.remainder else { return Ok(()) };
         if let Some(instant) = force.met(contact, until)? {
-            let slide = self.stage.slide_at(until);
-            contact.follow(&Straight { slide, ..instant })?;
+            let (slide, sliding_speed) = (self.stage.slide_at(until), self.stage.sliding_speed());
+            contact.follow(&Straight { slide, sliding_speed, ..instant })?;
         }
         Ok(())
     }

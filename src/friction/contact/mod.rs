@@ -66,6 +66,8 @@ pub struct Step<'c> {
     pub slide: [f64; 2],
     /// Sliding speed [m/s].
     pub speed: f64,
+    /// Speed of the depth [m/s]; zero under a force.
+    pub sinking: f64,
     /// Duration [s].
     pub over: f64,
 }
@@ -194,6 +196,7 @@ impl FrictionalContact {
             prescribed: [start.indentation, piece.to],
             slide: [start.slide, piece.slide],
             speed: piece.sliding_speed,
+            sinking: piece.speed,
             over: piece.duration,
         };
         let onset = self.friction.follow(&step)?;
@@ -315,6 +318,7 @@ impl ContactModel for FrictionalContact {
             prescribed: [from, pull.force],
             slide: [self.slide, pull.slide],
             speed: pull.sliding_speed,
+            sinking: 0.0,
             over: pull.duration,
         };
         let onset = self.friction.follow(&step);

@@ -74,8 +74,11 @@ impl TangentialContact for ViscoelasticFriction {
         let (down, way) = (depth - self.bed.depth(), step.slide[1] - self.slide);
         self.slide = step.slide[1];
         let over = if step.over > 0.0 { step.over } else { self.bed.instant() };
+        // An instant at the speed at which the contact is just led has no way that numbers could tell, but dashpots feel it.
+        let is_instant = step.over > 0.0 && over <= self.bed.instant() && way.abs() <= 0.0;
+        let speeds = if is_instant { (step.sinking, step.speed) } else { (down / over, way / over) };
         if step.over > 0.0 || down.abs() > 0.0 || way.abs() > 0.0 {
-            self.bed.advance((down / over, way / over), over);
+            self.bed.advance(speeds, over);
         }
         Ok(None)
     }
@@ -123,7 +126,16 @@ mod tests {
 
     /// The line on bodies that relax, with friction.
     fn rubbing(line: &RoughLine, terms: &[(f64, f64)], base: Option<&Paraboloid>) -> FrictionalContact {
-        let relaxation = Relaxation { equilibrium: 2.5, terms: terms.to_vec(), viscosity: 0.0 };
+        damped(line, (terms, 0.0), base)
+    }
+
+    /// The same with a dashpot.
+    fn damped(
+        line: &RoughLine,
+        (terms, viscosity): (&[(f64, f64)], f64),
+        base: Option<&Paraboloid>,
+    ) -> FrictionalContact {
+        let relaxation = Relaxation { equilibrium: 2.5, terms: terms.to_vec(), viscosity };
         let spectrum = Arc::new(Spectrum::new(&relaxation));
         let base = base.map(|base| base as &dyn crate::shape::Profile);
         let normal = RelaxingRough::new(line, 1000, spectrum.clone(), base).unwrap();
@@ -191,6 +203,28 @@ mod tests {
         go(&mut contact, last, to, 0.1);
         let (taken, right) = (lost(&contact) - before, 0.3 * contact.state().force * depth);
         assert!((taken / right - 1.0).abs() < 1e-7, "{taken:e} {right:e}");
+    }
+
+    /// An instant in which a damped contact is looked at at its speed is no stop: the dashpots along the surface go on.
+    #[test]
+    fn an_instant_goes_on_along_the_surface() {
+        let line = line(1e-6);
+        let depth = RoughContact::new(&line, 1000, 1.0, None).unwrap().bed().heights()[700];
+        let mut contact = damped(&line, (&[(3.0, 0.4)], 0.2), None);
+        let at = Pose { indentation: depth, slide: 0.0 };
+        go(&mut contact, Pose::default(), at, 1.0);
+        let (slide, sliding_speed, down) = (0.1 * depth, 0.1 * depth, 1.1 * depth);
+        let led = Straight { slide, sliding_speed, ..Straight::between(depth, down, 1.0) };
+        contact.follow(&led).unwrap();
+        contact.settle().unwrap();
+        let before = contact.tangential().unwrap().force;
+        let instant = contact.memory().unwrap().instant();
+        let to = down + led.speed * instant;
+        contact.follow(&Straight { to, duration: instant, ..led }).unwrap();
+        contact.settle().unwrap();
+        let after = contact.tangential().unwrap();
+        assert!(before > 0.0 && (after.force / before - 1.0).abs() < 1e-6, "{before:e} {after:?}");
+        assert!((after.slide / slide - 1.0).abs() < 1e-6);
     }
 
     /// Pieces cut in three are the same pieces.
