@@ -18,6 +18,8 @@ pub(super) struct Ends {
 #[derive(Clone, Copy)]
 pub(super) struct Largest {
     pub(super) force: f64,
+    /// Forces [N] that hold each other in balance in a contact that adheres.
+    balanced: f64,
     pub(super) depth: f64,
     pub(super) energy: f64,
     pub(super) radius: f64,
@@ -29,7 +31,8 @@ const LEAST: f64 = 1e-3;
 impl Largest {
     /// Force [N] of the order of those which hold each other in balance in a contact that adheres under no load.
     fn balance(&self) -> f64 {
-        if self.radius > 0.0 { self.energy / self.radius } else { 0.0 }
+        let told = if self.radius > 0.0 { self.energy / self.radius } else { 0.0 };
+        self.balanced.max(told)
     }
 
     /// The largest force [N], or that beside which one is none.
@@ -41,6 +44,7 @@ impl Largest {
         let largest = |of: &dyn Fn(&Record) -> f64| outcome.records.iter().map(|r| of(r).abs()).fold(0.0, f64::max);
         Self {
             force: largest(&|record| record.normal.force),
+            balanced: largest(&|record| record.normal.in_balance()),
             depth: largest(&|record| record.normal.indentation.unwrap_or(0.0)),
             energy: largest(&|record| record.normal.stored.elastic)
                 + largest(&|record| record.normal.stored.surface)
@@ -65,7 +69,7 @@ impl Ends {
 
     /// The same in units of force [N] and length [m].
     pub(super) fn over(&self, force: f64, length: f64) -> Self {
-        let Largest { force: most, depth, energy, radius } = self.largest;
+        let Largest { force: most, balanced, depth, energy, radius } = self.largest;
         let work = force * length;
         Self {
             force: self.force / force,
@@ -75,6 +79,7 @@ impl Ends {
             along: self.along / force,
             largest: Largest {
                 force: most / force,
+                balanced: balanced / force,
                 depth: depth / length,
                 energy: energy / work,
                 radius: radius / length,
