@@ -49,7 +49,8 @@ impl Front<'_> {
     pub(super) fn longer(&self, way: Way, step: f64, x: f64) -> f64 {
         let first = self.first_step();
         if self.border_at(x).is_some() {
-            return first;
+            // The first step of an edge all but at the axis would be below the rounding of the border.
+            return FIRST_STEP * x.max(self.start_length());
         }
         let longest = if self.edge > 0.0 { LONGEST_STEP * self.edge.max(x) } else { 0.5 * x };
         let inwards =
@@ -117,39 +118,57 @@ mod tests {
     use super::*;
     use crate::material::Relaxation;
 
+    /// Calls `told` with the way a search goes over `borders` from beside an edge.
+    fn searching(edge: f64, borders: &[f64], told: impl Fn(&Front<'_>)) {
+        let spectrum = Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 });
+        let see = |_: Way, _: f64| SightedSpring { spring: Spring::untouched(&spectrum), height: 0.0, doubt: 0.0 };
+        told(&Front {
+            spectrum: &spectrum,
+            attraction: None,
+            see: &see,
+            fails: &|| false,
+            profile: &unit_ball(),
+            edge,
+            limit: 2.0,
+            borders,
+            scale: 1.0,
+            feature: f64::INFINITY,
+            motion: Motion { start: 0.0, speed: 1.0, duration: 1.0 },
+            least: 0.0,
+            instantly: 1e-12,
+            instants: instants(&spectrum, 1.0),
+        });
+    }
+
     /// Borders within the rounding of each other, three of them beside the edge itself: a search gets past them all, each
     /// place of it beyond the last one.
     #[test]
     fn a_search_gets_past_borders_side_by_side() {
-        let spectrum = Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![(1.0, 1.0)], viscosity: 0.0 });
-        let see = |_: Way, _: f64| SightedSpring { spring: Spring::untouched(&spectrum), height: 0.0, doubt: 0.0 };
-        let profile = unit_ball();
         for ulps in 0..40 {
             let apart = 1.0 + f64::EPSILON * f64::from(ulps);
             let borders = [0.5 / apart, 0.5, 0.5 * apart, 1.0, apart, apart * apart];
-            let front = Front {
-                spectrum: &spectrum,
-                attraction: None,
-                see: &see,
-                fails: &|| false,
-                profile: &profile,
-                edge: 0.5,
-                limit: 2.0,
-                borders: &borders,
-                scale: 1.0,
-                feature: f64::INFINITY,
-                motion: Motion { start: 0.0, speed: 1.0, duration: 1.0 },
-                least: 0.0,
-                instantly: 1e-12,
-                instants: instants(&spectrum, 1.0),
-            };
-            for (way, sign, mut x) in [(Way::Closing, 1.0, 0.4), (Way::Opening, -1.0, 1.1)] {
-                let mut places = 0;
-                while let Some(next) = front.further(way, x, 0.05) {
-                    assert!(sign * (next - x) > 0.0 && places < 60, "{ulps} {way:?}: {x:e} {next:e}");
-                    (x, places) = (next, places + 1);
+            searching(0.5, &borders, |front| {
+                for (way, sign, mut x) in [(Way::Closing, 1.0, 0.4), (Way::Opening, -1.0, 1.1)] {
+                    let mut places = 0;
+                    while let Some(next) = front.further(way, x, 0.05) {
+                        assert!(sign * (next - x) > 0.0 && places < 60, "{ulps} {way:?}: {x:e} {next:e}");
+                        (x, places) = (next, places + 1);
+                    }
                 }
-            }
+            });
         }
+    }
+
+    /// An edge that has all but come to the axis looks out of a contact of before, which ended far from there.
+    #[test]
+    fn a_search_gets_past_a_border_from_next_to_the_axis() {
+        searching(1e-18, &[1e-3, 0.5], |front| {
+            let (mut x, mut step, mut places) = (front.edge, front.first_step(), 0);
+            while let Some(next) = front.further(Way::Closing, x, step) {
+                assert!(next > x && places < 2000, "{x:e} {next:e}");
+                (x, places) = (next, places + 1);
+                step = front.longer(Way::Closing, step, x);
+            }
+        });
     }
 }
