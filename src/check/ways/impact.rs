@@ -57,15 +57,13 @@ fn driven(accuracy: f64) -> Attempt<Method> {
     }))
 }
 
-/// Duration of one of `steps` per contact [s].
-#[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
-fn step(steps: usize, depth: f64) -> f64 {
-    2.943 * depth / steps as f64
-}
+/// Contact time in greatest depths over the speed, about.
+const CONTACT: f64 = 2.943;
 
 /// The drive of any contact by a mass, here of the direct path, `steps` per contact.
+#[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
 fn stepped(steps: usize, depth: f64) -> Method {
-    let mass = SteppedMass { impact: IMPACT, longest: step(steps, depth) };
+    let mass = SteppedMass { impact: IMPACT, time: CONTACT * depth, steps: steps as f64 };
     Method::new("mass in steps on any contact", Setting::steps(steps), move || {
         let ball = paraboloid(1.0)?;
         Ok(move || solved(black_box(mass).rebound(&mut plain(ball.clone(), 1.0))?.contact_time, size_of_val(&mass)))
@@ -73,8 +71,9 @@ fn stepped(steps: usize, depth: f64) -> Method {
 }
 
 /// The way of particle codes, `steps` per contact.
+#[expect(clippy::cast_precision_loss, reason = "steps are far below 2^53")]
 fn verlet(steps: usize, depth: f64) -> Method {
-    let step = step(steps, depth);
+    let step = CONTACT * depth / steps as f64;
     Method::new("velocity Verlet on Hertz's law", Setting::steps(steps), move || {
         Ok(move || {
             let time = verlet_contact_time(4.0 / 3.0, IMPACT.mass, IMPACT.speed, black_box(step));

@@ -21,7 +21,7 @@
 //! let impact = Projectile { mass: 1.0, speed: 1.0 };
 //! let exact = Passage::new(&contact, impact, 1e-9)?.rebound().contact_time.unwrap();
 //! assert!((exact / (2.943_275_184_324_705 * 0.9375f64.powf(0.4)) - 1.0).abs() < 1e-9);
-//! let stepped = SteppedMass { impact, longest: 0.05 }.rebound(&mut contact)?.contact_time.unwrap();
+//! let stepped = SteppedMass { impact, time: 3.0, steps: 60.0 }.rebound(&mut contact)?.contact_time.unwrap();
 //! assert!((stepped / exact - 1.0).abs() < 1e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

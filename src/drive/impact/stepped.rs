@@ -4,6 +4,7 @@ use super::{ImpactState, Projectile, Rebound};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::drive::force::{ahead, depth_of};
+use std::f64::consts::PI;
 
 /// A mass that drives any contact in straight pieces of its depth.
 ///
@@ -12,12 +13,17 @@ use crate::drive::force::{ahead, depth_of};
 /// then its work: kinetic energy, stored energy and heat add up to the error of that rule however long the
 /// steps. Of second order in h. The energy of an elastic impact and the collocation of a viscoelastic one are the
 /// better answers where they exist; this one is theirs to be held against, and serves any contact they do not know.
+///
+/// A body that takes the speed long before it gives way (a dashpot, or an edge that creeps on) leaves a mass that moves
+/// far more slowly than it struck: it is followed in steps of its own pace.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteppedMass {
     /// The mass and its speed.
     pub impact: Projectile,
-    /// Longest step [s].
-    pub longest: f64,
+    /// Time of the impact on the stiffest bodies [s], or about as long.
+    pub time: f64,
+    /// Steps in that time.
+    pub steps: f64,
 }
 
 /// Steps after which a mass that does not come back counts as stuck.
@@ -29,6 +35,10 @@ const FIRST: f64 = 1e-6;
 const SETTLED: f64 = 1e-9;
 /// Growth of the steps at first, relative to the time that has passed.
 const GROWTH: f64 = 0.1;
+/// A mass that moves by so much more slowly than it struck is slow: its steps grow with its pace.
+const SLOW: f64 = 4.0;
+/// Part of the greatest depth that does not count: a mass with less to go has come to rest.
+const REST: f64 = 1e-9;
 
 /// Is told of the states at the ends of the steps.
 pub type Watcher<'w> = dyn FnMut(ImpactState, &dyn ContactModel) + 'w;
@@ -41,6 +51,10 @@ struct MovingMass<'c> {
     time: f64,
     /// Time and force at the ends of the last two steps.
     before: [(f64, f64); 2],
+    /// Middle and mean speed of the last three.
+    means: [(f64, f64); 3],
+    /// Half the force [N] more per speed and mass, as in the last step [1/s].
+    resistance: f64,
     most: Rebound,
 }
 
@@ -61,24 +75,47 @@ impl SteppedMass {
     /// As of [`rebound`](Self::rebound).
     pub fn watched(&self, contact: &mut dyn ContactModel, watcher: &mut Watcher<'_>) -> Result<Rebound, ContactError> {
         let most = Rebound { lost: self.impact.energy(), ..Rebound::default() };
-        let (impact, speed, before) = (self.impact, self.impact.speed, [(0.0, 0.0); 2]);
-        let mut way = MovingMass { contact, impact, speed, time: 0.0, before, most };
-        let mut step = FIRST * self.longest;
+        let (impact, speed) = (self.impact, self.impact.speed);
+        let (before, means) = ([(0.0, 0.0); 2], [(0.0, speed); 3]);
+        let mut way = MovingMass { contact, impact, speed, time: 0.0, before, means, resistance: 0.0, most };
+        // The period of a mass that swings goes by in π of its paces.
+        let (struck, longest) = (self.time / PI, self.time / self.steps);
+        let mut step = FIRST * longest;
         let mut turned = false;
         for _ in 0..MOST_STEPS {
-            if way.step(step, watcher)? || way.rests() || (turned && way.speed > 0.0) {
+            if way.step(step, watcher)? || way.rests(struck) || (turned && way.speed > 0.0) {
                 break;
             }
             turned |= way.speed < 0.0;
-            step = self.longest.min(GROWTH * way.time + FIRST * self.longest);
+            let slower = (way.pace(struck) / (SLOW * struck)).max(1.0);
+            step = (longest * slower).min(GROWTH * way.time + FIRST * longest);
         }
         Ok(way.most)
     }
 }
 
 impl MovingMass<'_> {
-    fn rests(&self) -> bool {
-        self.speed.abs() < 1e-9 * self.impact.speed && self.contact.state().force <= 0.0
+    /// Whether the mass stands still: at its pace it will not get anywhere any more.
+    fn rests(&self, struck: f64) -> bool {
+        let pace = self.pace(struck);
+        (self.speed.abs() + self.slowing().0.abs() * pace) * pace < REST * self.most.greatest_depth
+    }
+
+    /// Time [s] in which the motion changes: 1/ω of a mass that swings as it struck, 1/ω = `struck`, at any moment of
+    /// the swing, T of one whose speed goes as exp(−t/T).
+    fn pace(&self, struck: f64) -> f64 {
+        let (rate, change) = self.slowing();
+        let pace = self.speed.hypot(struck * rate) / rate.hypot(struck * change);
+        if pace.is_finite() { pace } else { struck }
+    }
+
+    /// How fast the speed changes [m/s²], and that [m/s³]: of the mean speeds, for those at the ends of long steps behind a
+    /// dashpot lie now on one side of the motion and now on the other.
+    fn slowing(&self) -> (f64, f64) {
+        let slope = |one: (f64, f64), two: (f64, f64)| (0.5 * (one.0 + two.0), (two.1 - one.1) / (two.0 - one.0));
+        let [first, second, third] = self.means;
+        let (early, late) = (slope(first, second), slope(second, third));
+        (late.1, slope(early, late).1)
     }
 
     /// One step; whether the bodies have parted in it.
@@ -91,6 +128,7 @@ impl MovingMass<'_> {
         // With the mean of the speeds at both ends the impulse is 2m(v₀ − w), which it need not be asked for again.
         self.speed =
             if parted { self.speed - self.impulse(mean, held)? / self.impact.mass } else { 2.0 * mean - self.speed };
+        self.means = [self.means[1], self.means[2], (self.time + 0.5 * held, mean)];
         self.contact.follow(&ahead(self.contact, mean, held))?;
         watcher(self.state(self.time + held), self.contact);
         if parted {
@@ -163,30 +201,28 @@ impl MovingMass<'_> {
         Ok(self.contact.look(&piece)?.contact_radius > 0.0)
     }
 
-    /// w = v₀ − ½∫F dt/m with the impulse along w itself.
+    /// w = v₀ − ½∫F dt/m with the impulse along w itself, from the last speeds and the last resistance on.
     fn mean_speed(&mut self, duration: f64) -> Result<f64, ContactError> {
         let mass = self.impact.mass;
-        let mut mean = self.speed - 0.5 * self.force_ahead(0.5 * duration) * duration / mass;
+        let (late, last_mean) = self.means[2];
+        let guess = last_mean + self.slowing().0 * (self.time + 0.5 * duration - late);
+        let mut mean = if guess.is_finite() { guess } else { self.speed };
+        let mut slope = -1.0 - self.resistance * duration;
         let mut last: Option<(f64, f64)> = None;
         for _ in 0..20 {
             let miss = self.speed - 0.5 * self.impulse(mean, duration)? / mass - mean;
-            let slope = last.map_or(-1.0, |(w, m)| (miss - m) / (mean - w));
+            let seen = last.map_or(slope, |(w, m)| (miss - m) / (mean - w));
+            slope = if seen.is_finite() && seen < -0.5 { seen } else { -1.0 };
             last = Some((mean, miss));
-            let better = mean - miss / if slope.is_finite() && slope < -0.5 { slope } else { -1.0 };
+            let better = mean - miss / slope;
             let settled = (better - mean).abs() <= SETTLED * self.impact.speed;
             mean = better;
             if settled {
                 break;
             }
         }
+        self.resistance = (-1.0 - slope) / duration;
         Ok(mean)
-    }
-
-    /// The force [N] a time `ahead` [s] from now, as it has gone in the last step.
-    fn force_ahead(&self, ahead: f64) -> f64 {
-        let [first, second] = self.before;
-        let rate = if second.0 > first.0 { (second.1 - first.1) / (second.0 - first.0) } else { 0.0 };
-        second.1 + rate * ahead
     }
 
     /// The last time in the step at which the bodies hold, and the first at which they have parted.
@@ -230,7 +266,7 @@ mod tests {
             let all = kinetic + state.stored.stored() + state.dissipated;
             astray = astray.max((all / impact.energy() - 1.0).abs());
         };
-        let mass = SteppedMass { impact, longest: 3.0 / steps };
+        let mass = SteppedMass { impact, time: 3.0, steps };
         (mass.watched(&mut contact, &mut watcher).unwrap(), astray)
     }
 
@@ -258,10 +294,31 @@ mod tests {
             let attraction = Attraction::with_rate(0.01, &spectrum, (rate, 0.5)).to_accuracy(1e-3);
             let mut contact = ContinuousContact::new(Memory::new(spectrum.clone(), ball.clone()).with(attraction));
             let mut last = ImpactState::default();
-            let mass = SteppedMass { impact: Projectile { mass: 1.0, speed: 3.0 }, longest: 0.03 };
+            let mass = SteppedMass { impact: Projectile { mass: 1.0, speed: 3.0 }, time: 3.0, steps: 100.0 };
             let seen = mass.watched(&mut contact, &mut |state, _| last = state).unwrap();
             assert!(!seen.sticks() && last.force.abs() <= 0.0 && last.radius <= 0.0, "{rate}: {last:?}");
             assert!(last.depth.abs() < seen.greatest_depth, "{last:?}");
+        }
+    }
+
+    /// A body so tough that it stops the mass at once, and that its adhesion then draws into it for as long as it takes:
+    /// until it carries nothing, at the depth of JKR, F = 0, in steps by the hundred.
+    #[test]
+    fn a_mass_that_hardly_gets_in_sinks_at_its_own_pace() {
+        let (work, impact) = (0.3, Projectile { mass: 1.0, speed: 3.0 });
+        let ball = Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() });
+        let radius = (0.75 * (8.0 * PI * work).sqrt()).powf(2.0 / 3.0);
+        let depth = radius * radius - (2.0 * PI * radius * work).sqrt();
+        for viscosity in [1e2, 1e4, 1e8] {
+            let relaxation = Relaxation { equilibrium: 1.0, terms: vec![], viscosity };
+            let spectrum = Arc::new(Spectrum::new(&relaxation));
+            let attraction = Attraction::relaxed(work, &spectrum).to_accuracy(1e-6);
+            let mut contact = ContinuousContact::new(Memory::new(spectrum, ball.clone()).with(attraction));
+            let mut steps = 0;
+            let mass = SteppedMass { impact, time: 3.0 / viscosity, steps: 50.0 };
+            let seen = mass.watched(&mut contact, &mut |_, _| steps += 1).unwrap();
+            let off = seen.greatest_depth / depth - 1.0;
+            assert!(seen.sticks() && off.abs() < 1e-3 && steps < 3000, "{viscosity:e}: {off:e} in {steps}");
         }
     }
 
@@ -284,13 +341,13 @@ mod tests {
         for work in [0.0, 0.3] {
             let contact = QuasiStatic::new(EdgeLine::new(Foundation::new(ball.clone(), 1.0), work));
             let exact = Passage::new(&contact, impact, 1e-9).unwrap().rebound();
-            let off = |longest: f64| {
+            let off = |steps: f64| {
                 let mut contact = contact.clone();
-                let seen = SteppedMass { impact, longest }.rebound(&mut contact).unwrap();
+                let seen = SteppedMass { impact, time: 3.0, steps }.rebound(&mut contact).unwrap();
                 let time = seen.contact_time.unwrap() / exact.contact_time.unwrap() - 1.0;
                 (seen.restitution - exact.restitution).abs().max(time.abs())
             };
-            let (coarse, fine) = (off(0.02), off(0.01));
+            let (coarse, fine) = (off(150.0), off(300.0));
             assert!(coarse < 1e-3 && fine < 0.5 * coarse, "{work}: {coarse:e} {fine:e}");
         }
     }

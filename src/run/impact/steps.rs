@@ -63,7 +63,7 @@ impl Struck<'_> {
                 deepest = Some((state.time, contact.copy()));
             }
         };
-        let mass = SteppedMass { impact: self.impact, longest: self.time / steps };
+        let mass = SteppedMass { impact: self.impact, time: self.time, steps };
         let rebound = mass.watched(contact.as_mut(), &mut watcher)?;
         Ok(Steps { rebound, states, deepest, bytes: contact.effort().bytes })
     }

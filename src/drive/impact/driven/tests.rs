@@ -179,7 +179,7 @@ proptest! {
         let depth = driven(spectrum.clone()).depth_scale(&UNIT).unwrap();
         let layout = Layout::graded(ball().as_ref(), (depth.sqrt() / 64.0, depth.sqrt()), 500);
         let mut bed = GrowingBed::new(spectrum.clone(), ball(), layout);
-        let plain = SteppedMass { impact: UNIT, longest: depth / 200.0 }.rebound(&mut bed).unwrap();
+        let plain = SteppedMass { impact: UNIT, time: depth, steps: 200.0 }.rebound(&mut bed).unwrap();
         let seen = rebound(spectrum, 1e-6);
         prop_assert!((seen.restitution - plain.restitution).abs() < 1e-4, "{seen:?} {plain:?}");
         prop_assert!((seen.greatest_depth / plain.greatest_depth - 1.0).abs() < 1e-3, "{seen:?} {plain:?}");
