@@ -421,7 +421,7 @@ fn tables_are_the_integral_equation() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::laws::cases(24))]
 
     /// Random layers: k′ = 2E*q₁² by differences, and the depth of a paraboloid from the stiffness alone is that from the
     /// resolvent, which a power of the exponent two asks for.

@@ -14,10 +14,8 @@ use std::marker::PhantomData;
 /// # Errors
 /// All faults of the text, up to and with the first of its notation.
 pub fn scene(text: &str) -> Result<Scene, Faulty<Scene, TextError>> {
-    serde_json::from_str(text).or_else(|_| {
-        mend::read_all(text.len(), |mending| watched(text, mending), wrong)
-            .map_err(|faulty| faulty.told(|error| placed(text, error)))
-    })
+    mend::read_all(text.len(), |mending| watched(text, mending), wrong)
+        .map_err(|faulty| faulty.told(|error| placed(text, error)))
 }
 
 fn watched(text: &str, mending: &Mending) -> Result<Scene, Error> {

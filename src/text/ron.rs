@@ -21,15 +21,13 @@ pub fn scene(text: &str) -> Result<Scene, Faulty<Scene, TextError>> {
     let options = ron::Options::default()
         .with_default_extension(Extensions::IMPLICIT_SOME | Extensions::UNWRAP_VARIANT_NEWTYPES)
         .with_recursion_limit(DEEPEST);
-    let read = options.from_str(text);
-    if let (Ok(_), Some(fault)) = (&read, no_power_law(text)) {
-        return Err(Faulty { faults: vec![fault], rest: None });
+    let read = |mending: &Mending| options.from_str_seed(text, mending.watch(PhantomData));
+    let scene = mend::read_all(text.len(), read, |error| wrong(&error.code))
+        .map_err(|faulty| faulty.told(|error| explained(text, error)))?;
+    match no_power_law(text) {
+        Some(fault) => Err(vec![fault].into()),
+        None => Ok(scene),
     }
-    read.or_else(|_| {
-        let read = |mending: &Mending| options.from_str_seed(text, mending.watch(PhantomData));
-        mend::read_all(text.len(), read, |error| wrong(&error.code))
-            .map_err(|faulty| faulty.told(|error| explained(text, error)))
-    })
 }
 
 /// A series of terms under the name of a power law: RON reads the name before fields and forgets it.

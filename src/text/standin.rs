@@ -1,8 +1,7 @@
 //! A value of any type, in the place of one that cannot be read, so that the rest of a scene can.
 
-use serde::de::value::StrDeserializer;
+use serde::de::value::{Error, StrDeserializer};
 use serde::de::{self, DeserializeSeed, IntoDeserializer, Visitor};
-use std::marker::PhantomData;
 
 /// What stands for a value that says itself what it may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,10 +26,10 @@ impl Guise {
 }
 
 /// The stand-in; of an enum it is the first kind, of a structure all fields are stand-ins.
-pub struct StandIn<E> {
+#[derive(Debug, Clone, Copy)]
+pub struct StandIn {
     guise: Guise,
     place: Place,
-    error: PhantomData<E>,
 }
 
 /// Where a stand-in stands, which decides whether something optional is there.
@@ -42,30 +41,30 @@ enum Place {
     Within,
 }
 
-impl<E> StandIn<E> {
+impl StandIn {
     pub fn new(guise: Guise) -> Self {
-        Self { guise, place: Place::Asked, error: PhantomData }
+        Self { guise, place: Place::Asked }
     }
 
     /// A part of it.
-    fn within(&self) -> Self {
-        Self { place: Place::Within, ..Self::new(self.guise) }
+    fn within(self) -> Self {
+        Self { place: Place::Within, ..self }
     }
 }
 
 /// Forwards what is asked for by type to one answer of the visitor.
 macro_rules! answers {
     ($($asked:ident: $visit:ident($($value:expr)?)),* $(,)?) => {$(
-        fn $asked<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+        fn $asked<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
             visitor.$visit($($value)?)
         }
     )*};
 }
 
-impl<'de, E: de::Error> de::Deserializer<'de> for StandIn<E> {
-    type Error = E;
+impl<'de> de::Deserializer<'de> for StandIn {
+    type Error = Error;
 
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
         match self.guise {
             Guise::Number => visitor.visit_f64(0.1),
             Guise::Text => visitor.visit_str(""),
@@ -95,26 +94,26 @@ impl<'de, E: de::Error> de::Deserializer<'de> for StandIn<E> {
         deserialize_ignored_any: visit_unit(),
     }
 
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
         match self.place {
             Place::Asked => visitor.visit_some(self.within()),
             Place::Within => visitor.visit_none(),
         }
     }
 
-    fn deserialize_unit_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, E> {
+    fn deserialize_unit_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Error> {
         visitor.visit_unit()
     }
 
-    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, E> {
+    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _: &'static str, visitor: V) -> Result<V::Value, Error> {
         visitor.visit_newtype_struct(self)
     }
 
-    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
         self.deserialize_tuple(0, visitor)
     }
 
-    fn deserialize_tuple<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, E> {
+    fn deserialize_tuple<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, Error> {
         visitor.visit_seq(StandIns { each: self, left: length, fields: &[] })
     }
 
@@ -123,11 +122,11 @@ impl<'de, E: de::Error> de::Deserializer<'de> for StandIn<E> {
         _: &'static str,
         length: usize,
         visitor: V,
-    ) -> Result<V::Value, E> {
+    ) -> Result<V::Value, Error> {
         self.deserialize_tuple(length, visitor)
     }
 
-    fn deserialize_map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, E> {
+    fn deserialize_map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
         self.deserialize_struct("", &[], visitor)
     }
 
@@ -136,7 +135,7 @@ impl<'de, E: de::Error> de::Deserializer<'de> for StandIn<E> {
         _: &'static str,
         fields: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, E> {
+    ) -> Result<V::Value, Error> {
         visitor.visit_map(StandIns { each: self, left: 0, fields })
     }
 
@@ -145,74 +144,74 @@ impl<'de, E: de::Error> de::Deserializer<'de> for StandIn<E> {
         _: &'static str,
         kinds: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, E> {
+    ) -> Result<V::Value, Error> {
         visitor.visit_enum(FirstKind { name: kinds.first().copied().unwrap_or(""), content: self })
     }
 }
 
 /// Elements of a list, or fields of a structure.
-struct StandIns<E> {
-    each: StandIn<E>,
+struct StandIns {
+    each: StandIn,
     left: usize,
     fields: &'static [&'static str],
 }
 
-impl<'de, E: de::Error> de::SeqAccess<'de> for StandIns<E> {
-    type Error = E;
+impl<'de> de::SeqAccess<'de> for StandIns {
+    type Error = Error;
 
-    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, E> {
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Error> {
         let Some(left) = self.left.checked_sub(1) else { return Ok(None) };
         self.left = left;
         seed.deserialize(self.each.within()).map(Some)
     }
 }
 
-impl<'de, E: de::Error> de::MapAccess<'de> for StandIns<E> {
-    type Error = E;
+impl<'de> de::MapAccess<'de> for StandIns {
+    type Error = Error;
 
-    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, E> {
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Error> {
         let Some((first, rest)) = self.fields.split_first() else { return Ok(None) };
         self.fields = rest;
         seed.deserialize((*first).into_deserializer()).map(Some)
     }
 
-    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, E> {
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Error> {
         seed.deserialize(self.each.within())
     }
 }
 
 /// The first kind of an enum.
-struct FirstKind<E> {
+struct FirstKind {
     name: &'static str,
-    content: StandIn<E>,
+    content: StandIn,
 }
 
-impl<'de, E: de::Error> de::EnumAccess<'de> for FirstKind<E> {
-    type Error = E;
-    type Variant = StandIn<E>;
+impl<'de> de::EnumAccess<'de> for FirstKind {
+    type Error = Error;
+    type Variant = StandIn;
 
-    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, StandIn<E>), E> {
-        let name: StrDeserializer<'_, E> = self.name.into_deserializer();
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, StandIn), Error> {
+        let name: StrDeserializer<'_, Error> = self.name.into_deserializer();
         Ok((seed.deserialize(name)?, self.content))
     }
 }
 
-impl<'de, E: de::Error> de::VariantAccess<'de> for StandIn<E> {
-    type Error = E;
+impl<'de> de::VariantAccess<'de> for StandIn {
+    type Error = Error;
 
-    fn unit_variant(self) -> Result<(), E> {
+    fn unit_variant(self) -> Result<(), Error> {
         Ok(())
     }
 
-    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, E> {
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, Error> {
         seed.deserialize(self)
     }
 
-    fn tuple_variant<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, E> {
+    fn tuple_variant<V: Visitor<'de>>(self, length: usize, visitor: V) -> Result<V::Value, Error> {
         de::Deserializer::deserialize_tuple(self, length, visitor)
     }
 
-    fn struct_variant<V: Visitor<'de>>(self, fields: &'static [&'static str], visitor: V) -> Result<V::Value, E> {
+    fn struct_variant<V: Visitor<'de>>(self, fields: &'static [&'static str], visitor: V) -> Result<V::Value, Error> {
         de::Deserializer::deserialize_struct(self, "", fields, visitor)
     }
 }
@@ -222,12 +221,11 @@ mod tests {
     use super::*;
     use crate::scene::Scene;
     use serde::Deserialize;
-    use serde::de::value::Error;
 
     /// A whole scene of stand-ins: whatever cannot be read has one.
     #[test]
     fn there_is_a_stand_in_for_every_part_of_a_scene() {
-        let scene = Scene::deserialize(StandIn::<Error>::new(Guise::Number)).unwrap();
+        let scene = Scene::deserialize(StandIn::new(Guise::Number)).unwrap();
         assert!(scene.history.is_empty() && scene.springs.is_none());
     }
 }

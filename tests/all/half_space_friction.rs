@@ -59,7 +59,7 @@ fn led(steps: &[(u32, i32)]) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(6))]
+    #![proptest_config(crate::laws::cases(6))]
 
     /// Stick, slip and what is lost are those of the bed, which is exact; each turning point is two depths of which each
     /// pixel force misses (Δ/a)²/8.

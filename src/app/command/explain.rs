@@ -36,17 +36,29 @@ pub enum Errors {
     Measured,
 }
 
+impl Errors {
+    /// Told or not, as `measure` asks.
+    #[must_use]
+    pub fn asked(measure: bool) -> Self {
+        if measure { Self::Measured } else { Self::LeftOut }
+    }
+
+    /// The matrix in words.
+    #[must_use]
+    pub fn matrix(self) -> String {
+        match self {
+            Self::LeftOut => matrix::in_words(&matrix::cells()),
+            Self::Measured => matrix::measured(&matrix::cells()),
+        }
+    }
+}
+
 /// Shows the matrix of all combinations.
 ///
 /// # Errors
 /// It cannot be written.
 pub fn matrix(errors: Errors, common: &Common, console: &Console) -> Result<(), Failure> {
-    let cells = matrix::cells();
-    let text = match errors {
-        _ if common.json => cells_as_json(&cells, errors)?,
-        Errors::LeftOut => matrix::in_words(&cells),
-        Errors::Measured => matrix::measured(&cells),
-    };
+    let text = if common.json { cells_as_json(&matrix::cells(), errors)? } else { errors.matrix() };
     console.result(&text)
 }
 

@@ -138,6 +138,9 @@ enum Command {
         /// Print the table as the VALIDATION.md of the project.
         #[arg(long)]
         markdown: bool,
+        /// Compute the scene of every combination as well, some minutes, and say in its table how far each is off.
+        #[arg(long, requires = "markdown")]
+        measure: bool,
     },
     /// Draw the curves of several scenes, and measured ones, in one figure.
     Overlay {
@@ -252,15 +255,12 @@ fn answer(command: Command, common: &Common, console: &Console) -> Result<(), Fa
         Command::Check { scenes } => check::run(&scenes, common, console),
         Command::Explain { scene, measure, .. } => match scene {
             Some(scene) => explain::run(&scene, common, console),
-            None => explain::matrix(
-                if measure { explain::Errors::Measured } else { explain::Errors::LeftOut },
-                common,
-                console,
-            ),
+            None => explain::matrix(explain::Errors::asked(measure), common, console),
         },
         Command::New { kind } => starters::run(kind.as_deref(), console),
-        Command::Verify { filter, markdown } => {
-            let form = if markdown { verify::Form::Markdown } else { verify::Form::of(common) };
+        Command::Verify { filter, markdown, measure } => {
+            let errors = explain::Errors::asked(measure);
+            let form = if markdown { verify::Form::Markdown(errors) } else { verify::Form::of(common) };
             verify::run(filter.as_deref().unwrap_or(""), form, console)
         }
         Command::Overlay { curves } => overlay::run(&curves, common, console),

@@ -1,5 +1,6 @@
 //! `springbed verify`: every case against its exact answer.
 
+use super::explain::Errors;
 use super::{Common, report};
 use crate::app::console::{Console, Failure};
 use crate::app::export::{self, reports};
@@ -14,8 +15,8 @@ use std::collections::BTreeSet;
 pub enum Form {
     /// A table for a person.
     Table,
-    /// The text of VALIDATION.md.
-    Markdown,
+    /// The text of VALIDATION.md, and what its matrix says of errors.
+    Markdown(Errors),
     /// JSON.
     Json,
 }
@@ -42,7 +43,7 @@ pub fn run(filter: &str, form: Form, console: &Console) -> Result<(), Failure> {
     drop(progress);
     match form {
         Form::Table => console.say(&reports::verdict_table(&rows))?,
-        Form::Markdown => console.result(&export::validation(&cases, &rows))?,
+        Form::Markdown(errors) => console.result(&export::validation(&cases, &rows, &errors.matrix()))?,
         Form::Json => console.result(&json(&rows)?)?,
     }
     outcome(&rows)

@@ -1,7 +1,6 @@
 //! The cases as VALIDATION.md.
 
 use crate::check::case::{Case, Question};
-use crate::check::matrix;
 use crate::check::row::Row;
 use std::fmt::Write;
 
@@ -13,8 +12,8 @@ error reached, and where the case is weak. Strengths of proof, strongest first: 
 identity or a limit), *bound* (a proved constant), *order* (a rate of convergence), *other method*
 (another code, another method or a finer grid), *self* (detects change only).
 
-Made by `springbed verify --markdown > VALIDATION.md`; `springbed verify` shows the same cases on
-your machine. A test keeps names, proofs, bounds and remarks true, and the errors reached within
+Made by `springbed verify --markdown --measure > VALIDATION.md`; `springbed verify` shows the same cases
+on your machine. A test keeps names, proofs, bounds and remarks true, and the errors reached within
 their bounds; the last digit of an error reached may differ from machine to machine.
 ";
 
@@ -27,15 +26,15 @@ is solver A, proved to rounding. The strength is that of the part which is prove
 above, or by the laws that random scenes of all combinations are held against (*other method*). A
 number is the reason of a refusal; `-` is no combination of its own. Rows in which nothing is computed
 stand in one line with all their reasons; `--json` has each by itself, with the cases that prove it.
-With `--measure` the scene of each combination, written for an error of 1e-3, is computed and the
-decade of its error told, `Ar-13` for 1e-13 to 1e-12: beside the closed form of a ball, else beside
+The scene of each combination, written for an error of 1e-3, is computed (`--measure`) and the decade
+of its error told, `Ar-13` for 1e-13 to 1e-12: beside the closed form of a ball, else beside
 the same scene at 1e-6, and what it says of itself where that makes no difference and on pixels. A
 test runs one scene of every combination that is computed; random
 ones are held against laws by `cargo run --release -p benches --example random_scenes`.";
 
-/// The text of VALIDATION.md.
+/// The text of VALIDATION.md, with the matrix of all combinations in words.
 #[must_use]
-pub fn validation(cases: &[Case], rows: &[Row]) -> String {
+pub fn validation(cases: &[Case], rows: &[Row], matrix: &str) -> String {
     let mut text = HEAD.to_owned();
     let mut group = "";
     for (case, row) in cases.iter().zip(rows) {
@@ -57,6 +56,6 @@ pub fn validation(cases: &[Case], rows: &[Row]) -> String {
         let [because, weak] = [because, weak].map(|text| text.replace('|', "\\|"));
         let _ = writeln!(text, "| {name} | {proof} | {bound:e} | {reached} | {because} | {weak} |");
     }
-    let _ = writeln!(text, "\n{COMBINATIONS}\n\n```text\n{}\n```", matrix::in_words(&matrix::cells()));
+    let _ = writeln!(text, "\n{COMBINATIONS}\n\n```text\n{matrix}\n```");
     text
 }

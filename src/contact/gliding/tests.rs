@@ -29,7 +29,7 @@ fn material(equilibrium: f64, terms: &[(f64, f64)], viscosity: f64) -> Arc<Spect
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(crate::laws::cases(64))]
 
     /// Wedge g = c|ξ| on Kelvin–Voigt, s = ηvc/(Ed): μ/c = s(4 − s)/(2 + s²), and c for s ≥ 1. A wedge is its own
     /// polygon: rounding of 512 pieces.
@@ -199,7 +199,7 @@ fn in_full_contact(spectrum: &Spectrum, (count, length): (usize, f64), part: (u3
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(crate::laws::cases(32))]
 
     /// In full contact of a line, whatever the spectrum and the speed.
     #[test]

@@ -47,7 +47,7 @@ impl Single {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::laws::cases(24))]
     /// The sums are those of the elements one by one, each with its own memory, on any way.
     #[test]
     fn the_pad_is_its_elements_one_by_one(kind in 0i32..3, work in 0i32..9, ways in proptest::collection::vec(-40i32..25, 5)) {

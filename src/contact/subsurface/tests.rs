@@ -121,7 +121,7 @@ fn apart(one: [f64; 4], other: [f64; 4]) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(crate::laws::cases(24))]
 
     /// At random places at least a quarter of the contact deep, where trapezia converge to rounding; a pull at the edge too.
     #[test]

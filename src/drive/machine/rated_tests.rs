@@ -111,7 +111,7 @@ fn disturbances_grow_as_the_linear_theory_says() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
+    #![proptest_config(crate::laws::cases(512))]
 
     /// Below the threshold a root of the characteristic polynomial lies on the right, above it none; and on it one lies between.
     #[test]
@@ -241,7 +241,7 @@ fn a_step_of_speed_decays_over_the_distance() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(crate::laws::cases(24))]
 
     /// The work of the far end is all kept or lost, whatever the machine, to and fro.
     #[test]

@@ -228,7 +228,7 @@ fn open(mass: &Drawn) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #![proptest_config(crate::laws::cases(24))]
 
     /// Work of the drive is what is kept and what is lost, and slips follow each other in turn.
     #[test]

@@ -7,7 +7,7 @@ use crate::contact::adhesion::Adhesion;
 use crate::drive::machine::Machine;
 use crate::friction::{Friction, StrengthCurve};
 use crate::material::{Body, Joined, Relaxation};
-use crate::scene::history::EntryTraits;
+use crate::scene::history::{EntryTraits, Motion};
 use crate::scene::mended::{Look, Mended};
 use crate::scene::reach::Bound;
 use crate::scene::solver::{HalfSpace, SolverChoice};
@@ -27,6 +27,22 @@ pub struct Draft<'s> {
     mended_entries: BTreeSet<usize>,
     /// Whether all entries are of the kind that is written.
     knows_kinds: bool,
+    firsts: Firsts<'s>,
+}
+
+/// The first entries of some kinds, which rules ask every entry for.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Firsts<'s> {
+    /// Of those that set a machine in motion, unless one before it is mended.
+    pub(super) machine: Option<&'s EntryTraits<'s>>,
+    /// Of those that move a body along from rest, unless one before it is mended.
+    pub(super) advancing: Option<&'s EntryTraits<'s>>,
+    /// Of those that glide, and of those that roll.
+    pub(super) motions: [Option<&'s EntryTraits<'s>>; 2],
+    /// Of those that roll with a creepage or traction.
+    pub(super) traction: Option<&'s EntryTraits<'s>>,
+    /// Of those that slide.
+    pub(super) slide: Option<&'s EntryTraits<'s>>,
 }
 
 /// A scene and its history, as far as they are as written.
@@ -65,7 +81,9 @@ impl<'s> Draft<'s> {
     ) -> Self {
         let mended_entries = written.mended_entries(Look::Whole).collect();
         let knows_kinds = written.mended_entries(Look::Kind).next().is_none();
-        let mut draft = Self { written, read, bounds: Vec::new(), mended_entries, knows_kinds };
+        let firsts = Firsts::default();
+        let mut draft = Self { written, read, bounds: Vec::new(), mended_entries, knows_kinds, firsts };
+        draft.firsts = draft.found();
         if let (Some(profile), Some(adheres)) = (read.profile, draft.adheres()) {
             draft.bounds = bounds(profile, adheres);
         }
@@ -242,6 +260,24 @@ impl<'s> Draft<'s> {
     /// The entries of the history in order; `None` where one is mended.
     pub(in crate::scene) fn entries(&self) -> impl Iterator<Item = Option<&'s EntryTraits<'s>>> {
         self.written.entries.iter().map(|entry| self.as_written(entry))
+    }
+
+    /// The first entries of the kinds that rules ask for.
+    pub(super) fn firsts(&self) -> Firsts<'s> {
+        self.firsts
+    }
+
+    fn found(&self) -> Firsts<'s> {
+        let unless_mended =
+            |is: fn(&EntryTraits<'_>) -> bool| self.entries().find(|entry| entry.is_none_or(is)).flatten();
+        let moving = |motion| self.entries().flatten().find(|entry| entry.glide.is_some_and(|(_, its)| its == motion));
+        Firsts {
+            machine: unless_mended(|entry| entry.machine.is_some()),
+            advancing: unless_mended(|entry| entry.glide.is_some_and(|(glide, _)| !glide.is_steady())),
+            motions: [Motion::Glides, Motion::Rolls].map(moving),
+            traction: self.entries().flatten().find(|entry| entry.traction().is_some()),
+            slide: self.entries().flatten().find(|entry| entry.slides()),
+        }
     }
 
     /// The entry before another.

@@ -192,9 +192,7 @@ pub(super) fn in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<P
 
 /// Motions that are not straight, or of another bed, beside one along the surface.
 pub(super) fn beside(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let glides = |other: &EntryTraits<'_>| other.glide.is_some_and(|(glide, _)| !glide.is_steady());
-    // The first one, unless it may be another.
-    let glide = draft.entries().find(|other| other.is_none_or(glides))??;
+    let glide = draft.firsts().advancing?;
     let waves =
         entry.stages.iter().any(|stage| stage.normal.is_wave() || matches!(stage.normal, Path::UntilParted { .. }));
     if !waves {
@@ -212,7 +210,11 @@ pub(super) fn beside(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Probl
 /// Glides and rolls of one body in one history.
 pub(super) fn both(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let (_, motion) = entry.glide?;
-    let other = draft.entries().flatten().find(|other| other.glide.is_some_and(|(_, other)| other != motion))?;
+    let [glide, roll] = draft.firsts().motions;
+    let other = match motion {
+        Motion::Glides => roll,
+        Motion::Rolls => glide,
+    }?;
     (entry.number > other.number).then(|| {
         let what = format!("{} beside {} cannot be computed: expected one of the two", entry.name, other.name);
         Problem::new(entry.place(), what)

@@ -141,10 +141,9 @@ pub(super) fn shake_in_gross_sliding(draft: &Draft<'_>, entry: &EntryTraits<'_>)
 /// A contact that sticks everywhere is followed along the surface, not up and down while it is sheared.
 pub(super) fn moved_while_stuck(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     let Friction::Stuck = draft.friction(Look::Kind)? else { return None };
-    let mut before = draft.entries().flatten().take_while(|earlier| earlier.number < entry.number);
     let moves = entry.stages.iter().any(|stage| stage.normal != Path::Stay);
     let both = entry.slides() && moves;
-    (moves && (both || before.any(EntryTraits::slides))).then_some(())?;
+    (moves && (both || draft.firsts().slide.is_some_and(|slide| slide.number < entry.number))).then_some(())?;
     refused(
         entry,
         format!(

@@ -224,14 +224,9 @@ pub(super) fn in_history(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<P
     }
 }
 
-/// The first motion of a machine, unless it may be another one.
-fn first_motion<'d>(draft: &'d Draft<'_>) -> Option<&'d EntryTraits<'d>> {
-    draft.entries().find(|entry| entry.is_none_or(|entry| entry.machine.is_some()))?
-}
-
 /// What leads the contact by itself cannot stand behind a machine, nor can what parts it or moves it along.
 pub(super) fn beside(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
-    let first = first_motion(draft)?;
+    let first = draft.firsts().machine?;
     if entry.machine.is_some() {
         return None;
     }

@@ -107,7 +107,7 @@ pub(super) fn on_pixels(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Pr
 /// Steady rolling forgets what was slid before, and the path of a slide is not that of the rolling.
 pub(super) fn slide_beside(draft: &Draft<'_>, entry: &EntryTraits<'_>) -> Option<Problem> {
     entry.slides().then_some(())?;
-    draft.entries().flatten().find(|other| other.traction().is_some())?;
+    draft.firsts().traction?;
     let what = format!(
         "{} beside a Roll with a creepage or traction cannot be computed, for what rolls steadily has forgotten what was slid before: expected Indent, Press, Hold or HoldForce",
         entry.name

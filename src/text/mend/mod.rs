@@ -202,7 +202,7 @@ impl Mending {
     }
 
     fn stand_in<'de, S: DeserializeSeed<'de>, E: de::Error>(&self, seed: S, guise: Guise) -> Result<S::Value, E> {
-        self.doing(State::StandingIn, || seed.deserialize(StandIn::<E>::new(guise)))
+        self.doing(State::StandingIn, || seed.deserialize(StandIn::new(guise)).map_err(de::Error::custom))
     }
 
     /// What is read by a `seed`, under the eyes of the mending.
