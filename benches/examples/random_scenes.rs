@@ -1,16 +1,39 @@
 //! Random scenes over the whole matrix, held against the laws that speak of them.
 //!
 //! `cargo run --release -p benches --example random_scenes -- [scenes [from [part …]]]`, of the combinations whose parts
-//! bear these names, such as `lying cylinder`. Scenes that take long are named as they end, and laws that are not kept;
-//! a scene alone is written out before it is run.
+//! bear these names, such as `lying cylinder`. Scenes that take long are named as they end, those that have no end in
+//! sight before, and laws that are not kept; a scene alone is written out before it is run.
 
 use rayon::prelude::*;
 use springbed::check::matrix::{Cell, Kept, Law, Variation, Verdict, cells};
 use std::collections::BTreeMap;
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 /// A scene with its variations that takes longer is named.
 const LONG: Duration = Duration::from_secs(10);
+
+/// One that takes still longer is named while it runs.
+const ENDLESS: Duration = Duration::from_secs(60);
+
+/// The scenes that run now, since when, and which of them are named.
+static RUNNING: Mutex<BTreeMap<u64, (Instant, bool)>> = Mutex::new(BTreeMap::new());
+
+/// Names the scenes that run for too long, once each, as long as the program runs.
+fn watch() {
+    std::thread::spawn(|| {
+        loop {
+            std::thread::sleep(LONG);
+            let Ok(mut running) = RUNNING.lock() else { return };
+            for (number, (since, named)) in running.iter_mut().filter(|(_, (_, named))| !named) {
+                *named = since.elapsed() > ENDLESS;
+                if *named {
+                    println!("{number}: runs since {} s", since.elapsed().as_secs());
+                }
+            }
+        }
+    });
+}
 
 /// A combination that is computed, and the laws its scene was held against.
 type Tried<'c> = (&'c Cell, Vec<Kept>);
@@ -30,7 +53,13 @@ fn scene(cells: &[Cell], number: u64) -> Tried<'_> {
 /// A scene, and what is to be said of it at once.
 fn told(cells: &[Cell], number: u64) -> Tried<'_> {
     let start = Instant::now();
+    if let Ok(mut running) = RUNNING.lock() {
+        running.insert(number, (start, false));
+    }
     let (cell, kept) = scene(cells, number);
+    if let Ok(mut running) = RUNNING.lock() {
+        running.remove(&number);
+    }
     if start.elapsed() > LONG {
         println!("{number}: {:?} took {} s", cell.names(), start.elapsed().as_secs());
     }
@@ -78,6 +107,7 @@ fn main() {
         let cell = combination(&computed, from);
         println!("{}", cell.text(&Variation::numbered(from).0).unwrap_or_default());
     }
+    watch();
     let tried: Vec<Tried<'_>> = (from..from + scenes).into_par_iter().map(|number| told(&computed, number)).collect();
     let (ran, least, most) = spread(&tried);
     let refused = tried.iter().filter(|(_, kept)| kept.is_empty()).count();

@@ -122,6 +122,11 @@ impl GrowingBed {
     }
 }
 
+/// Force [N] of the springs, and of the part of one over which a contact is wider or narrower than they are.
+fn force(bed: &Lazy) -> f64 {
+    bed.force() + bed.force_beside_edge()
+}
+
 impl ContactModel for GrowingBed {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
         let Some(piece) = in_time(self.bed.spectrum(), self.bed.indentation(), piece)? else { return Ok(Vec::new()) };
@@ -134,10 +139,10 @@ impl ContactModel for GrowingBed {
     fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
         let from = self.bed.indentation();
         let Some(piece) = in_time(self.bed.spectrum(), from, piece)? else {
-            return Ok(Glance { force: self.bed.force(), contact_radius: self.bed.radius() });
+            return Ok(Glance { force: force(&self.bed), contact_radius: self.bed.radius() });
         };
         self.widen(piece.to)?;
-        let see = |bed: &Lazy| Glance { force: bed.force(), contact_radius: bed.radius() };
+        let see = |bed: &Lazy| Glance { force: force(bed), contact_radius: bed.radius() };
         Ok(self.bed.tried(piece.speed, piece.duration, see))
     }
 
@@ -151,7 +156,7 @@ impl ContactModel for GrowingBed {
         let (ledger, contact_radius) = (self.bed.ledger(), self.edge().place);
         Normal {
             indentation: Some(self.bed.indentation()),
-            force: self.bed.force(),
+            force: force(&self.bed),
             contact_radius: Some(contact_radius),
             stiffness: 2.0 * self.bed.spectrum().instantaneous() * contact_radius,
             stored: Energy { elastic: ledger.stored, surface: 0.0 },
@@ -207,5 +212,35 @@ impl ContactModel for GrowingBed {
     fn leave(&mut self) -> Option<f64> {
         self.bed.leave();
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::viscoelastic::laws::unit_ball;
+    use crate::material::Relaxation;
+
+    /// A front that closes over a dashpot, wherever between two springs it is: F = 4/3 d^(3/2) + 2ηvd^(1/2) on the unit
+    /// ball, to second order, the constant 1/4 of the springs and as much again for what is beside the edge.
+    #[test]
+    fn a_front_over_a_dashpot_is_of_second_order_too() {
+        for viscosity in [1e-3, 1.0, 1e3] {
+            for springs in [32, 128] {
+                let relaxation = Relaxation { equilibrium: 1.0, terms: vec![], viscosity };
+                let spectrum = Arc::new(Spectrum::new(&relaxation));
+                let layout = Layout::uniform(&unit_ball(), 1.25, springs);
+                let mut bed = GrowingBed::new(spectrum, Arc::new(unit_ball()), layout);
+                bed.advance(0.2, 1.0).unwrap();
+                for step in 1..70 {
+                    bed.advance(0.01, 1.0).unwrap();
+                    let depth = 0.2 + 0.01 * f64::from(step);
+                    let exact = 4.0 / 3.0 * depth.powf(1.5) + 2.0 * viscosity * 0.01 * depth.sqrt();
+                    let off = bed.state().force / exact - 1.0;
+                    let width = 1.25 / f64::from(u32::try_from(springs).unwrap());
+                    assert!(off.abs() < 0.5 * width * width / depth, "{viscosity} {springs} {depth}: {off:e}");
+                }
+            }
+        }
     }
 }

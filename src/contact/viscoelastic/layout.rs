@@ -133,6 +133,18 @@ impl Layout {
     }
 }
 
+impl Layout {
+    /// Where a contact ends whose loads do not go to zero there, as under a front that closes over a dashpot: where the gap
+    /// of the free springs does, `gap(j)` [m]. `None` where too few are left.
+    pub fn closing_edge(&self, pressed: usize, gap: impl Fn(usize) -> f64) -> Option<Edge> {
+        let inner = self.place[pressed.checked_sub(1)?];
+        let gaps = rising((pressed..self.len()).map(|j| (gap(j), self.place[j])));
+        let [(_, outer), _, ..] = gaps[..] else { return None };
+        let [place, other] = [0, 1].map(|fewer| led_to_zero(&gaps[..gaps.len() - fewer]).clamp(inner, outer));
+        Some(Edge { place, doubt: (place - other).abs() })
+    }
+}
+
 /// The springs nearest to an edge, as long as the value rises away from it.
 fn rising(springs: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut kept: Vec<(f64, f64)> = Vec::with_capacity(NODES);
