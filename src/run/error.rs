@@ -7,6 +7,7 @@ use super::{Wanted, viscoelastic};
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::springs::reach_for;
 use crate::contact::state::Normal;
+use crate::input::quantity::Accuracy;
 use crate::material::Relaxation;
 use crate::run::record::{ErrorEstimate, Record};
 use crate::scene::law::{ContactLaw, ElasticAdhesion, GRADE, HeldEdge};
@@ -48,10 +49,14 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         ContactLaw::Springs { count, work } => springs_error(plan, *count, work.unwrap_or(0.0), &run.records),
         ContactLaw::Continuous { relaxation, edge } => match edge.as_ref().filter(|edge| edge.has_rate()) {
             Some(edge) => rate_error(plan, run, relaxation, edge),
-            None if plan.is_curved() => of(
-                sums(run) + CHORDS * plan.accuracy() * in_balance(run),
-                "continuous bed: straight pieces of the depth to the accuracy asked for, of the forces in balance where the bodies attract each other, and what the polynomials of its panels miss",
-            ),
+            None if plan.is_curved() => {
+                let pieces = CHORDS * plan.accuracy() * in_balance(run);
+                let coarser = edge.as_ref().and_then(|_| coarser_pieces(plan, run)).unwrap_or(0.0);
+                of(
+                    sums(run) + pieces.max(coarser),
+                    "continuous bed: straight pieces of the depth to the accuracy asked for, of the forces in balance where the bodies attract each other, or what ten times coarser ones change, and what the polynomials of its panels miss",
+                )
+            }
             None => of(sums(run), "continuous bed, exact in time: what the polynomials of its panels miss"),
         },
         ContactLaw::Gliding { .. } => gliding_error(plan, run),
@@ -160,6 +165,23 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
     let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
     let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
+}
+
+/// How much coarser the pieces are that tell the error of fine ones, and the part of the change that does: no less than the
+/// error itself, should it fall with the root of the accuracy alone.
+const COARSER: f64 = 10.0;
+const OF_COARSER: f64 = 0.5;
+/// The largest accuracy that a scene may ask for.
+const COARSEST: f64 = 0.1;
+
+/// The error of pieces of a depth between bodies that attract each other, whose edge may turn on next to nothing: the whole
+/// history again in coarser ones.
+fn coarser_pieces(plan: &RoundPlan, run: &Run) -> Option<f64> {
+    let mut coarse = plan.clone();
+    coarse.shared.scene.accuracy = Some(Accuracy::new((COARSER * plan.accuracy()).min(COARSEST)).ok()?);
+    let contact = compose::contact(&coarse, Wanted::NOTHING).ok()?;
+    let again = follow(&coarse, contact, Wanted::NOTHING).ok()?;
+    Some(OF_COARSER * apart(&run.records, &again.records))
 }
 
 /// An edge that obeys a rate law: the whole history again with the edge followed better.

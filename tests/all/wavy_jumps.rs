@@ -241,3 +241,27 @@ fn a_dead_load_loses_more_than_a_retraction() {
     let (dead, slow) = (pulled.dissipated() - before, retracted.dissipated() - before);
     assert!(dead > slow && retracted.dissipated() > held, "{dead:e} {slow:e}");
 }
+
+/// Under a force the edge of a lens of rubber jumps from crest to crest, and the bodies part where the last one holds no more,
+/// as on an elastic body, which is followed by its equilibria: whatever the accuracy, that is, wherever the pieces of
+/// the force end.
+#[test]
+fn a_pull_parts_a_lens_of_rubber_behind_its_last_crest() {
+    use springbed::prelude::*;
+    let scene = |bodies: &str, edge: &str, accuracy: f64| {
+        format!(
+            "(shape: WavyParaboloid(radius: 0.02, amplitude: 2e-7, wavelength: 1e-4), bodies: ({bodies}, Rigid), steps: 5,
+              adhesion: Jkr(work: 0.05{edge}), accuracy: {accuracy:e}, history: [Press(to: 5e-3, over: 1), Press(to: -7e-3, over: 1)])"
+        )
+    };
+    let pull_off = |text: &str| {
+        let plan = Notation::Ron.plan(text, &InMemory::default()).unwrap();
+        run(&plan, Wanted::NOTHING).unwrap().number("pull_off_force").unwrap()
+    };
+    let elastic = pull_off(&scene("Elastic(shear: 3e5, poisson: 0.5)", "", 1e-6));
+    let rubber = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e5, terms: [(modulus: 1e-3, time: 0.1)]))";
+    for accuracy in [1e-2, 1e-3, 1e-4] {
+        let seen = pull_off(&scene(rubber, ", edge: Relaxed", accuracy));
+        assert!((seen / elastic - 1.0).abs() < 2.0 * accuracy, "{accuracy:e}: {seen:e} {elastic:e}");
+    }
+}

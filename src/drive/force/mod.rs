@@ -23,6 +23,7 @@
 mod search;
 
 pub use search::speed_to;
+use search::{EDGES, speed_over};
 
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
@@ -342,8 +343,10 @@ impl ForceDrive {
                 match self.paced(contact, until) {
                     Some(speed) => Ok(Some(speed)),
                     None => {
+                        // Where the edge jumps a shorter piece tells when, and the shortest where to.
+                        let edges = if duration <= PARTED * self.end || duration >= self.end { EDGES } else { 1 };
                         let force = self.target(contact, until);
-                        speed_to(contact, force, until - self.now)
+                        speed_over(contact, force, until - self.now, edges)
                     }
                 }
             }

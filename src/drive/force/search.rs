@@ -18,6 +18,16 @@ const FASTEST: f64 = 1e290;
 /// # Errors
 /// The contact would outgrow the profile.
 pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
+    speed_over(contact, force, duration, EDGES)
+}
+
+/// The same where the edge may jump so many times less one on the way.
+pub(super) fn speed_over(
+    contact: &mut dyn ContactModel,
+    force: f64,
+    duration: f64,
+    edges: u32,
+) -> Result<Option<f64>, ContactError> {
     let state = contact.state();
     let depth = state.indentation.unwrap_or(0.0);
     let damping = damping(contact, state.stiffness);
@@ -40,7 +50,9 @@ pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Re
         return failed.get().map_or(Ok(None), Err);
     }
     let width = (first_way(&state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
-    let Some((inner, width)) = bracket(&mut look, still, width) else { return failed.get().map_or(Ok(None), Err) };
+    let Some((inner, width)) = bracket(&mut look, still, width, edges) else {
+        return failed.get().map_or(Ok(None), Err);
+    };
     let speed = root::brent(|speed| look(speed).0, inner.min(width), inner.max(width)).unwrap_or(width);
     // At the end of a profile the search ends where the force is not met.
     let missed = failed.get().is_some() && look(speed).0.abs() > MET * force.abs();
@@ -84,17 +96,25 @@ const MET: f64 = 1e-9;
 
 /// Two speeds between which the force is met, from zero on and widened from `width` [m/s]; `still` is what it is too
 /// great by at rest [N]. `None` if no speed meets it.
-fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64) -> Option<(f64, f64)> {
-    let mut inner = (0.0, still);
+///
+/// A pull that has grown with the way and is smaller on the next has given way between: the edge has jumped, as over the
+/// crest of a wave. It may have been strong enough before.
+fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64, edges: u32) -> Option<(f64, f64)> {
+    let (mut inner, mut grows) = ((0.0, still), false);
     while width.abs() < FASTEST {
         let (residual, joined) = look(width);
-        if residual >= 0.0 && !joined && still > 0.0 {
+        let parted = residual >= 0.0 && !joined && still > 0.0;
+        if parted || (edges > 1 && grows && residual > inner.1) {
             // Parted, which meets no force too: the pull must be found before, if anywhere.
-            return last_pull(look, inner, width).map(|pull| (inner.0, pull));
+            let pull = last_pull(look, inner, width, edges);
+            if parted || pull.is_some() {
+                return pull.map(|pull| (inner.0, pull));
+            }
         }
         if (residual > 0.0) != (still > 0.0) {
             return Some((inner.0, width));
         }
+        grows = still > 0.0 && residual < inner.1;
         (inner, width) = ((width, residual), 2.0 * width);
     }
     None
@@ -103,23 +123,33 @@ fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64
 /// Speeds tried between one that keeps the bodies together and one that parts them. Where the pull is stronger than
 /// prescribed for less than this, a shorter piece shows it.
 const TRIES: u32 = 12;
+/// Places of the edge that are tried, each as far as it holds, where there is no shorter piece to show them.
+pub(super) const EDGES: u32 = 3;
 /// By how much more than on the last step the pull may still grow on another as long.
 const GROWS: f64 = 2.0;
 
-/// A speed between one that keeps the bodies together and one that parts them at which the pull is
+/// A speed between one that keeps the bodies together and one that parts them, or lets the edge jump, at which the pull is
 /// stronger than prescribed; `held` is such a speed and what the pull lacks there [N].
 ///
 /// The nearer to where it gives way, the slower the pull of a contact grows with the way: what it lacks tells that there
-/// is none.
-fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: (f64, f64), mut parted: f64) -> Option<f64> {
-    for _ in 0..TRIES {
-        let middle = 0.5 * (held.0 + parted);
-        match look(middle) {
-            (residual, true) if residual <= 0.0 => return Some(middle),
-            (residual, true) if residual > GROWS * (held.1 - residual) => return None,
-            (residual, true) => held = (middle, residual),
-            (_, false) => parted = middle,
+/// is none. Where it lacks more than nearer by, the edge has jumped; then its next place is tried as well.
+fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: (f64, f64), end: f64, edges: u32) -> Option<f64> {
+    for _ in 0..edges {
+        let (mut jumped, mut beyond) = (None, end);
+        for _ in 0..TRIES {
+            let middle = 0.5 * (held.0 + beyond);
+            match look(middle) {
+                (residual, true) if residual <= 0.0 => return Some(middle),
+                (residual, true) if residual > held.1 && edges > 1 => {
+                    jumped = jumped.or(Some((middle, residual)));
+                    beyond = middle;
+                }
+                (residual, true) if residual > GROWS * (held.1 - residual) => break,
+                (residual, true) => held = (middle, residual),
+                (_, false) => beyond = middle,
+            }
         }
+        held = jumped?;
     }
     None
 }
