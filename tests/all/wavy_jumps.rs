@@ -245,6 +245,7 @@ fn a_dead_load_loses_more_than_a_retraction() {
 /// Under a force the edge of a lens of rubber jumps from crest to crest, and the bodies part where the last one holds no more,
 /// as on an elastic body, which is followed by its equilibria: whatever the accuracy, that is, wherever the pieces of
 /// the force end.
+#[cfg(feature = "text")]
 #[test]
 fn a_pull_parts_a_lens_of_rubber_behind_its_last_crest() {
     use springbed::prelude::*;
