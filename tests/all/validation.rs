@@ -15,11 +15,17 @@ fn is_case(line: &str) -> bool {
     line.starts_with("| ") && !line.starts_with("| case ")
 }
 
+/// A mark of the matrix, such as `Ar-13`, without the decade of the error; any other word as it is.
+fn without_decade(word: &str) -> &str {
+    let mark = word.get(..2).filter(|mark| mark.chars().all(|letter| letter.is_ascii_alphabetic()));
+    mark.filter(|_| word[2..].parse::<i32>().is_ok()).unwrap_or(word)
+}
+
 /// The text with the errors reached left out: they differ in the last digit from machine to machine.
 fn without_reached(text: &str) -> Vec<Vec<String>> {
     let row = |line: &str| {
         if !is_case(line) {
-            return vec![line.to_owned()];
+            return line.split_whitespace().map(|word| without_decade(word).to_owned()).collect();
         }
         let mut cells = cells(line);
         cells.remove(REACHED - 1);

@@ -257,7 +257,7 @@ fn a_pull_parts_a_lens_of_rubber_behind_its_last_crest() {
     };
     let pull_off = |text: &str| {
         let plan = Notation::Ron.plan(text, &InMemory::default()).unwrap();
-        run(&plan, Wanted::NOTHING).unwrap().number("pull_off_force").unwrap()
+        run(&plan, Wanted::NOTHING).unwrap().number("pull_off_force_n").unwrap()
     };
     let elastic = pull_off(&scene("Elastic(shear: 3e5, poisson: 0.5)", "", 1e-6));
     let rubber = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e5, terms: [(modulus: 1e-3, time: 0.1)]))";
