@@ -25,13 +25,14 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod edge;
 mod mark;
 
 use mark::{Mark, Undo};
 
 use super::Spectrum;
 use super::alike::Alike;
-use super::layout::{Edge, Layout};
+use super::layout::Layout;
 use super::ledger::Ledger;
 use super::spring::{Free, Motion, Piece, Spring};
 use super::totals::Totals;
@@ -366,38 +367,6 @@ impl Lazy {
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.edge().place
-    }
-
-    /// Whether the front closes over a dashpot, so that the load at the edge is not zero.
-    fn closes_on_dashpot(&self) -> bool {
-        self.spectrum.viscosity() * self.now.speed > 0.0
-    }
-
-    /// Force [N] between the border of the last pressed spring and the edge of a front that closes over a dashpot, by the
-    /// loads of the last two led on to there: without it the force of such a contact is of first order in the springs.
-    pub(super) fn force_beside_edge(&self) -> f64 {
-        let Some(last) = self.now.pressed.checked_sub(1).filter(|&last| last > 0 && self.closes_on_dashpot()) else {
-            return 0.0;
-        };
-        let border = self.layout.place[last] + 0.25 * self.layout.weight[last];
-        let edge = self.edge().place;
-        let [inner, outer] = [last - 1, last].map(|j| (self.layout.place[j], self.line_load(j)));
-        let slope = (outer.1 - inner.1) / (outer.0 - inner.0);
-        2.0 * (edge - border) * (outer.1 + slope * (0.5 * (edge + border) - outer.0))
-    }
-
-    /// Where the contact ends.
-    pub(super) fn edge(&self) -> Edge {
-        let gap = |j: usize| self.layout.height[j] + self.displacement(j) - self.now.depth;
-        let closing = self.closes_on_dashpot().then(|| self.layout.closing_edge(self.now.pressed, gap)).flatten();
-        closing.unwrap_or_else(|| self.edge_by_loads())
-    }
-
-    fn edge_by_loads(&self) -> Edge {
-        self.layout.edge(self.now.pressed, |j| match self.spring(j) {
-            Spring::Pressed(_) => self.line_load(j),
-            Spring::Free(_) => self.now.depth - self.layout.height[j] - self.displacement(j),
-        })
     }
 
     /// Number of springs pressed.
