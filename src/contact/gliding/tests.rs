@@ -172,6 +172,29 @@ fn a_bed_under_a_force_comes_into_the_steady_state() {
     );
 }
 
+/// What relaxes within a step, or a dashpot, does not shorten it: neither where it is pressed, nor where it rolls and
+/// springs are touched and let go all the time. All these grounds are next to the same.
+#[test]
+fn a_stiff_ground_is_followed_in_long_steps() {
+    let (force, duration) = (2e-3, 1.0);
+    let end = |fast: &[(f64, f64)], viscosity: f64| {
+        let terms = [&[(0.3, 0.4)], fast].concat();
+        let mut bed = GlidingBed::new(material(1.0, &terms, viscosity), ball(1.0), (0.1 / 400.0, 1e-5));
+        bed.press(&Pull { force, slide: 0.0, sliding_speed: 0.1, duration }).unwrap().unwrap();
+        let pressed = bed.step;
+        bed.press(&Pull { force, slide: 0.1, sliding_speed: 0.1, duration }).unwrap().unwrap();
+        let (normal, gliding) = (bed.state(), bed.gliding().unwrap());
+        assert!((normal.force / force - 1.0).abs() < 1e-9, "{:e}", normal.force / force - 1.0);
+        assert!(pressed.min(bed.step) > 2e-3 * duration, "{fast:?} {viscosity}: {pressed:e} {:e}", bed.step);
+        [normal.indentation.unwrap(), gliding.resistance]
+    };
+    let plain = end(&[], 0.0);
+    for other in [end(&[(30.0, 1e-6)], 0.0), end(&[(3.0, 1e-6)], 1e-6), end(&[], 3e-5)] {
+        assert!((other[0] / plain[0] - 1.0).abs() < 1e-3, "{} {}", other[0], plain[0]);
+        assert!((other[1] / plain[1] - 1.0).abs() < 1e-2, "{} {}", other[1], plain[1]);
+    }
+}
+
 /// Gaps of a line of a few waves at `count` points, one period long.
 fn waves(count: usize, parts: &[(u32, f64, f64)]) -> Vec<f64> {
     let at = |k: usize| {

@@ -27,7 +27,7 @@ impl ContactModel for GlidingBed {
         let stored = self.stored();
         Normal {
             indentation: Some(self.now.depth),
-            force: self.forces().0,
+            force: self.force(),
             contact_radius: match self.outline {
                 Outline::Round { .. } => Some(self.edges().map_or(0.0, |(front, rear)| 0.5 * (front - rear))),
                 Outline::Line(_) => None,

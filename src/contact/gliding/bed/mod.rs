@@ -43,7 +43,7 @@ pub struct GlidingBed {
     /// What has resisted a rough line on the last width of its way.
     window: Window,
     /// Step [s] by which a prescribed force was followed last.
-    step: f64,
+    pub(super) step: f64,
 }
 
 /// A spring with the time [s] up to which it is known.

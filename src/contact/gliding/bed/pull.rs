@@ -3,13 +3,27 @@
 use super::{GlidingBed, Window, integer};
 use crate::contact::error::ContactError;
 use crate::contact::model::Pull;
+use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Most halvings of a step under a prescribed force.
-const HALVINGS: u32 = 40;
-/// Part of the way on which a dashpot takes on the speed at which it meets the last force.
-const MEETING: f64 = 1e-6;
-/// By how much a force may be missed at the end of a piece, as a part of itself.
+/// A step in two straight pieces of the depth.
+#[derive(Debug, Clone, Copy)]
+struct Step {
+    /// Speeds down [m/s].
+    down: [f64; 2],
+    /// Force [N] by which pieces miss the depth between their ends.
+    missed: f64,
+}
+
+/// Shortest step under a prescribed force, as a part of its duration; what it misses, it misses.
+const SHORTEST: f64 = 1e-9;
+/// Most speeds that are tried for a force.
+const MOST_TRIALS: u32 = 100;
+/// Part γ = 1 − 1/√2 of a step after which the force is met for the first time.
+const STAGE: f64 = 1.0 - FRAC_1_SQRT_2;
+/// By how much a force may be missed in the end, as a part of the largest.
 const ROUNDING: f64 = 1e-12;
+/// By how much on the way there, as a part of what pieces may miss.
+const UNSEEN: f64 = 1e-3;
 
 impl GlidingBed {
     /// The part of the bed that the body can meet within `duration` [s]: cheap to take and to throw away.
@@ -44,77 +58,78 @@ impl GlidingBed {
         Ok(self.after(down, along, duration)?.forces().0)
     }
 
-    /// Speed down [m/s] that brings the force to `force` [N] after `duration` [s].
-    fn speed_to(&self, force: f64, along: f64, duration: f64) -> Result<f64, ContactError> {
-        let scale = force.abs().max(self.forces().0);
+    /// Speed down [m/s] that brings the force to `force` [N] after `duration` [s], to `within` [N].
+    fn speed_to(&self, force: f64, (along, duration): (f64, f64), within: f64) -> Result<f64, ContactError> {
         let lack = |down: f64| Ok::<f64, ContactError>(self.force_after(down, along, duration)? - force);
         let mut one = (self.moved.down, lack(self.moved.down)?);
         let stiffness = self.stiffness().max(self.stiffness_of_touch());
-        let mut two = (one.0 - one.1 / (stiffness * duration + self.damping()), f64::NAN);
-        two.1 = lack(two.0)?;
-        let within = ROUNDING * scale;
-        for _ in 0..60 {
-            if two.1.abs() <= within || one.1.total_cmp(&two.1).is_eq() {
+        let mut next = one.0 - one.1 / (stiffness * duration + self.damping());
+        // The force grows with the speed: nearest speeds at which it is too small and too large.
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for _ in 0..MOST_TRIALS {
+            *(if one.1 < 0.0 { &mut low } else { &mut high }) = one.0;
+            if low.is_finite() && high.is_finite() && !(low < next && next < high) {
+                next = 0.5 * (low + high);
+            }
+            if one.1.abs() <= within || next.total_cmp(&one.0).is_eq() {
                 break;
             }
-            let next = two.0 - two.1 * (two.0 - one.0) / (two.1 - one.1);
+            let two = (next, lack(next)?);
             // Bodies apart carry nothing, however far: half the way back from there.
-            let next = if two.1 <= -force && force > 0.0 { 0.5 * (one.0 + two.0) } else { next };
-            (one, two) = (two, (next, lack(next)?));
+            let apart = two.1 <= -force && force > 0.0;
+            let secant = two.0 - two.1 * (two.0 - one.0) / (two.1 - one.1);
+            next = if apart || !secant.is_finite() { 0.5 * (one.0 + two.0) } else { secant };
+            one = two;
         }
-        Ok(two.0)
+        Ok(one.0)
     }
 
-    /// The speed down [m/s] of a piece of the duration `step` [s] under a force that goes from `from` to `to` [N], and what it
-    /// misses [N].
+    /// A step of the duration `step` [s] under a force that goes from `from` to `to` [N].
     ///
-    /// The force is met at the end, and missed in the middle by what a straight piece cannot follow. That of a dashpot jumps
-    /// with the speed: it is met in the middle, the implicit midpoint rule, and missed by what the chord of the depth is,
-    /// d″h²/8.
-    fn piece(&self, [from, to]: [f64; 2], along: f64, step: f64) -> Result<(f64, f64), ContactError> {
-        let middle = 0.5 * (from + to);
-        if self.spectrum().viscosity() <= 0.0 {
-            let down = self.speed_to(to, along, step)?;
-            return Ok((down, self.force_after(down, along, 0.5 * step)? - middle));
-        }
-        let down = self.speed_to(middle, along, 0.5 * step)?;
-        let end = self.after(down, along, step)?;
-        let felt = end.stiffness().max(middle.abs() / end.now.depth.abs().max(f64::MIN_POSITIVE));
-        Ok((down, 0.125 * felt * (down - self.moved.down) * step))
+    /// The first piece lasts (1 − γ)h and meets the force after γh, the second meets it at its end, with γ = 1 − 1/√2: the
+    /// L-stable diagonally implicit method of second order (Alexander 1977, eq. 8), whose stages are on the way of the
+    /// body. So elements that relax within a step and dashpots, whose force depends on the speed, do not shorten it. It
+    /// misses what the chord of the depth is, d″h²/8.
+    fn step(&self, [from, to]: [f64; 2], (along, step): (f64, f64), within: f64) -> Result<Step, ContactError> {
+        let [stage, first] = [STAGE * step, (1.0 - STAGE) * step];
+        let mut scout = self.scout(along, step);
+        let one = scout.speed_to(from + STAGE * (to - from), (along, stage), within)?;
+        scout.advance(scout.now.depth + one * first, scout.now.place + along * first, first)?;
+        let two = scout.speed_to(to, (along, stage), within)?;
+        scout.advance(scout.now.depth + two * stage, scout.now.place + along * stage, stage)?;
+        let felt = scout.stiffness_after(first).max(to.abs() / scout.now.depth.abs().max(f64::MIN_POSITIVE));
+        Ok(Step { down: [one, two], missed: 0.125 * felt * (two - one).abs() * first })
     }
 
-    /// Follows a prescribed force: in the middle of every straight piece of the depth it is right to the accuracy, and at the
-    /// end of the last one, which a dashpot makes a very short one.
+    /// Follows a prescribed force: along every straight piece of the depth it is right to the accuracy, and at the end.
     pub(super) fn pull(&mut self, pull: &Pull) -> Result<(), ContactError> {
         let duration = if pull.duration > 0.0 { pull.duration } else { self.spectrum().instant() };
-        let (from, along) = (self.forces().0, (pull.slide - self.now.place) / duration);
+        let (from, along) = (self.force(), (pull.slide - self.now.place) / duration);
         let at = |time: f64| from + (pull.force - from) * (time / duration);
-        let (mut time, tolerance) = (0.0, self.accuracy * from.max(pull.force));
-        let damped = self.spectrum().viscosity() > 0.0;
-        let until = if damped { duration * (1.0 - MEETING) } else { duration };
-        while time < until {
-            let mut step = self.step.min(until - time);
-            let mut halvings = 0;
-            let down = loop {
-                let (down, missed) = self.piece([at(time), at(time + step)], along, step)?;
-                if missed.abs() <= tolerance || halvings >= HALVINGS {
-                    if 8.0 * missed.abs() < tolerance {
+        let (largest, shortest) = (from.max(pull.force), SHORTEST * duration);
+        let (mut time, tolerance) = (0.0, self.accuracy * largest);
+        while time < duration {
+            let rest = duration - time;
+            // A rest that is rounding is no step.
+            let mut step = if self.step < rest * (1.0 - SHORTEST) { self.step.max(shortest) } else { rest };
+            let taken = loop {
+                let within = if step < rest { UNSEEN * tolerance } else { ROUNDING * largest };
+                let taken = self.step([at(time), at(time + step)], (along, step), within)?;
+                if taken.missed <= tolerance || step <= shortest {
+                    if 8.0 * taken.missed < tolerance {
                         self.step = 2.0 * step;
                     }
-                    break down;
+                    break taken;
                 }
-                (step, halvings) = (0.5 * step, halvings + 1);
+                step *= 0.5;
                 self.step = step;
             };
-            let last = time + step >= until;
-            let place = if last && !damped { pull.slide } else { self.now.place + along * step };
-            self.advance(self.now.depth + down * step, place, step)?;
-            time = if last { until } else { time + step };
-        }
-        if damped {
-            let rest = duration - until;
-            let down = self.speed_to(pull.force, along, rest)?;
-            self.advance(self.now.depth + down * rest, pull.slide, rest)?;
+            let last = step >= rest;
+            let place = self.now.place + along * step;
+            let stage = STAGE * step;
+            self.advance(self.now.depth + taken.down[0] * (step - stage), place - along * stage, step - stage)?;
+            self.advance(self.now.depth + taken.down[1] * stage, if last { pull.slide } else { place }, stage)?;
+            time = if last { duration } else { time + step };
         }
         Ok(())
     }
