@@ -31,12 +31,16 @@ pub struct Normal {
 }
 
 impl Normal {
-    /// The forces [N] that hold each other in balance in an adhesive contact, √(2U_el k): about the force itself where
-    /// nothing attracts, but not small where the force is. Zero where nothing attracts.
+    /// The forces [N] that hold each other in balance in an adhesive contact: the force itself, or where that is small
+    /// √(2U k), with U the elastic energy, but no more than that of the surface, for what is left of an earlier contact
+    /// around this one holds nothing. Zero where nothing attracts.
     #[must_use]
     pub fn in_balance(&self) -> f64 {
-        let attracts = self.stored.surface < 0.0;
-        if attracts { (2.0 * self.stored.elastic * self.stiffness).max(0.0).sqrt() } else { 0.0 }
+        if self.stored.surface >= 0.0 {
+            return 0.0;
+        }
+        let energy = self.stored.elastic.min(-self.stored.surface).max(0.0);
+        self.force.abs().max((2.0 * energy * self.stiffness).sqrt())
     }
 }
 

@@ -198,7 +198,9 @@ impl ForceDrive {
             let last = self.end - self.now <= self.step * (1.0 + 1e-9);
             let until = if last { self.end } else { (self.now + self.step).max(self.now.next_up()) };
             let duration = until - self.now;
-            let Some(speed) = self.speed(contact, until)? else {
+            // Where the edge jumps a shorter piece tells when, and the shortest where to.
+            let edges = if duration <= PARTED * self.end { EDGES } else { 1 };
+            let Some(speed) = self.speed(contact, until, edges)? else {
                 self.parted = duration <= PARTED * self.end;
                 self.unmet = Some(Unmet { at: until, duration });
                 self.step = 0.03 * duration;
@@ -250,7 +252,7 @@ impl ForceDrive {
         if self.parted && self.ramp.force(self.end) <= 0.0 {
             return Ok(None);
         }
-        let speed = self.speed(contact, self.end)?;
+        let speed = self.speed(contact, self.end, EDGES)?;
         self.parted = speed.is_none();
         Ok(speed.map(|speed| Stretch { speed, until: self.end }))
     }
@@ -291,9 +293,9 @@ impl ForceDrive {
     ///
     /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
     fn error(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
-        let scale = contact.state().in_balance().max(self.ramp.scale).max(f64::MIN_POSITIVE);
-        let (half, allowed) = (0.5 * duration, self.ramp.accuracy * scale);
+        let half = 0.5 * duration;
         let middle = self.now + half;
+        let allowed = self.allowed(contact, middle);
         let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
             // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀.
             _ if self.meets_in_the_middle(contact) => {
@@ -317,6 +319,20 @@ impl ForceDrive {
         Ok(off.abs() / allowed)
     }
 
+    /// Error of the force [N] allowed at the time `t` [s]: the accuracy times the largest force, and of a contact that has
+    /// shrunk so much less that its radius is as well known as the largest, for a grows as ∛F.
+    ///
+    /// A dashpot keeps the depth of a contact whatever its force has become.
+    fn allowed(&self, contact: &dyn ContactModel, t: f64) -> f64 {
+        let held = contact.state().in_balance();
+        let scale = held.max(self.ramp.scale).max(f64::MIN_POSITIVE);
+        if self.exact(t).is_some() || is_damped(contact) {
+            return self.ramp.accuracy * scale;
+        }
+        let part = self.target(contact, t).abs().max(held) / scale;
+        self.ramp.accuracy * scale * part.min(1.0).powf(2.0 / 3.0).max(self.ramp.accuracy.powi(2))
+    }
+
     /// A first piece this short leaves no trace in what follows.
     fn is_first_touch(&self, contact: &dyn ContactModel, rise: f64) -> bool {
         let full = self.exact(self.end).and_then(|creep| creep.indentation());
@@ -330,8 +346,9 @@ impl ForceDrive {
         if force.abs() < least && !held() { least } else { force }
     }
 
-    /// The speed that leads to the force at the time `until`; `None` if none does.
-    fn speed(&mut self, contact: &mut dyn ContactModel, until: f64) -> Result<Option<f64>, ContactError> {
+    /// The speed that leads to the force at the time `until`, over no more than so many places of the edge; `None` if none
+    /// does.
+    fn speed(&mut self, contact: &mut dyn ContactModel, until: f64, edges: u32) -> Result<Option<f64>, ContactError> {
         let duration = until - self.now;
         match self.exact(until) {
             Some(creep) => {
@@ -343,8 +360,6 @@ impl ForceDrive {
                 match self.paced(contact, until) {
                     Some(speed) => Ok(Some(speed)),
                     None => {
-                        // Where the edge jumps a shorter piece tells when, and the shortest where to.
-                        let edges = if duration <= PARTED * self.end || duration >= self.end { EDGES } else { 1 };
                         let force = self.target(contact, until);
                         speed_over(contact, force, until - self.now, edges)
                     }
@@ -362,7 +377,7 @@ impl ForceDrive {
     fn paced(&mut self, contact: &mut dyn ContactModel, until: f64) -> Option<f64> {
         let (force, duration) = (self.target(contact, until), until - self.now);
         let scale = self.ramp.scale.max(contact.state().in_balance());
-        let within = scale * if until < self.end { NEAR * self.ramp.accuracy } else { NEAREST };
+        let within = if until < self.end { NEAR * self.allowed(contact, until) } else { NEAREST * scale };
         let stiffness = self.pace.stiffness.unwrap_or_else(|| contact.state().stiffness);
         let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
         let mut before: Option<(f64, f64)> = None;
@@ -534,6 +549,33 @@ mod tests {
         let exact = (4.5 * std::f64::consts::PI * work).cbrt();
         let radius = left.contact_radius.unwrap();
         assert!(left.force.abs() < 1e-10 * largest && (radius / exact - 1.0).abs() < 1e-3, "{left:?} {exact:e}");
+    }
+
+    /// On the way to no force the radius is as well known as the largest, however small the contact has become: that of JKR,
+    /// a³ = ¾R(F + P + √(2PF + P²))/E*, P = 3πwR, or of Hertz. Bound: the accuracy, and what has not relaxed is some 1e-7.
+    #[test]
+    fn a_contact_that_shrinks_keeps_its_radius() {
+        let (largest, end, accuracy) = (1e-3, 1e8, 1e-3);
+        for work in [0.0, 1e-6 * largest] {
+            let spectrum = solid();
+            let attraction = Attraction::relaxed(work, &spectrum);
+            let memory = Memory::new(spectrum, Arc::new(unit_ball()));
+            let mut bed = ContinuousContact::new(if work > 0.0 { memory.with(attraction) } else { memory });
+            let up = Ramp { from: 0.0, rate: largest / end, accuracy, scale: largest, stiffness: 0.0 };
+            let down = Ramp { from: largest, rate: -largest / end, ..up };
+            press(&mut bed, &up, &[end]).unwrap();
+            let parts = [0.3, 0.5, 0.7, 0.9, 0.97, 0.99, 0.997, 0.999, 0.9997, 0.9999, 0.99997, 1.0 - 1e-7];
+            let times: Vec<f64> = parts.iter().map(|part| part * end).chain([end]).collect();
+            let pull = 3.0 * std::f64::consts::PI * work;
+            let exact = |force: f64| (0.75 * (force + pull + (2.0 * pull * force + pull * pull).sqrt())).cbrt();
+            for (state, t) in press(&mut bed, &down, &times).unwrap().iter().zip(&times) {
+                // Where nothing attracts bodies under no force just touch.
+                let force = down.force(*t).max(if work > 0.0 { 0.0 } else { TOUCH * largest });
+                let (radius, right) = (state.contact_radius.unwrap_or(0.0), exact(force));
+                let off = (radius - right).abs() / exact(largest);
+                assert!(off < accuracy, "{work:e} {:e}: {radius:e} {right:e}, {off:e}", t / end);
+            }
+        }
     }
 
     /// A Kelvin–Voigt body let go by a force that falls: the springs pressed reach to g(a) = d + τv, so that the depth is that
