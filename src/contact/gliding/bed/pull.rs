@@ -55,7 +55,7 @@ impl GlidingBed {
 
     /// The force there [N].
     fn force_after(&self, down: f64, along: f64, duration: f64) -> Result<f64, ContactError> {
-        Ok(self.after(down, along, duration)?.forces().0)
+        Ok(self.after(down, along, duration)?.force())
     }
 
     /// Speed down [m/s] that brings the force to `force` [N] after `duration` [s], to `within` [N].
@@ -87,7 +87,7 @@ impl GlidingBed {
     /// A step of the duration `step` [s] under a force that goes from `from` to `to` [N].
     ///
     /// The first piece lasts (1 − γ)h and meets the force after γh, the second meets it at its end, with γ = 1 − 1/√2: the
-    /// L-stable diagonally implicit method of second order (Alexander 1977, eq. 8), whose stages are on the way of the
+    /// L-stable diagonally implicit method of second order (Alexander 1977), whose stages are on the way of the
     /// body. So elements that relax within a step and dashpots, whose force depends on the speed, do not shorten it. It
     /// misses what the chord of the depth is, d″h²/8.
     fn step(&self, [from, to]: [f64; 2], (along, step): (f64, f64), within: f64) -> Result<Step, ContactError> {
