@@ -205,8 +205,22 @@ fn gliding_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
     }
 }
 
-/// How far the records of two runs are apart that have one time: forces and contact radii as parts of the largest, energies of
-/// the largest sum.
+/// When the last record of an entry is [s], or would be.
+fn end_of(records: &[Record], entry: usize) -> f64 {
+    let ended = records.partition_point(|record| record.entry <= entry);
+    ended.checked_sub(1).map_or(0.0, |last| records[last].time)
+}
+
+/// Whether a contact jumps at the record of that number: there are two of one time.
+fn jumps_at(records: &[Record], number: usize) -> bool {
+    let time = |number: usize| records.get(number).map_or(f64::NAN, |record| record.time);
+    let now = time(number);
+    now <= number.checked_sub(1).map_or(f64::NAN, time) || now >= time(number + 1)
+}
+
+/// How far the records of two runs are apart that have one time, or, but for the instant of a jump itself, one that may have
+/// shifted where an entry ends at another time, as a pull that parts the bodies: forces and contact radii as parts of the
+/// largest, energies of the largest sum.
 pub(super) fn apart(one: &[Record], two: &[Record]) -> f64 {
     let energies = |record: &Record| {
         let Normal { stored, dissipated, .. } = record.normal;
@@ -221,10 +235,18 @@ pub(super) fn apart(one: &[Record], two: &[Record]) -> f64 {
         let radii = (radius(one) - radius(two)).abs();
         ((a.force - b.force).abs() / force).max(radii / width).max(energies / energy)
     };
-    let beside = |record: &Record| {
-        let from = one.partition_point(|other| other.time < record.time);
-        let same = one[from..].iter().take_while(|other| other.time <= record.time);
-        same.map(|other| off(other, record)).reduce(f64::min)
+    let beside = |records: &[Record], others: &[Record], number: usize| {
+        let record = &records[number];
+        let from = |time: f64| others.partition_point(|other| other.time < time);
+        let nearest = |shift: f64| {
+            let near = others[from(record.time - shift)..].iter().take_while(|other| other.time <= record.time + shift);
+            near.map(|other| off(other, record)).reduce(f64::min)
+        };
+        let shift = (end_of(records, record.entry) - end_of(others, record.entry)).abs();
+        nearest(0.0).or_else(|| if jumps_at(records, number) { None } else { nearest(shift) })
     };
-    two.iter().filter_map(beside).fold(0.0, f64::max)
+    let all = |records: &[Record], others: &[Record]| {
+        (0..records.len()).filter_map(|number| beside(records, others, number)).fold(0.0, f64::max)
+    };
+    all(one, two).max(all(two, one))
 }

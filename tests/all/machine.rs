@@ -287,3 +287,21 @@ fn contacts_beyond_the_threshold_are_told() {
     let error = run(&planned(&text), Wanted::NOTHING).unwrap_err().to_string();
     assert!(error.contains("history[1]") && error.contains("rupture"), "{error}");
 }
+
+/// A mass comes down on a liquid whose memory is short and creeps: where it begins to, the forces are a little out of balance,
+/// and the jump into balance takes less time than the rounding of the time of the motion. To the accuracy asked for and
+/// the inertia that is left out.
+#[test]
+fn a_mass_creeps_into_a_liquid_of_short_memory() {
+    let end = |accuracy: f64| {
+        let outcome = outcome(&format!(
+            "(shape: Paraboloid(radius: 1.5811388300841897e-4), bodies: (Viscoelastic(poisson: 0.5, shear: (terms: \
+             [(modulus: 1.778279410038923e7, time: 1e-5), (modulus: 5.623413251903491e8, time: 3.1622776601683797e-7)])), \
+             Elastic(young: 1.1246826503806981e8, poisson: 0.5)), machine: (mass: 2.8117066259517456e-6), steps: 4, \
+             accuracy: {accuracy:e}, history: [Fall(height: 1e-5, over: 2e-2)])"
+        ));
+        outcome.records.last().and_then(|record| record.normal.indentation).unwrap()
+    };
+    let (coarse, fine) = (end(1e-3), end(1e-6));
+    assert!((coarse / fine - 1.0).abs() < 2e-3, "{coarse:e} {fine:e}");
+}

@@ -142,6 +142,27 @@ fn ten_records_or_a_hundred_at_an_adhesive_edge() {
     }
 }
 
+/// The error told of an edge that obeys a rate law speaks of its retraction too, whose records are at times of its own for
+/// the bodies part at another: but for that instant no force is further off than is told.
+#[test]
+fn the_error_of_a_pull_by_a_rate_law_is_told() {
+    let pulled = |accuracy: f64| {
+        let rate = Rate { speed: Speed::new(1e-4).unwrap(), exponent: Positive::new(0.5).unwrap() };
+        let plain = scene((rubber(0.25, &TERMS, 0.0), Body::Rigid), vec![indent(0.01, 1.0), retract(0.01)]);
+        let accuracy = Some(Accuracy::new(accuracy).unwrap());
+        run(Scene { adhesion: jkr(EdgeRule::Rate(rate)), accuracy, steps: NonZeroUsize::new(20), ..plain })
+    };
+    let (coarse, fine) = (pulled(1e-3), pulled(1e-6));
+    let forces = |outcome: &Outcome| -> Vec<f64> {
+        let pull = outcome.records.iter().filter(|record| record.entry == 1);
+        pull.map(|record| record.normal.force).take(19).collect()
+    };
+    let largest = coarse.records.iter().map(|record| record.normal.force.abs()).fold(0.0, f64::max);
+    let apart = forces(&coarse).iter().zip(&forces(&fine)).map(|(a, b)| (a - b).abs() / largest).fold(0.0, f64::max);
+    let told = coarse.error_estimate.relative;
+    assert!(1e-7 < apart && apart < told && told < 1e-2, "{apart:e} {told:e}");
+}
+
 /// A pull beyond pull-off parts the bodies at its instant, and they stay apart.
 #[test]
 fn a_pull_parts_the_bodies() {

@@ -48,6 +48,8 @@ pub struct Creeping {
 struct CreepingMass {
     told: Creeping,
     drive: ForceDrive,
+    /// Time since it creeps [s]: a jump to where the weight is borne lasts less than the rounding of that of the motion.
+    now: f64,
     /// What is left of a piece in which a record lies.
     piece: Option<Stretch>,
 }
@@ -231,7 +233,7 @@ impl SteppedMachine<'_> {
             let (from, stiffness) = (self.held.push, carried / depth.abs().max(f64::MIN_POSITIVE));
             let ramp = Ramp { from, rate: 0.0, accuracy, scale: carried, stiffness };
             let drive = ForceDrive::new(ramp, end - since, None, false);
-            self.creeping = Some(CreepingMass { told: Creeping { since, inertia }, drive, piece: None });
+            self.creeping = Some(CreepingMass { told: Creeping { since, inertia }, drive, now: 0.0, piece: None });
         }
         Ok(())
     }
@@ -246,17 +248,17 @@ impl SteppedMachine<'_> {
     /// Creeps under its weight to the time `until` [s].
     fn creep(&mut self, mut creeping: CreepingMass, until: f64) -> Result<(), MachineError> {
         creeping.drive.measure_against(self.carried()?);
-        let (begin, mut now) = (creeping.told.since, self.state.time);
-        while now < until {
+        let goal = until - creeping.told.since;
+        while creeping.now < goal {
             let piece =
                 creeping.piece.take().map_or_else(|| creeping.drive.next(self.contact), |piece| Ok(Some(piece)))?;
             let Some(piece) = piece else { break };
-            let end = (begin + piece.until).min(until);
-            self.contact.follow(&ahead(self.contact, piece.speed, end - now))?;
-            creeping.piece = (begin + piece.until > until).then_some(piece);
-            (now, self.state.speed) = (end, piece.speed);
+            let end = piece.until.min(goal);
+            self.contact.follow(&ahead(self.contact, piece.speed, end - creeping.now))?;
+            creeping.piece = (piece.until > goal).then_some(piece);
+            (creeping.now, self.state.speed) = (end, piece.speed);
         }
-        if let Some(met) = creeping.drive.met(self.contact, now - begin)? {
+        if let Some(met) = creeping.drive.met(self.contact, creeping.now)? {
             self.contact.follow(&met)?;
             self.state.speed = met.speed;
         }
