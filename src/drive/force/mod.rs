@@ -138,6 +138,8 @@ const PASSED: f64 = 0.1;
 const SHORTER: f64 = 0.8;
 /// Shortest piece, relative to the whole.
 const SHORTEST: f64 = 1e-18;
+/// How far beside a speed that ends before a jump the other side of it is, relative to the speed.
+const BESIDE: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 /// First piece tried after a jump, relative to the whole.
 const AFTER_JUMP: f64 = 1e-3;
 /// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
@@ -217,6 +219,7 @@ impl ForceDrive {
                 continue;
             }
             let jumped = shortest && error > 1.0;
+            let speed = if jumped { self.over_the_jump(contact, speed, until)? } else { speed };
             if jumped {
                 self.pace = Pace::default();
             } else {
@@ -232,6 +235,22 @@ impl ForceDrive {
             return Ok(Some(Stretch { speed, until }));
         }
         Ok(None)
+    }
+
+    /// The speed on the far side of a jump of the force that a search has come to from either: else the contact stays before
+    /// it for ever.
+    fn over_the_jump(&self, contact: &mut dyn ContactModel, speed: f64, until: f64) -> Result<f64, ContactError> {
+        let (force, duration) = (self.target(contact, until), until - self.now);
+        let mut lacks =
+            |speed: f64| Ok::<f64, ContactError>(force - contact.look(&ahead(contact, speed, duration))?.force);
+        let lack = lacks(speed)?;
+        for part in BESIDE {
+            let beyond = speed + part * speed.abs().copysign(lack);
+            if lacks(beyond)? * lack < 0.0 {
+                return Ok(beyond);
+            }
+        }
+        Ok(speed)
     }
 
     /// The rest of bodies apart, until the force pushes them together or ends; `None` where there is nothing to wait for.
