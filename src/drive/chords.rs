@@ -18,15 +18,17 @@ pub struct Chords {
 
 /// A time is at a corner that is nearer than this part of a chord.
 const SAME: f64 = 1e-9;
-/// Fewest chords per cycle: the loop of a small amplitude is resolved too.
-const FEWEST: f64 = 256.0;
+/// Depth, in amplitudes, from which on it is of no account: the loop of a small amplitude is resolved too.
+const SMALL: f64 = 50.0;
+/// Fewest chords per cycle.
+const FEWEST: f64 = 16.0;
 /// Most chords per cycle.
 const MOST: f64 = 16384.0;
 
 impl Chords {
-    /// Chords that leave the sine by at most `accuracy` of the depth.
+    /// Chords that leave the sine by at most `accuracy` of the depth, and by fifty times that of the amplitude.
     pub fn new(center: f64, wave: Wave, end: f64, accuracy: f64) -> Self {
-        let angle = (8.0 * accuracy * center.abs().max(wave.amplitude) / wave.amplitude).sqrt();
+        let angle = (8.0 * accuracy * (center.abs() / wave.amplitude).clamp(1.0, SMALL)).sqrt();
         let per_cycle = 4.0 * (0.25 * (TAU / angle).clamp(FEWEST, MOST)).ceil();
         Self { center, wave, end, per_cycle, next: 1.0 }
     }

@@ -114,6 +114,11 @@ impl Pace {
         }
     }
 
+    /// Whether more than one piece has told it.
+    fn is_known(&self) -> bool {
+        self.speeds[1].is_some()
+    }
+
     fn add(&mut self, speed: f64, middle: f64) {
         self.speeds = [Some((speed, middle)), self.speeds[0]];
     }
@@ -134,6 +139,8 @@ const PARTED: f64 = 1e-12;
 /// failed that is left where it tells nothing any more.
 const TOWARDS: f64 = 0.3;
 const PASSED: f64 = 0.1;
+/// Error, in those allowed, of a piece on which the contact jumps.
+const FAR: f64 = 16.0;
 /// The next piece, relative to the one that would just be allowed, and at the least that by which one is shortened.
 const SHORTER: f64 = 0.8;
 /// Shortest piece, relative to the whole.
@@ -214,8 +221,13 @@ impl ForceDrive {
             // Of a piece of two roundings there is none that is shorter by a little.
             let shortest = duration <= SHORTEST * self.end || self.now + SHORTER * duration >= until;
             if error > 1.0 && !shortest && !self.is_first_touch(contact, speed * duration) {
-                let shorter = duration * (SHORTER / error.sqrt()).clamp(1e-3, SHORTER);
-                self.step = if draws(contact, speed, duration)? { SHORTEST * self.end } else { shorter };
+                // No piece grows so much on the one before that it would be as far off without a jump.
+                let jumps = self.pace.is_known() && error > FAR;
+                if jumps {
+                    self.unmet = Some(Unmet { at: until, duration });
+                }
+                let part = if jumps { TOWARDS } else { (SHORTER / error.sqrt()).clamp(1e-3, SHORTER) };
+                self.step = if draws(contact, speed, duration)? { SHORTEST * self.end } else { part * duration };
                 continue;
             }
             let jumped = shortest && error > 1.0;
@@ -381,12 +393,18 @@ impl ForceDrive {
                 match self.paced(contact, until) {
                     Some(speed) => Ok(Some(speed)),
                     None => {
-                        let force = self.target(contact, until);
-                        speed_over(contact, force, until - self.now, edges)
+                        let goal = (self.target(contact, until), self.within(contact, until));
+                        speed_over(contact, goal, until - self.now, edges)
                     }
                 }
             }
         }
+    }
+
+    /// By how much the force [N] may be missed at the time `until` [s].
+    fn within(&self, contact: &dyn ContactModel, until: f64) -> f64 {
+        let scale = self.ramp.scale.max(contact.state().in_balance());
+        if until < self.end { NEAR * self.allowed(contact, until) } else { NEAREST * scale }
     }
 
     /// Whether pieces meet the force in their middles.
@@ -397,8 +415,7 @@ impl ForceDrive {
     /// The same by secants from the pace on; `None` where they lead nowhere soon.
     fn paced(&mut self, contact: &mut dyn ContactModel, until: f64) -> Option<f64> {
         let (force, duration) = (self.target(contact, until), until - self.now);
-        let scale = self.ramp.scale.max(contact.state().in_balance());
-        let within = if until < self.end { NEAR * self.allowed(contact, until) } else { NEAREST * scale };
+        let within = self.within(contact, until);
         let stiffness = self.pace.stiffness.unwrap_or_else(|| contact.state().stiffness);
         let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
         let mut before: Option<(f64, f64)> = None;

@@ -18,13 +18,13 @@ const FASTEST: f64 = 1e290;
 /// # Errors
 /// The contact would outgrow the profile.
 pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
-    speed_over(contact, force, duration, EDGES)
+    speed_over(contact, (force, 0.0), duration, EDGES)
 }
 
-/// The same where the edge may jump so many times less one on the way.
+/// The same where the force may be missed by `within` [N], and the edge may jump so many times less one on the way.
 pub(super) fn speed_over(
     contact: &mut dyn ContactModel,
-    force: f64,
+    (force, within): (f64, f64),
     duration: f64,
     edges: u32,
 ) -> Result<Option<f64>, ContactError> {
@@ -53,7 +53,8 @@ pub(super) fn speed_over(
     let Some((inner, width)) = bracket(&mut look, still, width, edges) else {
         return failed.get().map_or(Ok(None), Err);
     };
-    let speed = root::brent(|speed| look(speed).0, inner.min(width), inner.max(width)).unwrap_or(width);
+    let off = |speed| Some(look(speed).0).filter(|off| off.abs() > within).unwrap_or(0.0);
+    let speed = root::brent(off, inner.min(width), inner.max(width)).unwrap_or(width);
     // At the end of a profile the search ends where the force is not met.
     let missed = failed.get().is_some() && look(speed).0.abs() > MET * force.abs();
     match failed.get().filter(|_| missed || speed.abs() <= 0.0) {
