@@ -283,6 +283,31 @@ fn stresses_and_yield_are_those_of_the_present_load() {
     assert!(pressed(4e4, None).warnings.iter().any(|told| told.contains("body 2: the stress passes first yield")));
 }
 
+/// A rough line on a dashpot that is met by ever more springs: each takes a part of the speed, wherever in a piece of the
+/// depth it is met. A piece looked at in its middle alone had lost 1.2 % of the depth at the end.
+#[cfg(feature = "text")]
+#[test]
+fn what_a_damped_rough_line_meets_within_a_piece_is_seen() {
+    use springbed::text::Notation;
+
+    let at = |accuracy: f64| {
+        let text = format!(
+            "(shape: RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 1e-4, long: 1e-2, short: 2e-4), length: 1e-2, \
+             points: 512), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 0, terms: [(modulus: 1.8e5, \
+             time: 10), (modulus: 1e5, time: 32)], viscosity: 1.8e6)), Rigid), steps: 4, accuracy: {accuracy}, \
+             history: [Press(to: 3.4e-4, over: 10)])"
+        );
+        let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap();
+        let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
+        let end = outcome.records.last().unwrap().normal;
+        [end.indentation.unwrap(), end.dissipated]
+    };
+    let (coarse, fine) = (at(1e-3), at(1e-6));
+    let off = |of: usize| (coarse[of] / fine[of] - 1.0).abs();
+    // Twice the accuracy, as the error told of such pieces has it, and what is lost as a product of two.
+    assert!(off(0) < 2e-3 && off(1) < 4e-3, "{coarse:?} {fine:?}");
+}
+
 /// Depth by depth at given times, as one table.
 fn by_table(bodies: (Body, Body), times: &[f64], depths: &[f64]) -> Outcome {
     let tables = InMemory::default().with("h.csv", &[("time_s", times), ("indentation_m", depths)]);

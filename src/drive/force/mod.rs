@@ -25,7 +25,7 @@ mod search;
 mod tests;
 
 pub use search::speed_to;
-use search::{EDGES, speed_over};
+use search::{EDGES, damping, speed_over};
 
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
@@ -330,9 +330,10 @@ impl ForceDrive {
         let middle = self.now + half;
         let allowed = self.allowed(contact, middle);
         let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
-            // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀.
+            // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀; so much
+            // towards its end too, or more, where something is met on the way.
             _ if self.meets_in_the_middle(contact) => {
-                let bend = speed - self.pace.at(self.now);
+                let bend = (speed - self.pace.at(self.now)).abs().max(self.bend_at_end(contact, speed, duration)?);
                 0.5 * felt(&contact.state()).max(self.ramp.stiffness) * bend * half
             }
             Some(depth) if depth > 0.0 => {
@@ -350,6 +351,17 @@ impl ForceDrive {
             }
         };
         Ok(off.abs() / allowed)
+    }
+
+    /// By what the speed [m/s] of a damped contact would have to change at the end of a piece to meet the force there.
+    fn bend_at_end(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
+        let end = contact.look(&ahead(contact, speed, duration))?.force;
+        let missed = end - self.target(contact, self.now + duration);
+        let stiffness = contact.state().stiffness;
+        // A dashpot alone: its force is that of the speed.
+        let damping = if stiffness > 0.0 { damping(contact, stiffness) } else { (end / speed).abs() };
+        let bend = missed.abs() / (damping + 0.5 * stiffness * duration);
+        Ok(if bend.is_finite() { bend } else { 0.0 })
     }
 
     /// Error of the force [N] allowed at the time `t` [s]: the accuracy times the largest force, and of a contact that has

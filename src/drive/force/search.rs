@@ -65,7 +65,7 @@ pub(super) fn speed_over(
 
 /// By what the force of a contact of the stiffness `stiffness` [N/m] grows with its speed at once [N s/m], nearly: of its
 /// dashpot, zero without.
-fn damping(contact: &dyn ContactModel, stiffness: f64) -> f64 {
+pub(super) fn damping(contact: &dyn ContactModel, stiffness: f64) -> f64 {
     contact.memory().map_or(0.0, |spectrum| match (spectrum.viscosity(), spectrum.instantaneous()) {
         (viscosity, modulus) if viscosity > 0.0 && modulus > 0.0 => stiffness * viscosity / modulus,
         _ => 0.0,
