@@ -37,7 +37,19 @@ pub enum RootError {
 ///
 /// # Errors
 /// The ends have the same sign, or the function gave NaN.
-pub fn brent(mut function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, RootError> {
+pub fn brent(function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, RootError> {
+    brent_to(function, (low, high), 0.0)
+}
+
+/// The same, to the part `relative` of the root where that is more than the last bits.
+///
+/// # Errors
+/// As [`brent`].
+pub fn brent_to(
+    mut function: impl FnMut(f64) -> f64,
+    (low, high): (f64, f64),
+    relative: f64,
+) -> Result<f64, RootError> {
     let mut counter = Evaluation::at(low, &mut function)?;
     let mut best = Evaluation::at(high, &mut function)?;
     if counter.is_root() || best.is_root() {
@@ -56,7 +68,7 @@ pub fn brent(mut function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Resul
         if counter.y.abs() < best.y.abs() {
             (last, best, counter) = (best, counter, best);
         }
-        let tolerance = 2.0 * f64::EPSILON * best.x.abs() + f64::MIN_POSITIVE;
+        let tolerance = relative.max(2.0 * f64::EPSILON) * best.x.abs() + f64::MIN_POSITIVE;
         let half = 0.5 * (counter.x - best.x);
         if half.abs() <= tolerance || best.is_root() {
             break;

@@ -25,7 +25,7 @@ mod search;
 mod tests;
 
 pub use search::speed_to;
-use search::{EDGES, damping, speed_over};
+use search::{EDGES, Goal, damping};
 
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
@@ -83,6 +83,8 @@ pub struct ForceDrive {
     parted: bool,
     /// The last piece at whose end no speed met the force, if the way there is still ahead.
     unmet: Option<Unmet>,
+    /// By how much the last piece tried from here was too far off, in errors allowed.
+    failed: Option<f64>,
     pace: Pace,
 }
 
@@ -128,6 +130,8 @@ impl Pace {
 const NEAR: f64 = 1e-2;
 /// The same of the last piece, relative to the largest force.
 const NEAREST: f64 = 1e-12;
+/// Part of the accuracy to which the speed of a piece is found on which the force jumps: a shorter one follows.
+const CLOSE: f64 = 1e-3;
 /// Looks for a speed from the pace on, before it is searched for from rest.
 const MOST_LOOKS: u32 = 8;
 /// Part of what a look was off by that the next one may be off by, if the pace leads there.
@@ -141,12 +145,16 @@ const TOWARDS: f64 = 0.3;
 const PASSED: f64 = 0.1;
 /// Error, in those allowed, of a piece on which the contact jumps.
 const FAR: f64 = 16.0;
+/// Part of the error of a piece that a shorter one has as well where the contact jumps.
+const AS_FAR: f64 = 0.9;
 /// The next piece, relative to the one that would just be allowed, and at the least that by which one is shortened.
 const SHORTER: f64 = 0.8;
 /// Shortest piece, relative to the whole.
 const SHORTEST: f64 = 1e-18;
 /// How far beside a speed that ends before a jump the other side of it is, relative to the speed.
 const BESIDE: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
+/// Part that is left of a piece on which the contact jumps.
+const BEFORE_JUMP: f64 = 0.1;
 /// First piece tried after a jump, relative to the whole.
 const AFTER_JUMP: f64 = 1e-3;
 /// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
@@ -162,7 +170,7 @@ impl ForceDrive {
     /// Bodies that a pull has parted stay where they are until it ends, and their springs recover.
     #[must_use]
     pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>, parted: bool) -> Self {
-        Self { ramp, creep, end, now: 0.0, step: end, parted, unmet: None, pace: Pace::default() }
+        Self { ramp, creep, end, now: 0.0, step: end, parted, unmet: None, failed: None, pace: Pace::default() }
     }
 
     /// The exact creep at the time `t` [s] of the ramp, where it is known.
@@ -221,12 +229,14 @@ impl ForceDrive {
             // Of a piece of two roundings there is none that is shorter by a little.
             let shortest = duration <= SHORTEST * self.end || self.now + SHORTER * duration >= until;
             if error > 1.0 && !shortest && !self.is_first_touch(contact, speed * duration) {
-                // No piece grows so much on the one before that it would be as far off without a jump.
-                let jumps = self.pace.is_known() && error > FAR;
+                // No piece grows so much on the one before that it would be as far off without a jump, and without one a
+                // shorter piece is less off.
+                let jumps = self.pace.is_known() && error > FAR || self.failed.is_some_and(|was| error > AS_FAR * was);
+                self.failed = Some(error);
                 if jumps {
                     self.unmet = Some(Unmet { at: until, duration });
                 }
-                let part = if jumps { TOWARDS } else { (SHORTER / error.sqrt()).clamp(1e-3, SHORTER) };
+                let part = if jumps { BEFORE_JUMP } else { (SHORTER / error.sqrt()).clamp(1e-3, SHORTER) };
                 self.step = if draws(contact, speed, duration)? { SHORTEST * self.end } else { part * duration };
                 continue;
             }
@@ -237,7 +247,7 @@ impl ForceDrive {
             } else {
                 self.pace.add(speed, self.now + 0.5 * duration);
             }
-            self.now = until;
+            (self.now, self.failed) = (until, None);
             self.step =
                 if jumped { AFTER_JUMP * self.end } else { duration * (SHORTER / error.sqrt()).clamp(0.2, 5.0) };
             self.unmet = self.unmet.filter(|unmet| unmet.at - self.now > PASSED * unmet.duration);
@@ -405,8 +415,10 @@ impl ForceDrive {
                 match self.paced(contact, until) {
                     Some(speed) => Ok(Some(speed)),
                     None => {
-                        let goal = (self.target(contact, until), self.within(contact, until));
-                        speed_over(contact, goal, until - self.now, edges)
+                        let (force, within) = (self.target(contact, until), self.within(contact, until));
+                        let relative =
+                            if until - self.now > PARTED * self.end { CLOSE * self.ramp.accuracy } else { 0.0 };
+                        Goal { force, within, relative, edges }.speed(contact, until - self.now)
                     }
                 }
             }

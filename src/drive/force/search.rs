@@ -18,48 +18,59 @@ const FASTEST: f64 = 1e290;
 /// # Errors
 /// The contact would outgrow the profile.
 pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
-    speed_over(contact, (force, 0.0), duration, EDGES)
+    Goal { force, within: 0.0, relative: 0.0, edges: EDGES }.speed(contact, duration)
 }
 
-/// The same where the force may be missed by `within` [N], and the edge may jump so many times less one on the way.
-pub(super) fn speed_over(
-    contact: &mut dyn ContactModel,
-    (force, within): (f64, f64),
-    duration: f64,
-    edges: u32,
-) -> Result<Option<f64>, ContactError> {
-    let state = contact.state();
-    let depth = state.indentation.unwrap_or(0.0);
-    let damping = damping(contact, state.stiffness);
-    let failed = Cell::new(None);
-    // Force beyond the prescribed one, and whether the bodies still touch.
-    let mut look = |speed: f64| match contact.look(&ahead(contact, speed, duration)) {
-        Ok(seen) => (seen.force - force, seen.contact_radius > 0.0),
-        Err(error) => {
-            failed.set(Some(error));
-            (f64::MAX, true)
+/// What a piece of the depth is to meet.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    /// Force at its end [N].
+    pub force: f64,
+    /// By how much it may be missed [N].
+    pub within: f64,
+    /// Part of the speed to which it is found where the force jumps over the goal.
+    pub relative: f64,
+    /// Places at which the edge may come to rest on the way.
+    pub edges: u32,
+}
+
+impl Goal {
+    /// The speed [m/s] of such a piece of the duration `duration` [s]; `None` if the bodies part before.
+    pub(super) fn speed(self, contact: &mut dyn ContactModel, duration: f64) -> Result<Option<f64>, ContactError> {
+        let Self { force, within, relative, edges } = self;
+        let state = contact.state();
+        let depth = state.indentation.unwrap_or(0.0);
+        let damping = damping(contact, state.stiffness);
+        let failed = Cell::new(None);
+        // Force beyond the prescribed one, and whether the bodies still touch.
+        let mut look = |speed: f64| match contact.look(&ahead(contact, speed, duration)) {
+            Ok(seen) => (seen.force - force, seen.contact_radius > 0.0),
+            Err(error) => {
+                failed.set(Some(error));
+                (f64::MAX, true)
+            }
+        };
+        // A guess, widened until it brackets the root: the force grows with the speed.
+        let (still, joined) = look(0.0);
+        if still.abs() <= UNSEEN * state.stiffness * depth.abs() {
+            return Ok(Some(0.0));
         }
-    };
-    // A guess, widened until it brackets the root: the force grows with the speed.
-    let (still, joined) = look(0.0);
-    if still.abs() <= UNSEEN * state.stiffness * depth.abs() {
-        return Ok(Some(0.0));
-    }
-    if still > 0.0 && !joined {
-        // At rest they have parted by then.
-        return failed.get().map_or(Ok(None), Err);
-    }
-    let width = (first_way(&state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
-    let Some((inner, width)) = bracket(&mut look, still, width, edges) else {
-        return failed.get().map_or(Ok(None), Err);
-    };
-    let off = |speed| Some(look(speed).0).filter(|off| off.abs() > within).unwrap_or(0.0);
-    let speed = root::brent(off, inner.min(width), inner.max(width)).unwrap_or(width);
-    // At the end of a profile the search ends where the force is not met.
-    let missed = failed.get().is_some() && look(speed).0.abs() > MET * force.abs();
-    match failed.get().filter(|_| missed || speed.abs() <= 0.0) {
-        Some(error) => Err(error),
-        None => Ok(Some(speed)),
+        if still > 0.0 && !joined {
+            // At rest they have parted by then.
+            return failed.get().map_or(Ok(None), Err);
+        }
+        let width = (first_way(&state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
+        let Some((inner, width)) = bracket(&mut look, still, width, edges) else {
+            return failed.get().map_or(Ok(None), Err);
+        };
+        let off = |speed| Some(look(speed).0).filter(|off| off.abs() > within).unwrap_or(0.0);
+        let speed = root::brent_to(off, (inner.min(width), inner.max(width)), relative).unwrap_or(width);
+        // At the end of a profile the search ends where the force is not met.
+        let missed = failed.get().is_some() && look(speed).0.abs() > MET * force.abs();
+        match failed.get().filter(|_| missed || speed.abs() <= 0.0) {
+            Some(error) => Err(error),
+            None => Ok(Some(speed)),
+        }
     }
 }
 
