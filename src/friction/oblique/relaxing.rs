@@ -57,7 +57,39 @@ pub struct NormalCourse<'c> {
     pub restitution: f64,
 }
 
+/// Looks at the normal motion, as many at equal times and as many at equal ratios, down to this part of its end.
+const LOOKS: u32 = 512;
+const SHORTEST: f64 = 1e-12;
+
+impl NormalCourse<'_> {
+    /// Ends of `count` steps [s], which take equal parts of the time and of the way together: behind a dashpot the blow is
+    /// over long before the bodies part.
+    #[expect(clippy::cast_precision_loss, reason = "far fewer steps than 2^53")]
+    fn times(&self, count: usize) -> Vec<f64> {
+        let part = |k: u32| f64::from(k) / f64::from(LOOKS);
+        let looks = (0..LOOKS).flat_map(|k| [part(k), SHORTEST.powf(1.0 - part(k))]);
+        let mut looks: Vec<f64> = looks.chain([1.0]).map(|part| part * self.end).collect();
+        looks.sort_by(f64::total_cmp);
+        let mut ways = vec![0.0];
+        for look in looks.windows(2) {
+            let way = ((self.depth)(look[1]) - (self.depth)(look[0])).abs();
+            ways.push(ways[ways.len() - 1] + way);
+        }
+        let whole = ways[ways.len() - 1].max(f64::MIN_POSITIVE);
+        let parts: Vec<f64> = looks.iter().zip(&ways).map(|(t, way)| 0.5 * (t / self.end + way / whole)).collect();
+        let at = |k: usize| {
+            let goal = k as f64 / count as f64;
+            let high = parts.partition_point(|&part| part < goal).clamp(1, parts.len() - 1);
+            let (low, gap) = (high - 1, parts[high] - parts[high - 1]);
+            let over = if gap > 0.0 { ((goal - parts[low]) / gap).clamp(0.0, 1.0) } else { 1.0 };
+            looks[low] + over * (looks[high] - looks[low])
+        };
+        (0..=count).map(|k| if k < count { at(k) } else { self.end }).collect()
+    }
+}
+
 /// One run: the contact point at the end, and what the contact did.
+#[derive(Clone)]
 struct Course {
     /// w [m/s] at the end.
     speed: f64,
@@ -66,12 +98,25 @@ struct Course {
     phases: Vec<Phase>,
 }
 
+impl Course {
+    /// What half as many steps, whose error is twice as large, tell of no steps at all.
+    fn extrapolated(&self, coarse: &Self) -> Self {
+        let beyond = |fine: f64, coarse: f64| fine + (fine - coarse);
+        Self {
+            speed: beyond(self.speed, coarse.speed),
+            dissipated: beyond(self.dissipated, coarse.dissipated).max(0.0),
+            phases: self.phases.clone(),
+        }
+    }
+}
+
 impl RelaxingBall {
     /// The impact: the normal motion as it is, the viscoelastic bed with Coulomb friction along the surface.
     ///
     /// m v̇_x = −F_x, Iω̇ = −F_x R, the contact point at w = v_x + Rω: a leapfrog of second order, each step a straight piece
     /// of depth and slide, exact for every spring. Steps and springs are doubled until ψ₂ changes by less than
-    /// `accuracy`·max(1, |ψ₁|). Behind a dashpot, whose force jumps with the speed, of first order.
+    /// `accuracy`·max(1, |ψ₁|). Behind a dashpot, whose force jumps with the speed, they are of first order and are
+    /// extrapolated.
     /// Valid for one constant Poisson's ratio, a ≪ R and elastic similarity.
     /// Check: without Prony terms it is [`Ball::hit`]; slipping all along it loses κμv(1 + e), κ = 1 + mR²/I.
     ///
@@ -101,22 +146,24 @@ impl RelaxingBall {
         accuracy: f64,
     ) -> Result<(Course, f64, usize), FrictionError> {
         let mut coarse = self.run(speed, normal, FEWEST)?;
+        let mut known = coarse.clone();
         let (mut change, mut count) = (f64::INFINITY, 2 * FEWEST);
         loop {
             let fine = self.run(speed, normal, count)?;
-            let last = (fine.speed - coarse.speed).abs() / unit;
+            let better = if self.spectrum.viscosity() > 0.0 { fine.extrapolated(&coarse) } else { fine.clone() };
+            let last = (better.speed - known.speed).abs() / unit;
             // As in the elastic impact: a change that is small by chance is not believed.
             let error = last.max(0.25 * change);
             if error <= accuracy * (speed / unit).abs().max(1.0) || count >= MOST {
-                return Ok((fine, error, count));
+                return Ok((better, error, count));
             }
-            (coarse, change) = (fine, last);
+            (coarse, known, change) = (fine, better, last);
             count *= 2;
         }
     }
 
     /// One run of `count` steps on as many springs.
-    #[expect(clippy::cast_precision_loss, reason = "far fewer steps than 2^53")]
+    #[expect(clippy::cast_precision_loss, reason = "far fewer springs than 2^53")]
     fn run(&self, speed: f64, normal: &NormalCourse<'_>, count: usize) -> Result<Course, FrictionError> {
         let ball = &self.ball;
         let radius = WIDER * (ball.radius * normal.greatest_depth).sqrt();
@@ -124,19 +171,20 @@ impl RelaxingBall {
         let shape = Paraboloid { radius: Length::new(ball.radius).map_err(|_| beyond)? };
         let springs = NonZeroUsize::new(count).ok_or(beyond)?;
         let mut bed = ViscoelasticBed::new(&shape, self.spectrum.clone(), ball.grip, springs, radius)?;
-        let (span, kick) = (normal.end / count as f64, (1.0 + ball.gyration.recip()) / ball.mass);
+        let kick = (1.0 + ball.gyration.recip()) / ball.mass;
+        let times = normal.times(count);
         let (mut course, mut depth) = (Course { speed, dissipated: 0.0, phases: Vec::new() }, 0.0);
-        for k in 1..=count {
-            let part = k as f64 / count as f64;
-            let to = (normal.depth)(part * normal.end);
+        for (k, step) in times.windows(2).enumerate() {
+            let (span, to) = (step[1] - step[0], (normal.depth)(step[1]));
             bed.advance(((to - depth) / span, course.speed), span);
             depth = to;
             let (pressed, stuck) = bed.held();
             if pressed > 0 {
-                note(&mut course.phases, regime(stuck as f64 / pressed as f64), part);
+                note(&mut course.phases, regime(stuck as f64 / pressed as f64), step[1] / normal.end);
             }
-            let until = if k < count { span } else { 0.5 * span };
-            course.speed -= kick * bed.forces().1 * until;
+            // From the middle of this step to that of the next.
+            let next = times.get(k + 2).map_or(0.0, |next| next - step[1]);
+            course.speed -= kick * bed.forces().1 * 0.5 * (span + next);
         }
         if let Some(phase) = course.phases.last_mut() {
             phase.until = 1.0;
