@@ -18,6 +18,8 @@ const OF_SLIP: f64 = 2e-3;
 /// one of three pixels, and what that is off by is inverse to Tabor's parameter, which grows as the stress does, with the
 /// root of the inverse of the pixel.
 const OF_RANGE: f64 = 1.0 + std::f64::consts::SQRT_2;
+/// Pixels that tell in how many steps a contact is to be followed.
+const FEW: f64 = 16.0;
 /// Most doublings of the steps between two records.
 const DOUBLINGS: u32 = 5;
 
@@ -31,6 +33,7 @@ pub(super) struct Rehearsed {
 }
 
 /// What twice as many steps are worth.
+#[derive(Clone, Copy)]
 struct Order {
     /// Error that is aimed at where less is asked for.
     aimed: f64,
@@ -49,9 +52,11 @@ impl Rehearsed {
                 return Self { records: Err(SimulationError::Refused(error.to_string())), steps: 1, of_time: None };
             }
         };
-        let pressing = Pressing { heights: &thinned, response: &response, ..*pressing };
-        let follow = |steps: u32| Series::new(plan, pressing, Depth::Outline, steps).follow(&|_| ());
-        let first = Self { records: follow(1), steps: 1, of_time: None };
+        let half = Pressing { heights: &thinned, response: &response, ..*pressing };
+        let followed =
+            |pressing: Pressing<'_>, steps: u32| Series::new(plan, pressing, Depth::Outline, steps).follow(&|_| ());
+        let begun = |pressing: Pressing<'_>| Self { records: followed(pressing, 1), steps: 1, of_time: None };
+        let first = begun(half);
         let order = if let Some(PixelFriction::Coupled { .. }) = plan.friction {
             Order { aimed: OF_SLIP, parts: 1.0 }
         } else if plan.relaxation.is_some() {
@@ -59,7 +64,24 @@ impl Rehearsed {
         } else {
             return first;
         };
-        first.refined(plan.accuracy().max(order.aimed), order, follow)
+        let aimed = plan.accuracy().max(order.aimed);
+        let rehearsed = first.refined(aimed, order, |steps| followed(half, steps));
+        if rehearsed.presses_more_than(FEW, thinned.values.len()) {
+            return rehearsed;
+        }
+        // What so few pixels do in time says nothing of as many again.
+        let Self { steps, of_time, .. } = begun(*pressing).refined(aimed, order, |steps| followed(*pressing, steps));
+        Self {
+            steps: steps.max(rehearsed.steps),
+            of_time: rehearsed.of_time.into_iter().chain(of_time).reduce(f64::max),
+            ..rehearsed
+        }
+    }
+
+    /// Whether more than so many pixels of all carry a load in one of the records.
+    fn presses_more_than(&self, few: f64, all: usize) -> bool {
+        let carry = |record: &Record| record.pixels.map_or(0.0, |contact| contact.area_fraction * all as f64);
+        self.records.iter().flatten().any(|record| carry(record) > few)
     }
 
     fn refined(
