@@ -173,6 +173,18 @@ fn what_a_weakening_pull_has_parted_comes_together_when_it_pushes() {
     assert!(off.abs() < 1e-3, "{off:e}");
 }
 
+/// A pull that fades to nothing does not bring parted bodies together, though by rounding it is none before its end.
+#[test]
+fn a_pull_that_fades_to_nothing_leaves_the_bodies_apart() {
+    for (pull, over) in [(-4e-3 / 3.0, 1.9), (-4e-3 / 6.0, 1.9), (-4e-3 / 7.0, 2.3)] {
+        assert!(pull / (pull / over) < over);
+        let law = Attraction::with_rate(0.02, &relaxing(), (1e-2, 0.5)).to_accuracy(1e-3);
+        let mut contact = adhesive(&ball(), law);
+        let (states, _) = led(&mut contact, 1e-3, &[(-4e-3, 1.0), (pull, 1.0), (0.0, over)]);
+        assert!(states.iter().all(|state| state.contact_radius.is_none_or(|radius| radius <= 0.0)), "{states:?}");
+    }
+}
+
 /// A pull that tears bodies apart gives what springs that give at once do not give of the work of adhesion: what has been
 /// lost is not found again, and the springs keep no more than they had.
 #[test]

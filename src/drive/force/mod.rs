@@ -278,6 +278,8 @@ impl ForceDrive {
     /// The rest of bodies apart, until the force pushes them together or ends; `None` where there is nothing to wait for.
     fn wait(&mut self) -> Option<Stretch> {
         let pushes = if self.ramp.rate > 0.0 { -self.ramp.from / self.ramp.rate } else { f64::INFINITY };
+        // A force that comes back to none at the end does not push by its rounding.
+        let pushes = if pushes < self.end * (1.0 - PARTED) { pushes } else { f64::INFINITY };
         let until = pushes.min(self.end);
         (self.parted, self.step, self.pace) = (pushes >= self.end, self.end, Pace::default());
         (until > self.now).then(|| {
