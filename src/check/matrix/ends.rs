@@ -95,7 +95,7 @@ impl Ends {
             ("depth", self.depth, other.depth, largest.depth),
             ("stored", self.stored, other.stored, largest.energy),
             ("dissipated", self.dissipated, other.dissipated, largest.energy),
-            ("tangential force", self.along, other.along, largest.force),
+            ("tangential force", self.along, other.along, largest.tellable_force().max(self.along.abs())),
         ];
         let off = pairs.iter().find(|(_, one, two, scale)| {
             let off = (one - two).abs();
