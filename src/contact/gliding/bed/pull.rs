@@ -117,7 +117,7 @@ impl GlidingBed {
                 let taken = self.step([at(time), at(time + step)], (along, step), within)?;
                 if taken.missed <= tolerance || step <= shortest {
                     if 8.0 * taken.missed < tolerance {
-                        self.step = 2.0 * step;
+                        self.step = self.step.max(2.0 * step);
                     }
                     break taken;
                 }
