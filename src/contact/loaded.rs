@@ -19,43 +19,9 @@
 use super::adhesion::equilibrium::Balance;
 use super::adhesion::range::{RangeDisc, attraction};
 use super::foundation::Foundation;
-use crate::numerics::quadrature;
+use crate::numerics::panelled::PanelledCurve;
 use crate::shape::Profile;
-use std::fmt::{self, Debug, Formatter};
 use std::sync::Arc;
-
-/// A quantity of the bed over the distance x from the axis, smooth between the ends of its panels.
-#[derive(Clone)]
-pub struct Curve {
-    of: Arc<dyn Fn(f64) -> f64 + Send + Sync>,
-    ends: Vec<f64>,
-}
-
-impl Curve {
-    /// The curve `of`(x); `ends` are the borders of panels on which it is smooth, ascending, and it is zero
-    /// beyond the last [m].
-    pub fn new(of: impl Fn(f64) -> f64 + Send + Sync + 'static, ends: Vec<f64>) -> Self {
-        Self { of: Arc::new(of), ends }
-    }
-
-    /// Borders of the panels on which it is smooth [m].
-    #[must_use]
-    pub fn ends(&self) -> &[f64] {
-        &self.ends
-    }
-
-    /// Its value at `x` [m].
-    #[must_use]
-    pub fn at(&self, x: f64) -> f64 {
-        (self.of)(x)
-    }
-}
-
-impl Debug for Curve {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Curve").field("ends", &self.ends).finish_non_exhaustive()
-    }
-}
 
 /// Where the line load comes from.
 #[derive(Debug, Clone)]
@@ -63,7 +29,7 @@ pub(super) enum Bed {
     /// Elastic springs: q = E*(g(a) − g(x)) + q(a), and the attraction of finite range, if there is one.
     Elastic(Foundation, Option<(RangeDisc, Balance)>),
     /// Springs that remember: their loads q [N/m] and displacements [m].
-    Remembered(Curve, Curve),
+    Remembered(PanelledCurve<'static>, PanelledCurve<'static>),
 }
 
 /// A contact under the line load q(x) [N/m] of its springs, as it is at one instant.
@@ -107,8 +73,13 @@ impl Loaded {
     /// A contact at the indentation `indentation` [m] whose springs carry `load` q(x) [N/m], the last end of its
     /// panels being the contact radius, and are displaced by `displacement` [m], those let go included.
     #[must_use]
-    pub fn remembered(profile: Arc<dyn Profile>, indentation: f64, load: Curve, displacement: Curve) -> Self {
-        let contact_radius = load.ends.last().copied().unwrap_or(0.0);
+    pub fn remembered(
+        profile: Arc<dyn Profile>,
+        indentation: f64,
+        load: PanelledCurve<'static>,
+        displacement: PanelledCurve<'static>,
+    ) -> Self {
+        let contact_radius = load.ends().last().copied().unwrap_or(0.0);
         let edge_load = load.at(contact_radius);
         // Without adhesion the last spring ends unloaded, to the rounding of the others.
         let rounding = 1e-12 * load.at(0.0).abs();
@@ -149,7 +120,7 @@ impl Loaded {
         match &self.bed {
             Bed::Elastic(..) => self.contact_radius,
             Bed::Remembered(_, displacement) => {
-                displacement.ends.last().copied().unwrap_or(0.0).max(self.contact_radius)
+                displacement.ends().last().copied().unwrap_or(0.0).max(self.contact_radius)
             }
         }
     }
@@ -196,7 +167,7 @@ impl Loaded {
         match &self.bed {
             Bed::Elastic(ground, None) => 2.0 * (ground.modulus() * self.profile.load_integral(a) + a * self.edge_load),
             Bed::Elastic(_, Some((_, balance))) => balance.force,
-            Bed::Remembered(load, _) => 2.0 * quadrature::panels(|x| load.at(x), (0.0, a), &load.ends),
+            Bed::Remembered(load, _) => 2.0 * load.integral(),
         }
     }
 
@@ -232,7 +203,7 @@ impl Loaded {
             if r >= a && self.edge_load.abs() > 0.0 {
                 return self.edge_load * f64::INFINITY;
             }
-            return self.profile.pressure_of(&|x| load.at(x), &load.ends, r);
+            return self.profile.pressure_of(load, r);
         }
         let edge = self.edge_load;
         let singular = if edge.abs() > 0.0 { edge * self.profile.edge_pressure(r, a) } else { 0.0 };
@@ -244,7 +215,7 @@ impl Loaded {
     pub fn regular_pressure(&self, r: f64) -> f64 {
         match &self.bed {
             Bed::Elastic(ground, _) => ground.modulus() * self.profile.pressure_integral(r, self.contact_radius),
-            Bed::Remembered(load, _) => self.profile.pressure_of(&|x| load.at(x) - self.edge_load, &load.ends, r),
+            Bed::Remembered(load, _) => self.profile.pressure_of(&load.less(self.edge_load), r),
         }
     }
 
@@ -267,7 +238,7 @@ impl Loaded {
         let (ground, ring) = match &self.bed {
             Bed::Elastic(ground, ring) => (ground, ring),
             Bed::Remembered(_, displacement) => {
-                return self.profile.surface_of(&|x| displacement.at(x), &displacement.ends, r);
+                return self.profile.surface_of(displacement, r);
             }
         };
         let drawn = ring.as_ref().map_or(0.0, |(disc, balance)| disc.pulled_up(balance, r));

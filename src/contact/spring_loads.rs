@@ -18,8 +18,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::loaded::{Curve, Loaded};
+use super::loaded::Loaded;
 use super::model::Loading;
+use crate::numerics::panelled::PanelledCurve;
 use crate::shape::Profile;
 use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
@@ -143,8 +144,10 @@ impl Loading for SpringLoads {
         let ends = (1..=PANELS).map(|k| a * f64::from(k) / f64::from(PANELS)).collect();
         let raised: Vec<[f64; 2]> = self.springs.iter().map(|spring| [spring.place, spring.displacement]).collect();
         let all = self.springs.last().map(|spring| spring.place).into_iter().collect();
-        let (load, displacement) =
-            (Curve::new(move |x| between(&loads, x), ends), Curve::new(move |x| between(&raised, x), all));
+        let (load, displacement) = (
+            PanelledCurve::new(move |x| between(&loads, x), ends),
+            PanelledCurve::new(move |x| between(&raised, x), all),
+        );
         Some(Loaded::remembered(self.profile.clone(), self.depth, load, displacement))
     }
 }

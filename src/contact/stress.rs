@@ -87,8 +87,8 @@ impl StressField {
 mod tests {
     use super::*;
     use crate::contact::foundation::Foundation;
-    use crate::contact::loaded::Curve;
     use crate::input::quantity::Length;
+    use crate::numerics::panelled::PanelledCurve;
     use crate::shape::{Paraboloid, Profile};
     use std::f64::consts::FRAC_1_PI;
     use std::sync::Arc;
@@ -104,7 +104,7 @@ mod tests {
 
     /// The same contact, of which the loads alone are known.
     fn remembered(a: f64) -> Loaded {
-        let load = Curve::new(move |x| (a - x) * (a + x), vec![a]);
+        let load = PanelledCurve::new(move |x| (a - x) * (a + x), vec![a]);
         Loaded::remembered(ball(), a * a, load.clone(), load)
     }
 

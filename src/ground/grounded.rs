@@ -2,6 +2,7 @@
 
 use super::Ground;
 use crate::numerics::chebyshev::Chebyshev;
+use crate::numerics::panelled::PanelledCurve;
 use crate::numerics::quadrature;
 use crate::shape::{Moved, Profile, Rim, edge_by_search};
 use std::f64::consts::{PI, TAU};
@@ -369,15 +370,17 @@ impl Profile for Grounded {
         self.ground.surface(&|_| 1.0, &[edge], self.ground.radius(r))
     }
 
-    fn pressure_of(&self, load: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+    fn pressure_of(&self, load: &PanelledCurve<'_>, r: f64) -> f64 {
+        let ends = load.ends();
         if ends.last().is_none_or(|&a| r >= a) {
             return 0.0;
         }
-        self.ground.pressure(&|b| load(self.ground.measure(b)), &self.radii(ends), self.ground.radius(r))
+        self.ground.pressure(&|b| load.at(self.ground.measure(b)), &self.radii(ends), self.ground.radius(r))
     }
 
-    fn surface_of(&self, displacement: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
-        self.ground.surface(&|b| displacement(self.ground.measure(b)), &self.radii(ends), self.ground.radius(r))
+    fn surface_of(&self, displacement: &PanelledCurve<'_>, r: f64) -> f64 {
+        let radii = self.radii(displacement.ends());
+        self.ground.surface(&|b| displacement.at(self.ground.measure(b)), &radii, self.ground.radius(r))
     }
 }
 

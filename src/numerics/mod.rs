@@ -19,6 +19,7 @@ pub mod extremum;
 pub mod isotonic;
 pub mod legendre;
 pub mod normal;
+pub mod panelled;
 pub mod quadrature;
 pub mod root;
 pub mod special;

@@ -12,6 +12,7 @@
 //! a profile g(x). What is told of a contact, its half width X, its pressure and its surface, is told from here.
 
 use super::{PlaneWave, Profile, Rim};
+use crate::numerics::panelled::PanelledCurve;
 use crate::numerics::quadrature;
 use crate::shape::plane::Cylinder;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -242,12 +243,13 @@ impl Profile for Lying {
     }
 
     /// With T² = S² − S(r)²: p = (cos/πWℓ)[a q(r)/T(a) + ∫(q − q(r))(2x/S²y − x/T²) dT].
-    fn pressure_of(&self, load: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+    fn pressure_of(&self, load: &PanelledCurve<'_>, r: f64) -> f64 {
+        let ends = load.ends();
         let Some(&a) = ends.last() else { return 0.0 };
         if r >= a {
             return 0.0;
         }
-        let (here, inner, least) = (load(r), self.exponent(r), self.share(r));
+        let (here, inner, least) = (load.at(r), self.exponent(r), self.share(r));
         let to_t = |x: f64| Self::between(self.exponent(x), inner);
         let breaks: Vec<f64> = ends.iter().copied().chain(self.breaks(a)).filter(|&x| x > r && x < a).collect();
         let mut breaks: Vec<f64> = breaks.into_iter().map(to_t).collect();
@@ -256,14 +258,15 @@ impl Profile for Lying {
             let share = least.hypot(t);
             let y = -2.0 * share.ln();
             let x = self.at_exponent(y);
-            (load(x) - here) * (2.0 * x / (share * share * y) - x / (t * t))
+            (load.at(x) - here) * (2.0 * x / (share * share * y) - x / (t * t))
         };
         let sum = a * here / to_t(a) + quadrature::panels(at, (0.0, to_t(a)), &breaks);
         self.cosine(inner) * sum / (PI * self.width * self.reach)
     }
 
     /// u = ∫ v ∂φ/∂x dx, φ the displacement at `r` under a strip that ends at x and sinks by one.
-    fn surface_of(&self, displacement: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
+    fn surface_of(&self, displacement: &PanelledCurve<'_>, r: f64) -> f64 {
+        let ends = displacement.ends();
         let Some(&last) = ends.last() else { return 0.0 };
         let (place, y) = (self.share(r), self.exponent(r));
         // x = r sin θ takes the root at r away; far from the edge nothing is left of e^(−y).
@@ -277,7 +280,7 @@ impl Profile for Lying {
             let root = place * (-(-beyond).exp_m1()).sqrt();
             let share = place * (-0.5 * beyond).exp();
             let steep = if root > 0.0 { 0.5 * share * share * (y + beyond) / (root * (place + root)) } else { 0.0 };
-            displacement(x) * (steep - (place + root).ln()) * r * theta.cos()
+            displacement.at(x) * (steep - (place + root).ln()) * r * theta.cos()
         };
         4.0 / (PI * self.width) * quadrature::panels(at, (0.0, angle(last)), &breaks)
     }
@@ -354,9 +357,10 @@ mod tests {
             prop_assert!((slopes - bed.contact_area_bend(a)).abs() < 1e-5 * (1.0 + slopes.abs()), "{slopes}");
             // Any load: that of the elastic bed and one more at the edge.
             let r = bed.place(0.01 * f64::from(j) * bed.contact_radius(a));
-            let load = |x: f64| bed.reduced(a) - bed.reduced(x) + 0.3 * bed.reduced(a);
+            let load = PanelledCurve::new(|x: f64| bed.reduced(a) - bed.reduced(x) + 0.3 * bed.reduced(a), vec![a]);
             let exact = bed.pressure_integral(r, a) + 0.3 * bed.reduced(a) * bed.edge_pressure(r, a);
-            prop_assert!(near(bed.pressure_of(&load, &[a], r), exact, 1e-6), "{}", bed.pressure_of(&load, &[a], r) / exact);
+            let found = bed.pressure_of(&load, r);
+            prop_assert!(near(found, exact, 1e-6), "{}", found / exact);
         }
 
         /// The surface beside the contact: by springs, and touching the indenter at the edge.
@@ -369,7 +373,7 @@ mod tests {
             let r = bed.place(radius + 0.01 * f64::from(j) * (far - radius));
             let springs = |x: f64| if x < a { 1.3 * bed.reduced(a) - bed.reduced(x) } else { 0.0 };
             let exact = bed.displacement_integral(r, a) + 0.3 * bed.reduced(a) * bed.edge_surface(r, a);
-            let found = bed.surface_of(&springs, &[a], r);
+            let found = bed.surface_of(&PanelledCurve::new(springs, vec![a]), r);
             prop_assert!((found - exact).abs() < 1e-6 * bed.reduced(a), "{found} {exact}");
             let at_edge = bed.reduced(a) - bed.height(a);
             prop_assert!((bed.displacement_integral(a, a) / at_edge - 1.0).abs() < 1e-10);

@@ -1,8 +1,8 @@
 //! What a bed asks of a shape: its one-dimensional profile g(x), the integrals over it, and what is told of its contact.
 
 use super::kernel;
-use crate::numerics::quadrature;
-use crate::numerics::root;
+use crate::numerics::panelled::{PanelledCurve, SmoothStretch};
+use crate::numerics::{quadrature, root};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
 /// How far measured heights were moved.
@@ -225,32 +225,41 @@ pub trait Profile: std::fmt::Debug + Send + Sync {
         FRAC_2_PI * (a / r).min(1.0).asin()
     }
 
-    /// Pressure [Pa] at the place `r` under the line load `load` q(x) [N/m]; `ends` are the borders of panels on which
-    /// it is smooth, ascending, and it is zero beyond the last.
+    /// Pressure [Pa] at the place `r` under the line load `load` q(x) [N/m], which is zero beyond its last panel.
     ///
     /// By parts, with x² = r² + s²: π p(r) = q(r)/√(a²−r²) + ∫ (q(r) − q(x))/s² ds.
-    fn pressure_of(&self, load: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
-        let Some(&a) = ends.last() else { return 0.0 };
+    fn pressure_of(&self, load: &PanelledCurve<'_>, r: f64) -> f64 {
+        let Some(&a) = load.ends().last() else { return 0.0 };
         if r >= a {
             return 0.0;
         }
-        let here = load(r);
+        let here = load.at(r);
         let to_s = |x: f64| ((x - r) * (x + r)).sqrt();
-        let breaks: Vec<f64> = ends.iter().filter(|&&x| x > r && x < a).map(|&x| to_s(x)).collect();
-        let fall = |s: f64| (here - load(r.hypot(s))) / (s * s);
-        FRAC_1_PI * (here / to_s(a) + quadrature::panels(fall, (0.0, to_s(a)), &breaks))
+        let part = |panel: SmoothStretch<'_>| {
+            if panel.is_far_from(r) {
+                return panel.sum(|x, q| x * (here - q) / to_s(x).powi(3));
+            }
+            let fall = |s: f64| (here - load.at(r.hypot(s))) / (s * s);
+            quadrature::panel(fall, to_s(panel.low.max(r)), to_s(panel.high))
+        };
+        FRAC_1_PI * (here / to_s(a) + load.panels().filter(|panel| panel.high > r).map(part).sum::<f64>())
     }
 
-    /// Displacement [m] of the surface at the place `r` [m] over springs displaced by `displacement` u(x) [m]; `ends` as
-    /// of [`pressure_of`](Self::pressure_of).
+    /// Displacement [m] of the surface at the place `r` [m] over springs displaced by `displacement` u(x) [m], those beyond
+    /// its last panel not at all.
     ///
     /// u_z(r) = (2/π) ∫₀^r u(x) dx/√(r²−x²); x = r sin θ takes the root away. The transform knows no time: springs let
     /// go and still creeping back count with what is left of their displacement.
-    fn surface_of(&self, displacement: &dyn Fn(f64) -> f64, ends: &[f64], r: f64) -> f64 {
-        let Some(&last) = ends.last() else { return 0.0 };
+    fn surface_of(&self, displacement: &PanelledCurve<'_>, r: f64) -> f64 {
         let angle = |x: f64| if x < r { (x / r).asin() } else { FRAC_PI_2 };
-        let breaks: Vec<f64> = ends.iter().map(|&x| angle(x)).collect();
-        FRAC_2_PI * quadrature::panels(|theta| displacement(r * theta.sin()), (0.0, angle(last)), &breaks)
+        let part = |panel: SmoothStretch<'_>| {
+            if panel.is_far_from(r) {
+                return panel.sum(|x, u| u / ((r - x) * (r + x)).sqrt());
+            }
+            let turned = |theta: f64| displacement.at(r * theta.sin());
+            quadrature::panel(turned, angle(panel.low), angle(panel.high))
+        };
+        FRAC_2_PI * displacement.panels().filter(|panel| panel.low < r).map(part).sum::<f64>()
     }
 }
 

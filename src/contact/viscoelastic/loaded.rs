@@ -3,17 +3,18 @@
 use super::memory::Memory;
 use super::panel::Strip;
 use super::spring::Spring;
-use crate::contact::loaded::{Curve, Loaded};
+use crate::contact::loaded::Loaded;
 use crate::contact::viscoelastic::Spectrum;
+use crate::numerics::panelled::PanelledCurve;
 use crate::shape::Profile;
 use std::sync::Arc;
 
 /// Panels finer than this part of the contact are put together: a contact of thousands of strips has
 /// loads with thousands of kinks too faint to see.
-const FINEST: f64 = 1.0 / 512.0;
+const FINEST: f64 = 1.0 / 4096.0;
 
 /// Borders beyond which that is done.
-const MOST: usize = 512;
+const MOST: usize = 8192;
 
 /// Borders at least [`FINEST`] of the last one apart, the last one always among them.
 fn thinned(ends: Vec<f64>) -> Vec<f64> {
@@ -82,8 +83,8 @@ impl Memory {
         let (ends, all) = if all.len() > MOST { (thinned(ends), thinned(all)) } else { (ends, all) };
         let bed = Arc::new(self.snapshot());
         let same = bed.clone();
-        let load = Curve::new(move |x| same.load(x), ends);
-        let displacement = Curve::new(move |x| bed.displacement(x), all);
+        let load = PanelledCurve::new(move |x| same.load(x), ends);
+        let displacement = PanelledCurve::new(move |x| bed.displacement(x), all);
         Loaded::remembered(self.profile(), self.indentation(), load, displacement)
     }
 

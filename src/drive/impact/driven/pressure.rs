@@ -2,7 +2,8 @@
 
 use super::Flight;
 use super::piece::MotionPiece;
-use crate::contact::loaded::{Curve, Loaded};
+use crate::contact::loaded::Loaded;
+use crate::numerics::panelled::PanelledCurve;
 
 /// Times at which the pressure is looked at.
 const LOOKS: u32 = 12;
@@ -46,7 +47,7 @@ impl Flight {
     #[must_use]
     pub fn pressure(&self, t: f64, r: f64) -> f64 {
         let Some((load, ends)) = self.loads(t) else { return 0.0 };
-        self.model.profile.pressure_of(&load, &ends, r)
+        self.model.profile.pressure_of(&PanelledCurve::new(load, ends), r)
     }
 
     /// The contact at the greatest depth, under its load.
@@ -60,8 +61,8 @@ impl Flight {
             let profile = self.model.profile.clone();
             move |x: f64| depth - profile.reduced(x)
         };
-        let displacement = Curve::new(pressed, ends.clone());
-        Some(Loaded::remembered(self.model.profile.clone(), depth, Curve::new(load, ends), displacement))
+        let displacement = PanelledCurve::new(pressed, ends.clone());
+        Some(Loaded::remembered(self.model.profile.clone(), depth, PanelledCurve::new(load, ends), displacement))
     }
 
     /// The line load [N/m] at the time `t` over the distance from the axis, and the borders of its panels.
