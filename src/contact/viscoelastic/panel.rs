@@ -326,18 +326,13 @@ impl Panel {
     }
 
     /// The part of the panel from `inner` to `outer`.
-    fn part(&self, spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
+    pub(super) fn part(&self, spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let here = |x: f64| Lived { spring: self.spring(x), impulse: 0.0 };
         let springs: Vec<Lived> = nodes(inner, outer).map(|(x, _)| here(x)).collect();
         let (greatest, tail) = (self.greatest * self.left(), self.missed * self.left());
         let states = numbers(springs.iter().map(|lived| &lived.spring));
-        PanelDraft { inner, outer, springs, states, greatest, tail, impulse: [0.0; 2] }.finished(spectrum, 0.0).0
-    }
-
-    /// The panel in two, cut at `x`.
-    pub(super) fn cut(&self, spectrum: &Spectrum, x: f64) -> [Self; 2] {
-        [(self.inner, x), (x, self.outer)]
-            .map(|(inner, outer)| Self { past: self.past, ..self.part(spectrum, inner, outer) })
+        let draft = PanelDraft { inner, outer, springs, states, greatest, tail, impulse: [0.0; 2] };
+        Self { past: self.past, ..draft.finished(spectrum, 0.0).0 }
     }
 
     /// Whether its springs and those of the next panel are of one past.

@@ -274,22 +274,17 @@ impl Memory {
         let edge = self.radius();
         let change = change.unwrap_or(Change { inner: edge, outer: edge, panels: Vec::new(), work: 0.0 });
         self.work += change.work + self.steady_work(motion, change.inner);
-        self.cut(change.inner);
-        self.cut(change.outer);
-        let first = self.panels.partition_point(|panel| panel.outer <= change.inner);
-        let last = self.panels.partition_point(|panel| panel.inner < change.outer).max(first);
+        let first = self.cut_out(change.inner, change.outer);
         let alike = Alike::new(&self.spectrum, motion.speed, motion.duration);
-        for (k, panel) in self.panels.iter_mut().enumerate() {
-            if k < first || k >= last {
-                if self.counts {
-                    self.work += panel.work(&alike);
-                }
-                panel.pass(&alike);
+        for panel in &mut self.panels {
+            if self.counts {
+                self.work += panel.work(&alike);
             }
+            panel.pass(&alike);
         }
         self.pasts = change.panels.iter().map(|panel| panel.past).fold(self.pasts, u64::max);
         let count = change.panels.len();
-        self.panels.splice(first..last, change.panels);
+        self.panels.splice(first..first, change.panels);
         self.merge(first, first + count);
         self.held = self.panels.iter().take_while(|panel| panel.held).count();
     }
@@ -304,10 +299,17 @@ impl Memory {
         }
     }
 
-    /// Cuts the panel that holds `x` in two.
-    fn cut(&mut self, x: f64) {
-        let Some(k) = self.panels.iter().position(|panel| panel.inner < x && x < panel.outer) else { return };
-        let halves = self.panels[k].cut(&self.spectrum, x);
-        self.panels.splice(k..=k, halves);
+    /// Takes a stretch out of the panels, whose springs are about to change; where it was.
+    fn cut_out(&mut self, inner: f64, outer: f64) -> usize {
+        let first = self.panels.partition_point(|panel| panel.outer <= inner);
+        let last = self.panels.partition_point(|panel| panel.inner < outer).max(first);
+        let (spectrum, within) = (&self.spectrum, &self.panels[first..last]);
+        let below = within.first().filter(|panel| panel.inner < inner);
+        let below = below.map(|panel| panel.part(spectrum, panel.inner, inner));
+        let beyond = within.last().filter(|panel| panel.outer > outer);
+        let beyond = beyond.map(|panel| panel.part(spectrum, outer, panel.outer));
+        let place = first + usize::from(below.is_some());
+        self.panels.splice(first..last, below.into_iter().chain(beyond));
+        place
     }
 }
