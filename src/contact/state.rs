@@ -31,6 +31,12 @@ pub struct Normal {
 }
 
 impl Normal {
+    /// Energy stored and lost [J].
+    #[must_use]
+    pub fn accounted(&self) -> f64 {
+        self.stored.stored() + self.dissipated
+    }
+
     /// The forces [N] that hold each other in balance in an adhesive contact: the force itself, or where that is small
     /// √(2U k), with U the elastic energy, but no more than that of the surface, for what is left of an earlier contact
     /// around this one holds nothing. Zero where nothing attracts.

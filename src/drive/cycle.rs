@@ -4,6 +4,7 @@ use super::chords::Chords;
 use super::force::ahead;
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Glance};
+use crate::contact::state::Normal;
 use std::f64::consts::TAU;
 
 /// What the loop of an oscillation says of the material.
@@ -37,18 +38,19 @@ pub struct Cycle {
 }
 
 impl Cycle {
-    /// Adds the chord of `duration` [s] at the speed `speed` [m/s] that lies ahead, if it belongs to the last cycle.
+    /// Adds the chord of `duration` [s] at the speed `speed` [m/s] that lies ahead of the state `start`, and at whose end the
+    /// contact is `end`, if it belongs to the last cycle: by Simpson's rule.
     ///
     /// # Errors
     /// The contact would outgrow the profile.
     pub fn watch(
         &mut self,
         contact: &mut dyn ContactModel,
+        start: &Normal,
         chords: &Chords,
-        (speed, duration): (f64, f64),
+        (speed, duration, end): (f64, f64, Glance),
     ) -> Result<(), ContactError> {
         let Some((since, first)) = chords.in_last_cycle() else { return Ok(()) };
-        let start = contact.state();
         if first {
             *self = Self {
                 frequency: chords.frequency(),
@@ -57,13 +59,14 @@ impl Cycle {
                 ..Self::default()
             };
         }
-        for part in [0.5 - 3f64.sqrt() / 6.0, 0.5 + 3f64.sqrt() / 6.0] {
+        let here = Glance { force: start.force, contact_radius: start.contact_radius.unwrap_or(0.0) };
+        let middle = contact.look(&ahead(contact, speed, 0.5 * duration))?;
+        for (part, weight, seen) in [(0.0, 1.0, here), (0.5, 4.0, middle), (1.0, 1.0, end)] {
             let time = part * duration;
-            let seen = contact.look(&ahead(contact, speed, time))?;
             let depth = start.indentation.unwrap_or(0.0) + speed * time;
-            self.add((since + time, 0.5 * duration), depth, &seen);
+            self.add((since + time, weight / 6.0 * duration), depth, &seen);
         }
-        self.ends.1 = contact.look(&ahead(contact, speed, duration))?.force;
+        self.ends.1 = end.force;
         Ok(())
     }
 

@@ -131,9 +131,9 @@ impl Watch {
         if self.found.front()?.time <= time { self.found.pop_front() } else { None }
     }
 
-    /// Force [N] at the first look ahead.
-    pub fn first_force_ahead(&self) -> Option<f64> {
-        self.seen.get(1).map(|glimpse| glimpse.seen.force)
+    /// The contact at the first look ahead.
+    pub fn first_ahead(&self) -> Option<Glance> {
+        self.seen.get(1).map(|glimpse| glimpse.seen)
     }
 
     /// Adds the beginning of the piece to what happens on it.

@@ -3,9 +3,10 @@
 use super::course::Extent;
 use super::force::{Stretch, depth_of};
 use super::instants::{NotableInstant, Watch, looks};
-use super::{Driver, Occurrence, Remainder, accounted};
+use super::{Driver, Occurrence, Remainder};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
+use crate::contact::state::Normal;
 
 /// Mean difference of the contact's force from the prescribed one, in errors allowed, from which on it has jumped.
 const JUMP: f64 = 4.0;
@@ -43,10 +44,10 @@ impl Leg {
 
 impl Driver {
     /// The leg of a piece under a prescribed force that begins here.
-    fn stretched(&self, contact: &dyn ContactModel, Stretch { speed, until }: Stretch) -> Leg {
+    fn stretched(&self, contact: &dyn ContactModel, here: &Normal, Stretch { speed, until }: Stretch) -> Leg {
         let (from, begin) = (depth_of(contact), self.stage.now);
         let to = from + speed * (until - begin);
-        let outset = Outset { accounted: accounted(contact), joined: contact.joined() };
+        let outset = Outset { accounted: here.accounted(), joined: contact.joined() };
         Leg { from, to, speed, begin, end: until, watch: None, outset: Some(outset) }
     }
 
@@ -67,7 +68,8 @@ impl Driver {
             occurrences.push(self.let_go(contact, force.now()));
             self.parted = true;
             // What is left of the stage passes for them all the same.
-            self.stage.leg = self.next_leg(contact)?;
+            let here = contact.state();
+            self.stage.leg = self.next_leg(contact, &here)?;
         }
         Ok(())
     }
@@ -87,20 +89,21 @@ impl Driver {
                 break;
             }
             self.stage.now = leg.end;
-            self.note_jump(contact, &leg);
-            self.stage.leg = self.next_leg(contact)?;
+            let here = contact.state();
+            self.note_jump(&here, &leg);
+            self.stage.leg = self.next_leg(contact, &here)?;
         }
         Ok(())
     }
 
     /// What the prescribed force has done on a leg that is over beyond what the contact took, if the contact jumped: it
     /// had another force on the way. Bodies that come together have met at no force, and their way until then is none.
-    fn note_jump(&mut self, contact: &dyn ContactModel, leg: &Leg) {
+    fn note_jump(&mut self, here: &Normal, leg: &Leg) {
         let (Some(outset), Remainder::Force(force)) = (leg.outset, &self.stage.remainder) else { return };
         let mean = 0.5 * (force.prescribed(leg.begin) + force.prescribed(leg.end));
         let way = if outset.joined { leg.to - leg.from } else { 0.0 };
-        let lost = mean * way - (accounted(contact) - outset.accounted);
-        if lost > JUMP * self.accuracy * self.largest.max(contact.state().in_balance()) * way.abs() {
+        let lost = mean * way - (here.accounted() - outset.accounted);
+        if lost > JUMP * self.accuracy * self.largest.max(here.in_balance()) * way.abs() {
             self.lost += lost;
         }
     }
@@ -175,8 +178,12 @@ impl Driver {
         Ok(())
     }
 
-    /// The next leg of the stage, with a watch over what happens on it.
-    pub(super) fn next_leg(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Leg>, ContactError> {
+    /// The next leg of the stage, which begins in the state `here`, with a watch over what happens on it.
+    pub(super) fn next_leg(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        here: &Normal,
+    ) -> Result<Option<Leg>, ContactError> {
         let begin = self.stage.now;
         let depth = depth_of(contact);
         let (to, end) = match &mut self.stage.remainder {
@@ -189,19 +196,24 @@ impl Driver {
                 Some(chord) => chord,
                 None => return Ok(None),
             },
-            Remainder::Force(force) => match force.next(contact)? {
-                Some(stretch) => return Ok(Some(self.stretched(contact, stretch))),
+            Remainder::Force(force) => match force.next(contact, here)? {
+                Some(stretch) => return Ok(Some(self.stretched(contact, here, stretch))),
                 None => return Ok(None),
             },
         };
         let speed = (to - depth) / (end - begin);
         let mut leg = Leg { from: depth, to, speed, begin, end, watch: None, outset: None };
-        leg.watch = self.watch(contact, &leg)?;
+        leg.watch = self.watch(contact, here, &leg)?;
         Ok(Some(leg))
     }
 
     /// The watch over a leg that begins here.
-    fn watch(&mut self, contact: &mut dyn ContactModel, leg: &Leg) -> Result<Option<Watch>, ContactError> {
+    fn watch(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        here: &Normal,
+        leg: &Leg,
+    ) -> Result<Option<Watch>, ContactError> {
         let duration = leg.end - leg.begin;
         let Some(spectrum) = contact.memory().filter(|_| duration > 0.0) else { return Ok(None) };
         let Remainder::Chords(chords) = &self.stage.remainder else {
@@ -211,13 +223,12 @@ impl Driver {
             };
             return Watch::new(contact, leg.speed, times).map(Some);
         };
-        let mut watch = Watch::new(contact, leg.speed, vec![0.5 * duration, duration])?;
-        self.cycle.watch(contact, chords, (leg.speed, duration))?;
-        // The force of a path with corners turns at the corners more often than between them.
-        let here = contact.state().force;
-        let middle = watch.first_force_ahead().unwrap_or(here);
-        let before = self.stage.middle.replace(middle);
-        if before.is_some_and(|before| (here - before) * (here - middle) > 0.0) {
+        let mut watch = Watch::new(contact, leg.speed, vec![duration])?;
+        // To the chords' own error the force of a path with corners turns at the corners.
+        let Some(end) = watch.first_ahead() else { return Ok(Some(watch)) };
+        self.cycle.watch(contact, here, chords, (leg.speed, duration, end))?;
+        let before = self.stage.behind.replace(here.force);
+        if before.is_some_and(|before| (here.force - before) * (here.force - end.force) > 0.0) {
             watch.note_beginning();
         }
         Ok(Some(watch))

@@ -101,8 +101,8 @@ struct ActiveStage {
     now: f64,
     remainder: Remainder,
     leg: Option<Leg>,
-    /// Force in the middle of the last chord [N].
-    middle: Option<f64>,
+    /// Force at the beginning of the last chord [N].
+    behind: Option<f64>,
 }
 
 /// Part of the amplitude within which a slide that is a sine is followed: less than friction tells by a thousand springs.
@@ -164,7 +164,7 @@ impl Driver {
             now: 0.0,
             remainder: Remainder::Done,
             leg: None,
-            middle: None,
+            behind: None,
         };
         Self {
             accuracy,
@@ -193,7 +193,7 @@ impl Driver {
         self.pull = if course.control == Control::Force { course.normal.at(from, 1.0, course.over) } else { 0.0 };
         let remainder = Remainder::Records;
         let idled = matches!(self.stage.remainder, Remainder::Idle);
-        self.stage = ActiveStage { course, from, slide, shaken: None, now: 0.0, remainder, leg: None, middle: None };
+        self.stage = ActiveStage { course, from, slide, shaken: None, now: 0.0, remainder, leg: None, behind: None };
         if contact.memory().is_none() {
             return Ok(());
         }
@@ -204,7 +204,8 @@ impl Driver {
             Control::Force => self.begin_force(contact, idled)?,
             Control::Indentation => self.begin_depth(contact)?,
         }
-        self.stage.leg = self.next_leg(contact)?;
+        let here = contact.state();
+        self.stage.leg = self.next_leg(contact, &here)?;
         Ok(())
     }
 
@@ -389,12 +390,6 @@ impl Driver {
     pub fn last_loop(&self) -> Option<Loop> {
         self.cycle.moduli()
     }
-}
-
-/// Energy stored and lost [J].
-fn accounted(contact: &dyn ContactModel) -> f64 {
-    let state = contact.state();
-    state.stored.stored() + state.dissipated
 }
 
 /// Value of what is prescribed; a body that has come free starts again from first touch.

@@ -2,7 +2,7 @@
 
 use super::force::{ahead, depth_of};
 use super::instants::last_of;
-use super::{Driver, Occurrence, accounted};
+use super::{Driver, Occurrence};
 use crate::contact::error::{BedError, ContactError};
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
@@ -22,10 +22,10 @@ impl Driver {
     /// The bodies part under a pull, and the indenter is taken away: the pull acts until they do, and until it has done
     /// what springs that give at once do not give of the work of adhesion. The rest of its work is lost.
     pub(super) fn let_go(&mut self, contact: &mut dyn ContactModel, time: f64) -> Occurrence {
-        let (before, had) = (self.state(contact), accounted(contact));
+        let (before, had) = (self.state(contact), contact.state().accounted());
         let last = contact.leave();
         let way = last.zip(before.indentation).map_or(0.0, |(last, depth)| last - depth);
-        let spare = before.force * way - (accounted(contact) - had);
+        let spare = before.force * way - (contact.state().accounted() - had);
         let owed = before.dissipated - self.state(contact).dissipated;
         self.lost += spare.max(owed).max(0.0);
         let after = Normal { indentation: None, ..self.state(contact) };

@@ -126,6 +126,9 @@ impl Pace {
     }
 }
 
+/// A contact that is looked at, and its state.
+type Watched<'c> = (&'c mut dyn ContactModel, &'c Normal);
+
 /// Part of the error allowed by which the force may be missed at the end of a piece.
 const NEAR: f64 = 1e-2;
 /// The same of the last piece, relative to the largest force.
@@ -149,6 +152,8 @@ const FAR: f64 = 16.0;
 const AS_FAR: f64 = 0.9;
 /// The next piece, relative to the one that would just be allowed, and at the least that by which one is shortened.
 const SHORTER: f64 = 0.8;
+/// The shortest time of a material over the instant in which nothing relaxes.
+const AT_ONCE: f64 = 1e20;
 /// Shortest piece, relative to the whole.
 const SHORTEST: f64 = 1e-18;
 /// How far beside a speed that ends before a jump the other side of it is, relative to the speed.
@@ -202,12 +207,12 @@ impl ForceDrive {
         self.parted
     }
 
-    /// The next piece, to be made by the caller; `None` at the end, and where the bodies part. Once they have been let
+    /// The next piece from the state `here` on, to be made by the caller; `None` at the end, and where the bodies part. Once they have been let
     /// go the next piece is a rest, in which springs recover, until the force pushes again or ends.
     ///
     /// # Errors
     /// The contact would outgrow the profile.
-    pub fn next(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
+    pub fn next(&mut self, contact: &mut dyn ContactModel, here: &Normal) -> Result<Option<Stretch>, ContactError> {
         if self.parted
             && let Some(rest) = self.wait()
         {
@@ -218,16 +223,17 @@ impl ForceDrive {
             let until = if last { self.end } else { (self.now + self.step).max(self.now.next_up()) };
             let duration = until - self.now;
             // Where the edge jumps a shorter piece tells when, and the shortest where to.
-            let edges = if duration <= PARTED * self.end { EDGES } else { 1 };
-            let Some(speed) = self.speed(contact, until, edges)? else {
+            let shortest = self.shortest(contact);
+            let edges = if duration <= shortest.max(PARTED * self.end) { EDGES } else { 1 };
+            let Some(speed) = self.speed((contact, here), until, edges)? else {
                 self.parted = duration <= PARTED * self.end;
                 self.unmet = Some(Unmet { at: until, duration });
                 self.step = 0.03 * duration;
                 continue;
             };
-            let error = self.error(contact, speed, duration)?;
+            let error = self.error((contact, here), speed, duration)?;
             // Of a piece of two roundings there is none that is shorter by a little.
-            let shortest = duration <= SHORTEST * self.end || self.now + SHORTER * duration >= until;
+            let shortest = duration <= shortest || self.now + SHORTER * duration >= until;
             if error > 1.0 && !shortest && !self.is_first_touch(contact, speed * duration) {
                 // No piece grows so much on the one before that it would be as far off without a jump, and without one a
                 // shorter piece is less off.
@@ -241,7 +247,7 @@ impl ForceDrive {
                 continue;
             }
             let jumped = shortest && error > 1.0;
-            let speed = if jumped { self.over_the_jump(contact, speed, until)? } else { speed };
+            let speed = if jumped { self.over_the_jump((contact, here), speed, until)? } else { speed };
             if jumped {
                 self.pace = Pace::default();
             } else {
@@ -259,10 +265,17 @@ impl ForceDrive {
         Ok(None)
     }
 
+    /// How short a piece [s] tells when the contact jumps: nothing relaxes in it that would count.
+    fn shortest(&self, contact: &dyn ContactModel) -> f64 {
+        let fastest = contact.memory().map_or(0.0, |spectrum| AT_ONCE * spectrum.instant());
+        let counts = if is_damped(contact) { 0.0 } else { CLOSE * self.ramp.accuracy * fastest.min(self.end) };
+        counts.max(SHORTEST * self.end)
+    }
+
     /// The speed on the far side of a jump of the force that a search has come to from either: else the contact stays before
     /// it for ever.
-    fn over_the_jump(&self, contact: &mut dyn ContactModel, speed: f64, until: f64) -> Result<f64, ContactError> {
-        let (force, duration) = (self.target(contact, until), until - self.now);
+    fn over_the_jump(&self, (contact, here): Watched<'_>, speed: f64, until: f64) -> Result<f64, ContactError> {
+        let (force, duration) = (self.target(here, until), until - self.now);
         let mut lacks =
             |speed: f64| Ok::<f64, ContactError>(force - contact.look(&ahead(contact, speed, duration))?.force);
         let lack = lacks(speed)?;
@@ -297,7 +310,8 @@ impl ForceDrive {
         if self.parted && self.ramp.force(self.end) <= 0.0 {
             return Ok(None);
         }
-        let speed = self.speed(contact, self.end, EDGES)?;
+        let here = contact.state();
+        let speed = self.speed((contact, &here), self.end, EDGES)?;
         self.parted = speed.is_none();
         Ok(speed.map(|speed| Stretch { speed, until: self.end }))
     }
@@ -329,7 +343,7 @@ impl ForceDrive {
             return Ok(None);
         }
         let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
-        let force = self.target(contact, t);
+        let force = self.target(&contact.state(), t);
         let speed = speed_to(contact, force, instant)?;
         Ok(speed.map(|speed| ahead(contact, speed, instant)))
     }
@@ -337,25 +351,26 @@ impl ForceDrive {
     /// Error of the force on a piece over the error allowed, in its middle and before it; of a damped contact that of its chord.
     ///
     /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
-    fn error(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
+    fn error(&self, (contact, here): Watched<'_>, speed: f64, duration: f64) -> Result<f64, ContactError> {
         let half = 0.5 * duration;
         let middle = self.now + half;
-        let allowed = self.allowed(contact, middle);
+        let allowed = self.allowed((contact, here), middle);
         let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
             // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀; so much
             // towards its end too, or more, where something is met on the way.
             _ if self.meets_in_the_middle(contact) => {
-                let bend = (speed - self.pace.at(self.now)).abs().max(self.bend_at_end(contact, speed, duration)?);
-                0.5 * felt(&contact.state()).max(self.ramp.stiffness) * bend * half
+                let bend =
+                    (speed - self.pace.at(self.now)).abs().max(self.bend_at_end((contact, here), speed, duration)?);
+                0.5 * felt(here).max(self.ramp.stiffness) * bend * half
             }
             Some(depth) if depth > 0.0 => {
                 let chord = depth_of(contact) + speed * half;
-                1.5 * self.target(contact, middle) * (1.0 - chord / depth)
+                1.5 * self.target(here, middle) * (1.0 - chord / depth)
             }
             _ => {
                 let mut missed = |part: f64| -> Result<f64, ContactError> {
                     let seen = contact.look(&ahead(contact, speed, part * duration))?.force;
-                    Ok(seen - self.target(contact, self.now + part * duration))
+                    Ok(seen - self.target(here, self.now + part * duration))
                 };
                 let middle = missed(0.5)?;
                 // What bends there and back again is nothing in the middle.
@@ -366,10 +381,10 @@ impl ForceDrive {
     }
 
     /// By what the speed [m/s] of a damped contact would have to change at the end of a piece to meet the force there.
-    fn bend_at_end(&self, contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<f64, ContactError> {
+    fn bend_at_end(&self, (contact, here): Watched<'_>, speed: f64, duration: f64) -> Result<f64, ContactError> {
         let end = contact.look(&ahead(contact, speed, duration))?.force;
-        let missed = end - self.target(contact, self.now + duration);
-        let stiffness = contact.state().stiffness;
+        let missed = end - self.target(here, self.now + duration);
+        let stiffness = here.stiffness;
         // A dashpot alone: its force is that of the speed.
         let damping = if stiffness > 0.0 { damping(contact, stiffness) } else { (end / speed).abs() };
         let bend = missed.abs() / (damping + 0.5 * stiffness * duration);
@@ -380,13 +395,13 @@ impl ForceDrive {
     /// shrunk so much less that its radius is as well known as the largest, for a grows as ∛F.
     ///
     /// A dashpot keeps the depth of a contact whatever its force has become.
-    fn allowed(&self, contact: &dyn ContactModel, t: f64) -> f64 {
-        let held = contact.state().in_balance();
+    fn allowed(&self, (contact, here): (&dyn ContactModel, &Normal), t: f64) -> f64 {
+        let held = here.in_balance();
         let scale = held.max(self.ramp.scale).max(f64::MIN_POSITIVE);
         if self.exact(t).is_some() || is_damped(contact) {
             return self.ramp.accuracy * scale;
         }
-        let part = self.target(contact, t).abs().max(held) / scale;
+        let part = self.target(here, t).abs().max(held) / scale;
         self.ramp.accuracy * scale * part.min(1.0).powf(2.0 / 3.0).max(self.ramp.accuracy.powi(2))
     }
 
@@ -397,15 +412,14 @@ impl ForceDrive {
     }
 
     /// The force to be met at the time `t` [s]: without adhesion the bodies just touch where there is none.
-    fn target(&self, contact: &dyn ContactModel, t: f64) -> f64 {
+    fn target(&self, here: &Normal, t: f64) -> f64 {
         let (force, least) = (self.ramp.force(t), TOUCH * self.ramp.scale);
-        let held = || contact.state().stored.surface < 0.0;
-        if force.abs() < least && !held() { least } else { force }
+        if force.abs() < least && here.stored.surface >= 0.0 { least } else { force }
     }
 
     /// The speed that leads to the force at the time `until`, over no more than so many places of the edge; `None` if none
     /// does.
-    fn speed(&mut self, contact: &mut dyn ContactModel, until: f64, edges: u32) -> Result<Option<f64>, ContactError> {
+    fn speed(&mut self, (contact, here): Watched<'_>, until: f64, edges: u32) -> Result<Option<f64>, ContactError> {
         let duration = until - self.now;
         match self.exact(until) {
             Some(creep) => {
@@ -414,13 +428,13 @@ impl ForceDrive {
             }
             None => {
                 let until = if self.meets_in_the_middle(contact) { self.now + 0.5 * duration } else { until };
-                match self.paced(contact, until) {
+                match self.paced((contact, here), until) {
                     Some(speed) => Ok(Some(speed)),
                     None => {
-                        let (force, within) = (self.target(contact, until), self.within(contact, until));
+                        let (force, within) = (self.target(here, until), self.within((contact, here), until));
                         let relative =
                             if until - self.now > PARTED * self.end { CLOSE * self.ramp.accuracy } else { 0.0 };
-                        Goal { force, within, relative, edges }.speed(contact, until - self.now)
+                        Goal { force, within, relative, edges }.speed(contact, here, until - self.now)
                     }
                 }
             }
@@ -428,9 +442,9 @@ impl ForceDrive {
     }
 
     /// By how much the force [N] may be missed at the time `until` [s].
-    fn within(&self, contact: &dyn ContactModel, until: f64) -> f64 {
-        let scale = self.ramp.scale.max(contact.state().in_balance());
-        if until < self.end { NEAR * self.allowed(contact, until) } else { NEAREST * scale }
+    fn within(&self, (contact, here): (&dyn ContactModel, &Normal), until: f64) -> f64 {
+        let scale = self.ramp.scale.max(here.in_balance());
+        if until < self.end { NEAR * self.allowed((contact, here), until) } else { NEAREST * scale }
     }
 
     /// Whether pieces meet the force in their middles.
@@ -439,10 +453,10 @@ impl ForceDrive {
     }
 
     /// The same by secants from the pace on; `None` where they lead nowhere soon.
-    fn paced(&mut self, contact: &mut dyn ContactModel, until: f64) -> Option<f64> {
-        let (force, duration) = (self.target(contact, until), until - self.now);
-        let within = self.within(contact, until);
-        let stiffness = self.pace.stiffness.unwrap_or_else(|| contact.state().stiffness);
+    fn paced(&mut self, (contact, here): Watched<'_>, until: f64) -> Option<f64> {
+        let (force, duration) = (self.target(here, until), until - self.now);
+        let within = self.within((contact, here), until);
+        let stiffness = self.pace.stiffness.unwrap_or(here.stiffness);
         let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_LOOKS {
@@ -509,7 +523,9 @@ pub fn press(contact: &mut dyn ContactModel, ramp: &Ramp, records: &[f64]) -> Re
     let mut drive = ForceDrive::new(*ramp, end, None, false);
     let mut states = Vec::with_capacity(records.len());
     let mut now = 0.0;
-    while let Some(piece) = drive.next(contact)? {
+    loop {
+        let here = contact.state();
+        let Some(piece) = drive.next(contact, &here)? else { break };
         while let Some(&t) = records.get(states.len()).filter(|&&t| t < piece.until) {
             contact.follow(&ahead(contact, piece.speed, t - now))?;
             now = t;

@@ -18,7 +18,8 @@ const FASTEST: f64 = 1e290;
 /// # Errors
 /// The contact would outgrow the profile.
 pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
-    Goal { force, within: 0.0, relative: 0.0, edges: EDGES }.speed(contact, duration)
+    let here = contact.state();
+    Goal { force, within: 0.0, relative: 0.0, edges: EDGES }.speed(contact, &here, duration)
 }
 
 /// What a piece of the depth is to meet.
@@ -35,10 +36,15 @@ pub(super) struct Goal {
 }
 
 impl Goal {
-    /// The speed [m/s] of such a piece of the duration `duration` [s]; `None` if the bodies part before.
-    pub(super) fn speed(self, contact: &mut dyn ContactModel, duration: f64) -> Result<Option<f64>, ContactError> {
+    /// The speed [m/s] of such a piece of the duration `duration` [s] of a contact in the state `state`; `None` if the bodies
+    /// part before.
+    pub(super) fn speed(
+        self,
+        contact: &mut dyn ContactModel,
+        state: &Normal,
+        duration: f64,
+    ) -> Result<Option<f64>, ContactError> {
         let Self { force, within, relative, edges } = self;
-        let state = contact.state();
         let depth = state.indentation.unwrap_or(0.0);
         let damping = damping(contact, state.stiffness);
         let failed = Cell::new(None);
@@ -59,7 +65,7 @@ impl Goal {
             // At rest they have parted by then.
             return failed.get().map_or(Ok(None), Err);
         }
-        let width = (first_way(&state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
+        let width = (first_way(state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
         let Some((inner, width)) = bracket(&mut look, still, width, edges) else {
             return failed.get().map_or(Ok(None), Err);
         };

@@ -139,7 +139,9 @@ fn a_damped_contact_follows_a_falling_force() {
         let ramp = Ramp { from: force, rate: -0.5 * force, accuracy, scale: force, stiffness: 0.0 };
         let (mut drive, mut now, mut pieces) = (ForceDrive::new(ramp, 1.0, None, false), 0.0, 0);
         let mut records = times.into_iter().peekable();
-        while let Some(piece) = drive.next(&mut bed).unwrap() {
+        loop {
+            let here = bed.state();
+            let Some(piece) = drive.next(&mut bed, &here).unwrap() else { break };
             pieces += 1;
             while let Some(t) = records.next_if(|&t| t <= piece.until) {
                 bed.follow(&ahead(&bed, piece.speed, t - now)).unwrap();

@@ -250,8 +250,9 @@ impl SteppedMachine<'_> {
         creeping.drive.measure_against(self.carried()?);
         let goal = until - creeping.told.since;
         while creeping.now < goal {
-            let piece =
-                creeping.piece.take().map_or_else(|| creeping.drive.next(self.contact), |piece| Ok(Some(piece)))?;
+            let here = self.contact.state();
+            let taken = creeping.piece.take().map(|piece| Ok(Some(piece)));
+            let piece = taken.unwrap_or_else(|| creeping.drive.next(self.contact, &here))?;
             let Some(piece) = piece else { break };
             let end = piece.until.min(goal);
             self.contact.follow(&ahead(self.contact, piece.speed, end - creeping.now))?;
