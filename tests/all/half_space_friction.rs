@@ -17,6 +17,7 @@ const ROUGH: &str =
     "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 1e-6, long: 1e-4, short: 2.5e-5), length: 1e-4, points: 128)";
 const COULOMB: &str = "friction: Coulomb(coefficient: 0.4)";
 /// From the tip to the edge at 1e-5 m, of a window of 7.2e-4 m, there are 15 pixels.
+const PIXEL: f64 = 7.2e-4 / 48.0;
 const PIXELS: &str = "solver: HalfSpace(grid: 48, window: 7.2e-4)";
 /// (Δ/a)²/8: what pixels of constant pressure miss of the force of a ball at most.
 const SQUARE: f64 = 0.125 / 222.0;
@@ -80,9 +81,12 @@ proptest! {
             let off = (dissipated(one) - dissipated(other)).abs();
             prop_assert!(off <= bound * largest * way, "{history}: {off:e} of {:e}", largest * way);
         }
-        let radius = apart(&bed, &pixels, |record| record.tangential.unwrap().stick_radius);
-        // An edge of whole pixels, of which second moments leave a tenth.
-        prop_assert!(radius < 0.02, "{history}: {radius}");
+        for (one, other) in bed.records.iter().zip(&pixels.records) {
+            let [one, other] = [one, other].map(|record| record.tangential.unwrap().stick_radius);
+            // An edge of whole pixels, of which second moments leave a tenth; what sticks within one pixel is that one or none.
+            let bound = if one.min(other) < PIXEL { PIXEL } else { 0.3 * PIXEL };
+            prop_assert!((one - other).abs() < bound, "{history}: {one} {other}");
+        }
         prop_assert!(pixels.error_estimate.relative * 8.0 > apart(&bed, &pixels, tangential), "{:?}", pixels.error_estimate);
     }
 
@@ -111,8 +115,8 @@ proptest! {
             work += 0.5 * (before.normal.force + after.normal.force) * depth + 0.5 * (tangential(before) + tangential(after)) * slide;
             let kept = after.normal.stored.stored() + after.tangential.unwrap().stored.unwrap() + dissipated(after);
             (open, most) = (open.max((work - kept).abs()), most.max(kept));
-            // What is lost is a difference of energies, each known to the residual of its contact.
-            let known = 1e-7 * dissipated(before) + 1e-9 * most;
+            // What is lost is a difference of energies, each known to the residual of its contact, 1e-8.
+            let known = 1e-7 * dissipated(before) + 2e-8 * most;
             prop_assert!(dissipated(after) >= dissipated(before) - known, "{before:?} {after:?}");
             prop_assert!(after.tangential.unwrap().stored.unwrap() >= -1e-7 * most);
         }

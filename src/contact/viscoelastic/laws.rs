@@ -313,6 +313,25 @@ proptest! {
     }
 }
 
+/// A surface that recovers under an indenter that rests where it just touched comes up to it and is never quite there: it is
+/// drawn to it once rounding hides the gap, in one motion as in many.
+#[test]
+fn a_surface_that_comes_up_is_drawn_to_what_rests() {
+    let law = |spectrum: &Spectrum| Attraction::relaxed(0.05, spectrum).closing(0.0125);
+    for pieces in [1, 2, 3, 4, 7] {
+        let mut bed = held_ball(law, &[(26e5, 0.1)]);
+        bed.reach(1.9e-6, 3.0).unwrap();
+        bed.reach(0.0, 0.02).unwrap();
+        assert!(bed.radius() <= 0.0);
+        for _ in 0..pieces {
+            bed.reach(0.0, 20.0 / f64::from(pieces)).unwrap();
+        }
+        // JKR at d = 0 with the work of closing: a³ = 2πwR²/E*.
+        let radius = (std::f64::consts::TAU * 0.0125 * 5e-3 * 5e-3 / 1.2e6).cbrt();
+        assert!((bed.radius() / radius - 1.0).abs() < 1e-9, "{pieces}: {:e}", bed.radius());
+    }
+}
+
 /// JKR's ball holds until d = −¾(π²w²R/E²)^{1/3}, where its radius may be a ten thousandth of the one it had: pulled there in one
 /// motion it holds as in many.
 #[test]

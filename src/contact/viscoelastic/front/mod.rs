@@ -84,6 +84,8 @@ pub(super) struct Front<'b> {
 
 /// Part of a step at whose end it is seen whether the edge has turned there.
 const NEAR_THE_END: f64 = 1.0 / 64.0;
+/// Part of what rounding may be that hides a gap.
+const HIDDEN: f64 = 0.5;
 /// Part of a radius that does not count: nearer to the edge no spring is looked at.
 const BESIDE: f64 = 8.0 * f64::EPSILON;
 
@@ -200,6 +202,9 @@ impl Front<'_> {
             let passes = |rounding: f64| self.crossing(&next, now + rounding + f64::MIN_POSITIVE);
             // A doubt fades with the loads it is about: where it hides the limit, there is more to see later.
             let at = passes(next.rounding(self.spectrum)).or_else(|| passes(next.own_rounding(self.spectrum)));
+            // A surface that comes up to where nothing touches yet never quite does: it touches once rounding hides the gap.
+            let comes_up = way == Way::Closing && self.edge <= 0.0 && self.attraction.is_some();
+            let at = at.or_else(|| self.crossing(&next, -HIDDEN * next.rounding(self.spectrum)).filter(|_| comes_up));
             wait = at.map_or(wait, |at| wait.min(at));
         }
         wait
