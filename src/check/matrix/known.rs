@@ -82,7 +82,9 @@ impl Ball {
 
     fn off_at(&self, record: &Record, whole: &Outcome) -> Option<f64> {
         let largest = Largest::of(whole);
-        let scale = self.pressed(largest.radius).0.abs() + largest.force;
+        // Of a ball that no force holds pressures and attraction are in balance.
+        let balance = 4.0 * self.modulus * largest.radius.powi(3) / (3.0 * self.radius);
+        let scale = (self.pressed(largest.radius).0.abs() + largest.force).max(balance);
         let a = record.normal.contact_radius.filter(|&a| a > 0.0)?;
         let (force, depth) = self.pressed(a);
         let off = (record.normal.force - force).abs() / scale;
