@@ -16,8 +16,9 @@ const BALL: &str = "Paraboloid(radius: 5e-3)";
 const ROUGH: &str =
     "RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 1e-6, long: 1e-4, short: 2.5e-5), length: 1e-4, points: 128)";
 const COULOMB: &str = "friction: Coulomb(coefficient: 0.4)";
-/// From the tip to the edge at 1e-5 m, of a window of 7.2e-4 m, there are 15 pixels.
+/// Side of a pixel [m].
 const PIXEL: f64 = 7.2e-4 / 48.0;
+/// From the tip to the edge at 1e-5 m, of a window of 7.2e-4 m, there are 15 pixels.
 const PIXELS: &str = "solver: HalfSpace(grid: 48, window: 7.2e-4)";
 /// (Δ/a)²/8: what pixels of constant pressure miss of the force of a ball at most.
 const SQUARE: f64 = 0.125 / 222.0;

@@ -207,8 +207,8 @@ impl ForceDrive {
         self.parted
     }
 
-    /// The next piece from the state `here` on, to be made by the caller; `None` at the end, and where the bodies part. Once they have been let
-    /// go the next piece is a rest, in which springs recover, until the force pushes again or ends.
+    /// The next piece from the state `here` on, to be made by the caller; `None` at the end, and where the bodies part. Once
+    /// they have been let go the next piece is a rest, in which springs recover, until the force pushes again or ends.
     ///
     /// # Errors
     /// The contact would outgrow the profile.
