@@ -190,9 +190,12 @@ impl Cell {
 /// Cut at a part of its ways, as a table, with its bodies swapped, with another name for its attraction: it may end as
 /// far apart as either is `known`.
 fn same_ways(whole: &Outcome, written: &Written, (part, known): (f64, &dyn Fn(&Outcome) -> f64)) -> Vec<Kept> {
-    // A pad is led from where its highest part just touches.
-    let begin = whole.records.first().and_then(|record| record.normal.indentation).unwrap_or(0.0);
-    let cut = written.cut(part, begin);
+    // A pad is led from where its highest part just touches, pixels that attract each other from where they have come together.
+    let [begin, pull] = whole
+        .records
+        .first()
+        .map_or([0.0; 2], |record| [record.normal.indentation.unwrap_or(0.0), record.normal.force]);
+    let cut = written.cut(part, [begin, pull]);
     let cut = (cut.history != written.history).then_some((Law::Cut, cut));
     let table = written.in_rows(begin).map(|table| (Law::Table, table));
     let bridge = written.as_maugis().map(|bridge| (Law::Bridge, bridge));

@@ -143,9 +143,10 @@ impl Written {
         InMemory::default().with("rows.csv", if self.friction.is_empty() { &columns[..2] } else { &columns[..] })
     }
 
-    /// The same scene with every straight way cut in two, at the part `part` of its time; the first depth leads on from `begin` [m].
-    pub(super) fn cut(&self, part: f64, begin: f64) -> Self {
-        let mut at = [("Indent", begin), ("Press", 0.0), ("Slide", 0.0)];
+    /// The same scene with every straight way cut in two, at the part `part` of its time; the first depth or force leads on
+    /// from where it begins [m, N].
+    pub(super) fn cut(&self, part: f64, [depth, force]: [f64; 2]) -> Self {
+        let mut at = [("Indent", depth), ("Press", force), ("Slide", 0.0)];
         let mut legs = Vec::new();
         for leg in &self.history {
             match leg {

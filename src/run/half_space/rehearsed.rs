@@ -20,6 +20,8 @@ const OF_SLIP: f64 = 2e-3;
 const OF_RANGE: f64 = 1.0 + std::f64::consts::SQRT_2;
 /// Pixels that tell in how many steps a contact is to be followed.
 const FEW: f64 = 16.0;
+/// Part of what steps twice as long left open that is taken to be left.
+const KEPT: f64 = 0.5;
 /// Most doublings of the steps between two records.
 const DOUBLINGS: u32 = 5;
 
@@ -30,15 +32,6 @@ pub(super) struct Rehearsed {
     pub(super) steps: u32,
     /// Error that they leave, relative, of bodies that remember and of pressures and shear that are found together.
     of_time: Option<f64>,
-}
-
-/// What twice as many steps are worth.
-#[derive(Clone, Copy)]
-struct Order {
-    /// Error that is aimed at where less is asked for.
-    aimed: f64,
-    /// Part of what two histories are apart by which the finer one is wrong, its inverse: 2ⁿ − 1 of the order n.
-    parts: f64,
 }
 
 impl Rehearsed {
@@ -57,20 +50,20 @@ impl Rehearsed {
             |pressing: Pressing<'_>, steps: u32| Series::new(plan, pressing, Depth::Outline, steps).follow(&|_| ());
         let begun = |pressing: Pressing<'_>| Self { records: followed(pressing, 1), steps: 1, of_time: None };
         let first = begun(half);
-        let order = if let Some(PixelFriction::Coupled { .. }) = plan.friction {
-            Order { aimed: OF_SLIP, parts: 1.0 }
+        let aimed = if let Some(PixelFriction::Coupled { .. }) = plan.friction {
+            OF_SLIP
         } else if plan.relaxation.is_some() {
-            Order { aimed: OF_TIME, parts: 3.0 }
+            OF_TIME
         } else {
             return first;
         };
-        let aimed = plan.accuracy().max(order.aimed);
-        let rehearsed = first.refined(aimed, order, |steps| followed(half, steps));
+        let aimed = plan.accuracy().max(aimed);
+        let rehearsed = first.refined(aimed, |steps| followed(half, steps));
         if rehearsed.presses_more_than(FEW, thinned.values.len()) {
             return rehearsed;
         }
         // What so few pixels do in time says nothing of as many again.
-        let Self { steps, of_time, .. } = begun(*pressing).refined(aimed, order, |steps| followed(*pressing, steps));
+        let Self { steps, of_time, .. } = begun(*pressing).refined(aimed, |steps| followed(*pressing, steps));
         Self {
             steps: steps.max(rehearsed.steps),
             of_time: rehearsed.of_time.into_iter().chain(of_time).reduce(f64::max),
@@ -84,16 +77,15 @@ impl Rehearsed {
         self.records.iter().flatten().any(|record| carry(record) > few)
     }
 
-    fn refined(
-        mut self,
-        aimed: f64,
-        order: Order,
-        follow: impl Fn(u32) -> Result<Vec<Record>, SimulationError>,
-    ) -> Self {
+    /// Edges go from pixel to pixel, so that steps are of the first order: half of one changes what is left. Where no pixel
+    /// is met within a step any more it has no error, and of twice as many pixels, which the next are, it has.
+    fn refined(mut self, aimed: f64, follow: impl Fn(u32) -> Result<Vec<Record>, SimulationError>) -> Self {
+        let mut before = 0.0;
         for doubling in 1..=DOUBLINGS {
             let (Ok(coarse), Ok(finer)) = (&self.records, follow(1 << doubling)) else { break };
             let apart = apart(coarse, &finer);
-            let of_time = apart / order.parts;
+            let of_time = apart.max(KEPT * before);
+            before = apart;
             if of_time + apart <= aimed {
                 self.of_time = Some(of_time + apart);
                 break;
@@ -159,10 +151,10 @@ impl Rehearsed {
             edge = format!("; an edge lies within half a pixel, {of_edge:.1e} of the largest radius");
         }
         if series.pixels().attraction().is_some() {
-            // What pulls holds an edge from pixel to pixel, and further off the larger they are.
+            // What pulls holds an edge from pixel to pixel, further off the larger they are, beside how it is counted.
             let held = apart_in(|record| record.normal.contact_radius, coarse, records);
             edge = format!("{edge}, and {held:.1e} from where it is held on every second");
-            of_edge = of_edge.max(held);
+            of_edge += held;
         }
         let (of_area, touching) = match area_apart((coarse, records), series).filter(|_| !has_past) {
             Some((area, peak)) => (

@@ -53,6 +53,8 @@ const MOST_STEPS: usize = 20_000;
 /// The first tolerance is this part of the accuracy; each further run has a sixteenth of it.
 const FIRST: f64 = 0.1;
 const FINER: f64 = 1.0 / 16.0;
+/// Tolerance from which a run that comes to no end has none.
+const COARSEST: f64 = 1e-4;
 /// The error stated is so many times the difference of two runs: where an end of a step falls by chance, sixteen
 /// times the tolerance is not always many times the error.
 const SAFETY: f64 = 4.0;
@@ -72,27 +74,53 @@ impl StruckHalfSpace {
     /// `accuracy` (default 1e-6; smaller costs steps as its ninth root, larger shows in the curves).
     ///
     /// Every run is compared with one of a sixteenth of its tolerance, until they agree; the error stated
-    /// is the difference, which the finer one has less of, or what its steps say they miss, if that is more.
+    /// is the difference, which the finer one has less of, or what its steps say they miss, if that is more. Where
+    /// rounding keeps the runs from their end, or from being good, coarser ones are tried as well.
     ///
     /// # Errors
     /// The contact would outgrow the profile, or comes to no end.
     pub fn flight(&self, impact: &Projectile, accuracy: f64) -> Result<Flight, ImpactError> {
-        let mut tolerance = FIRST * accuracy;
-        let mut coarse = self.run(impact, tolerance)?;
+        let (mut first, mut best) = (FIRST * accuracy, None::<Flight>);
         loop {
-            tolerance = (FINER * tolerance).max(LEAST);
+            let known = best.as_ref().map_or(f64::INFINITY, |best| best.error);
+            self.agree(impact, accuracy, first, &mut best)?;
+            let error = best.as_ref().map_or(f64::INFINITY, |best| best.error);
+            if error <= accuracy || first >= COARSEST || error >= known && error < f64::INFINITY {
+                return best.ok_or(ImpactError::NoEnd);
+            }
+            first /= FINER;
+        }
+    }
+
+    /// Runs from the tolerance `first` on, until two agree or rounding keeps them from their end; the best of them.
+    fn agree(
+        &self,
+        impact: &Projectile,
+        accuracy: f64,
+        first: f64,
+        best: &mut Option<Flight>,
+    ) -> Result<(), ImpactError> {
+        let mut tolerance = first;
+        let mut coarse = None::<Rebound>;
+        loop {
             let mut fine = match self.run(impact, tolerance) {
-                // Steps that rounding keeps from getting better: what is known stands, with its error.
-                Err(ImpactError::NoEnd) if coarse.error > 0.0 => return Ok(coarse),
+                Err(ImpactError::NoEnd) => return Ok(()),
                 run => run?,
             };
-            // Runs that took the same steps agree without being right: what the steps themselves miss counts too.
-            fine.error =
-                SAFETY * fine.rebound().difference(&coarse.rebound()).max(fine.misfit()).max(tolerance).max(ROUNDING);
-            if fine.error <= accuracy || tolerance <= LEAST {
-                return Ok(fine);
+            let rebound = fine.rebound();
+            if let Some(coarse) = coarse {
+                // Runs that took the same steps agree without being right: what the steps themselves miss counts too.
+                fine.error = SAFETY * rebound.difference(&coarse).max(fine.misfit()).max(tolerance).max(ROUNDING);
+                let is_done = fine.error <= accuracy || tolerance <= LEAST;
+                if best.as_ref().is_none_or(|best| fine.error < best.error) {
+                    *best = Some(fine);
+                }
+                if is_done {
+                    return Ok(());
+                }
             }
-            coarse = fine;
+            coarse = Some(rebound);
+            tolerance = (FINER * tolerance).max(LEAST);
         }
     }
 

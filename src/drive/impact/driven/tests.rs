@@ -27,6 +27,17 @@ fn rebound(spectrum: Arc<Spectrum>, accuracy: f64) -> Rebound {
     driven(spectrum).flight(&UNIT, accuracy).unwrap().rebound()
 }
 
+/// Steps that rounding keeps from meeting the tolerance are tried with a larger one, and what they miss is told.
+#[test]
+fn what_rounding_leaves_is_told() {
+    let power = |k: i32| 10f64.powf(0.1 * f64::from(k));
+    let terms = [(18, -12), (-12, -3), (-17, -3), (-6, -29)].map(|(modulus, time)| (power(modulus), power(time)));
+    let profile = Arc::new(Cone { slope: Positive::new(0.5).unwrap() });
+    let model = StruckHalfSpace { spectrum: spectrum(0.2, &terms, power(-10)), profile };
+    let [seen, fine] = [1e-9, 1e-10].map(|accuracy| model.flight(&UNIT, accuracy).unwrap().rebound());
+    assert!(seen.error.max(fine.error) < 1e-7 && seen.difference(&fine) <= seen.error, "{seen:?} {fine:?}");
+}
+
 /// Kelvin–Voigt ball with δ = (η/E∞)(E∞²Rv/m²)^{1/5}, E∞ = R = m = v = 1; five digits, the last uncertain.
 #[test]
 fn restitution_of_kelvin_voigt() {

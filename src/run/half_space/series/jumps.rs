@@ -11,12 +11,14 @@ use crate::run::SimulationError;
 
 /// Most times a step is halved, and fewest around what seems a jump.
 const MOST_HALVINGS: u32 = 12;
+/// Most of a step in which bodies are torn apart, by far less, it may be, than the force that is asked for.
+const MOST_TEARINGS: u32 = 48;
 const LEAST_HALVINGS: u32 = 3;
 /// Part of the accuracy asked for that a jump may leave open of the energies, and the least that pixels tell.
 const LEFT_OPEN: f64 = 0.1;
 const LEAST_OPEN: f64 = 2e-4;
 /// Part of the force that tears bodies apart to which it is found.
-const TORN: f64 = 1e-3;
+const TORN: f64 = 1e-5;
 /// Part of what the trapezoid misses over a step below which what it misses over half of it is smooth.
 const SMOOTH: f64 = 0.25;
 /// Multiple of what a jump may leave open that a step may which is taken for smooth.
@@ -102,7 +104,8 @@ impl Series<'_> {
         let step = (part.goal.value - part.goal.from).abs();
         let is_torn = pressed.is_none() && before.1.is_together() && step > TORN * part.goal.value.abs();
         let is_open = is_seen_once || is_torn || self.ledger.counts(open, limit) && !is_smooth;
-        if is_open && part.halvings < MOST_HALVINGS {
+        let most = if is_torn { MOST_TEARINGS } else { MOST_HALVINGS };
+        if is_open && part.halvings < most {
             let (end, after) = (Reached { pressed: pressed.clone(), past: self.pixels.past() }, self.ledger);
             let (told, known) = (self.jumps.len(), self.pixels.keeps_its_branch().then(|| end.clone()));
             self.go_back(before);
