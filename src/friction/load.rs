@@ -269,7 +269,9 @@ impl LoadCurve {
 
     fn is_narrow(&self, (lower, upper): Slice) -> bool {
         let calm = self.profile.feature().is_none_or(|length| upper.radius - lower.radius <= 0.25 * length);
-        calm && lower.rise(upper) <= NARROW * upper.depth() && upper.depth() <= self.wall
+        // From nothing on no slice is narrow, whatever the rounding of places far above leaves of its rise.
+        let rise = lower.rise(upper).max(upper.depth() - lower.depth());
+        calm && rise <= NARROW * upper.depth() && upper.depth() <= self.wall
     }
 
     /// ∫₀¹ f(t, x(t)) dt, t the fraction of the slice counted from the upper place downwards.

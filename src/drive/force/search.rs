@@ -72,7 +72,7 @@ impl Goal {
         let off = |speed| Some(look(speed).0).filter(|off| off.abs() > within).unwrap_or(0.0);
         let speed = root::brent_to(off, (inner.min(width), inner.max(width)), relative).unwrap_or(width);
         // At the end of a profile the search ends where the force is not met.
-        let missed = failed.get().is_some() && look(speed).0.abs() > MET * force.abs();
+        let missed = failed.get().is_some() && look(speed).0.abs() > within.max(MET.max(relative) * force.abs());
         match failed.get().filter(|_| missed || speed.abs() <= 0.0) {
             Some(error) => Err(error),
             None => Ok(Some(speed)),
