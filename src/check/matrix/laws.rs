@@ -176,10 +176,11 @@ impl Cell {
     fn bound(&self, written: &Written, whole: &Outcome) -> f64 {
         let estimate = whole.error_estimate.relative;
         let followed = match self.names()[0] {
-            "rough line" | "ellipsoid" if written.relaxes() => estimate.min(ACCURACY),
+            // An edge that opens at a rate is followed as well as is told, on any shape.
+            "rough line" | "ellipsoid" if written.relaxes() && self.names()[2] != "JKR, rate" => estimate.min(ACCURACY),
             // An edge between two works is followed in steps.
             "ellipsoid" if self.names()[2] == "JKR, closing" => estimate.min(ACCURACY),
-            "rough line" | "ellipsoid" => 0.0,
+            "rough line" | "ellipsoid" if !written.relaxes() => 0.0,
             _ if written.is_on_pixels() => estimate.min(ACCURACY),
             _ => estimate,
         };
