@@ -3,9 +3,11 @@
 use super::record::{ErrorEstimate, Record};
 use crate::contact::elliptic;
 use crate::contact::inward::left_out;
+use crate::contact::rough::RoughBed;
 use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::{HalfSpacePlan, Plan, RoughImpactPlan, RoughPlan, Shared};
 use crate::scene::surface::Source;
+use crate::shape::rough::RoughLine;
 use crate::shape::{Moved, Profile, Shape, Sphere};
 use std::f64::consts::{PI, SQRT_2};
 
@@ -80,7 +82,8 @@ fn of_kind(plan: &Plan, records: &[Record]) -> Vec<String> {
         Plan::Plane(plan) => steep_waves(plan.section.rms_slope()).into_iter().collect(),
         Plan::Rough(rough) | Plan::RoughImpact(RoughImpactPlan { rough, .. }) => {
             let steep = steep_waves(rough.surface.roughness().rms_slope);
-            [steep, crushed(rough, records)].into_iter().flatten().collect()
+            let closed = crushed(rough, records).or_else(|| flattened(rough, records));
+            [steep, closed].into_iter().flatten().collect()
         }
         Plan::HalfSpace(of) => on_pixels(of, records),
     }
@@ -105,6 +108,26 @@ fn crushed(plan: &RoughPlan, records: &[Record]) -> Option<String> {
     (most > closing).then(|| {
         format!(
             "the mean pressure reaches {most:.2e} Pa, and at {closing:.2e} Pa, 1.5 E* times the rms slope, the whole area touches: the bed, whose springs stay apart, has left its meaning, expected less force, or solver: HalfSpace()"
+        )
+    })
+}
+
+/// A rough flat whose line is pressed so deep that all of its springs touch, as they do long before the surface does.
+fn flattened(plan: &RoughPlan, records: &[Record]) -> Option<String> {
+    let surface = &plan.surface;
+    let deepest = records.iter().filter_map(|record| record.normal.indentation).fold(0.0, f64::max);
+    // From the first to the last it is no less than twice the rms height of the line, which may be less than the surface's.
+    if plan.base.is_some() || deepest <= surface.roughness().rms_height {
+        return None;
+    }
+    let last = |&seed: &u64| {
+        let line = RoughLine::new(&surface.rings, seed);
+        RoughBed::under(&line, surface.points, plan.pair.normal, |_| 0.0).ok()?.heights().last().copied()
+    };
+    let least = surface.seeds.iter().filter_map(last).reduce(f64::min)?;
+    (deepest >= least).then(|| {
+        format!(
+            "at the indentation {least:.3e} m the last spring of the line touches: from there on its stiffness is that of all of them and grows no more, long before the whole area touches, expected less depth, or solver: HalfSpace()"
         )
     })
 }

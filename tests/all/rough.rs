@@ -56,6 +56,28 @@ fn a_rough_bed_gives_force_and_stiffness_but_no_radius() {
     }
 }
 
+/// A line of which all springs touch is told, with the depth from which on its stiffness is E* times its length, and one of
+/// which the last is free is not.
+#[test]
+fn a_line_that_is_pressed_flat_is_told() {
+    let (whole, told) = (4e6 * 100e-6, "the last spring of the line touches");
+    let pressed = |to: &str| {
+        let (folder, _) = run(&scene(SPECTRUM, &format!("Indent(to: {to}, over: 1)")), None, &[]);
+        let records = table(folder.path(), ".csv");
+        let depths = column(&records, "indentation_m");
+        let flat = column(&records, "stiffness_n_per_m").iter().position(|&slope| slope >= whole * (1.0 - 1e-9));
+        (flat.map(|k| [depths[k - 1], depths[k]]), table(folder.path(), ".json"))
+    };
+    let (flat, said) = pressed("8e-6");
+    let [free, last] = flat.expect("a depth of eight times the rms height closes the line");
+    let at = said.find(told).unwrap();
+    let depth = said[..at].rsplit("at the indentation ").next().unwrap().split(' ').next().unwrap();
+    let depth: f64 = depth.parse().unwrap();
+    assert!(depth > free && depth <= last * 1.001, "{free:e} {depth:e} {last:e}");
+    let (flat, said) = pressed(&format!("{:e}", 0.99 * free));
+    assert!(flat.is_none() && !said.contains(told));
+}
+
 /// Roughness of a thousandth of the indentation leaves the ball: Hertz to that order.
 #[test]
 fn a_hardly_rough_ball_is_hertz() {
