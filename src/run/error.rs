@@ -177,17 +177,25 @@ const COARSEST: f64 = 0.1;
 /// The error of pieces of a depth between bodies that attract each other, whose edge may turn on next to nothing: the whole
 /// history again in coarser ones.
 fn coarser_pieces(plan: &RoundPlan, run: &Run) -> Option<f64> {
-    let mut coarse = plan.clone();
-    coarse.shared.scene.accuracy = Some(Accuracy::new((COARSER * plan.accuracy()).min(COARSEST)).ok()?);
+    let coarse = to_accuracy(plan, (COARSER * plan.accuracy()).min(COARSEST))?;
     let contact = compose::contact(&coarse, Wanted::NOTHING).ok()?;
     let again = follow(&coarse, contact, Wanted::NOTHING).ok()?;
     Some(OF_COARSER * apart(&run.records, &again.records))
 }
 
-/// An edge that obeys a rate law: the whole history again with the edge followed better.
+/// The plan at another accuracy.
+fn to_accuracy(plan: &RoundPlan, accuracy: f64) -> Option<RoundPlan> {
+    let mut plan = plan.clone();
+    plan.shared.scene.accuracy = Some(Accuracy::new(accuracy).ok()?);
+    Some(plan)
+}
+
+/// An edge that obeys a rate law: the whole history again with the edge followed better, in finer pieces of a depth that is
+/// not prescribed.
 fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
     let refined = compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge));
-    let again = follow(plan, refined, Wanted::NOTHING);
+    let finer = plan.is_curved().then(|| to_accuracy(plan, plan.accuracy() / viscoelastic::FINER)).flatten();
+    let again = follow(finer.as_ref().unwrap_or(plan), refined, Wanted::NOTHING);
     let off = again.map_or(f64::NAN, |again| apart(&run.records, &again.records));
     let pieces = if plan.is_curved() { CHORDS * plan.accuracy() * in_balance(run) } else { 0.0 };
     of(

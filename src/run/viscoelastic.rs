@@ -51,7 +51,7 @@ fn bed(plan: &RoundPlan, spectrum: Arc<Spectrum>, attraction: Option<Attraction>
 }
 
 /// How much better the edge is followed to tell the error.
-const FINER: f64 = 4.0;
+pub(super) const FINER: f64 = 4.0;
 
 /// A radius [m] the contact of a scene does not outgrow: of its largest depth, or of the creep under its
 /// largest force over all its time.

@@ -279,7 +279,8 @@ impl ForceDrive {
         let mut lacks =
             |speed: f64| Ok::<f64, ContactError>(force - contact.look(&ahead(contact, speed, duration))?.force);
         let lack = lacks(speed)?;
-        for part in BESIDE {
+        // The speed is known to a part of itself, and the jump may be as far off.
+        for part in BESIDE.into_iter().chain([2.0 * CLOSE * self.ramp.accuracy]) {
             let beyond = speed + part * speed.abs().copysign(lack);
             if lacks(beyond)? * lack < 0.0 {
                 return Ok(beyond);

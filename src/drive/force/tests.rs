@@ -1,6 +1,7 @@
 //! A prescribed force against exact creep, Hertz, JKR and Kelvin & Voigt.
 
 use super::*;
+use crate::contact::model::{Event, Glance, Loading};
 use crate::contact::viscoelastic::Spectrum;
 use crate::contact::viscoelastic::attraction::Attraction;
 use crate::contact::viscoelastic::continuous::ContinuousContact;
@@ -55,6 +56,57 @@ fn driven_creep_is_exact_creep() {
         let d = exact.indentation().unwrap();
         let depth = seen.indentation.unwrap();
         assert!((depth / d - 1.0).abs() < 3e-5, "{depth} {d}");
+    }
+}
+
+/// A spring of the stiffness 1 that presses a second one as well from a depth on, as where an edge jumps over a dent.
+#[derive(Clone)]
+struct Stepped {
+    depth: f64,
+    jumps_at: f64,
+}
+
+impl ContactModel for Stepped {
+    fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
+        self.depth = piece.to;
+        Ok(Vec::new())
+    }
+
+    fn look(&mut self, piece: &Straight) -> Result<Glance, ContactError> {
+        let jump = if piece.to >= self.jumps_at { 1.0 } else { 0.0 };
+        Ok(Glance { force: piece.to + jump, contact_radius: 1.0 })
+    }
+
+    fn state(&self) -> Normal {
+        Normal { indentation: Some(self.depth), force: self.depth, stiffness: 1.0, ..Normal::default() }
+    }
+
+    fn joined(&self) -> bool {
+        true
+    }
+
+    fn loading(&self) -> Option<Box<dyn Loading + '_>> {
+        None
+    }
+
+    fn copy(&self) -> Box<dyn ContactModel> {
+        Box::new(self.clone())
+    }
+}
+
+/// A search that stops before a jump, by as much as it may, is led over it, either way.
+#[test]
+fn a_jump_is_gone_over_from_where_the_search_stops() {
+    for accuracy in [1e-2, 1e-3, 1e-6] {
+        let ramp = Ramp { from: 1.5, rate: 0.0, accuracy, scale: 1.5, stiffness: 0.0 };
+        let drive = ForceDrive::new(ramp, 1.0, None, false);
+        for (depth, found) in [(0.0, 1.0 - CLOSE * accuracy), (2.0, -1.0 + CLOSE * accuracy)] {
+            let mut contact = Stepped { depth, jumps_at: 1.0 };
+            let here = contact.state();
+            let speed = drive.over_the_jump((&mut contact, &here), found, 1.0).unwrap();
+            let is_over = |speed: f64| depth + speed >= 1.0;
+            assert!(is_over(speed) != is_over(found), "{accuracy:e} from {depth}: {speed}");
+        }
     }
 }
 
