@@ -71,9 +71,13 @@ impl Goal {
         };
         let off = |speed| Some(look(speed).0).filter(|off| off.abs() > within).unwrap_or(0.0);
         let speed = root::brent_to(off, (inner.min(width), inner.max(width)), relative).unwrap_or(width);
-        // At the end of a profile the search ends where the force is not met.
-        let missed = failed.get().is_some() && look(speed).0.abs() > within.max(MET.max(relative) * force.abs());
-        match failed.get().filter(|_| missed || speed.abs() <= 0.0) {
+        // At the end of a profile the search ends where the force is not met, and beyond there is no contact; beside a jump,
+        // where it is not met either, there is one.
+        let outgrown = failed.take();
+        if outgrown.is_some() && look(speed).0.abs() > within.max(MET * force.abs()) {
+            look(speed + BEYOND.max(2.0 * relative) * speed.abs().copysign(width));
+        }
+        match outgrown.filter(|_| speed.abs() <= 0.0).or(failed.take()) {
             Some(error) => Err(error),
             None => Ok(Some(speed)),
         }
@@ -111,6 +115,8 @@ const LEAST_DEPTH: f64 = 1e-21;
 
 /// Part of a force by which a root may miss it.
 const MET: f64 = 1e-9;
+/// Part of a speed by which the end of a profile may lie beyond it.
+const BEYOND: f64 = 1e-9;
 
 /// Two speeds between which the force is met, from zero on and widened from `width` [m/s]; `still` is what it is too
 /// great by at rest [N]. `None` if no speed meets it.
