@@ -167,10 +167,9 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
 }
 
-/// How much coarser the pieces are that tell the error of fine ones, and the part of the change that does: no less than the
-/// error itself, should it fall with the root of the accuracy alone.
+/// How much coarser the pieces are that tell the error of fine ones: no less than it, should it fall with the root of the
+/// accuracy alone, or should one of the two lose a contact that the other keeps.
 const COARSER: f64 = 10.0;
-const OF_COARSER: f64 = 0.5;
 /// The largest accuracy that a scene may ask for.
 const COARSEST: f64 = 0.1;
 
@@ -180,7 +179,7 @@ fn coarser_pieces(plan: &RoundPlan, run: &Run) -> Option<f64> {
     let coarse = to_accuracy(plan, (COARSER * plan.accuracy()).min(COARSEST))?;
     let contact = compose::contact(&coarse, Wanted::NOTHING).ok()?;
     let again = follow(&coarse, contact, Wanted::NOTHING).ok()?;
-    Some(OF_COARSER * apart(&run.records, &again.records))
+    Some(apart(&run.records, &again.records))
 }
 
 /// The plan at another accuracy.
