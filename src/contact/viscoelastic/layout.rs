@@ -95,9 +95,8 @@ impl Layout {
     /// slower; x as a function of q is smooth all the same, as both are smooth in the time of touch. So x(q) is led on
     /// to q = 0 by a polynomial through up to four springs, to h⁴, as many as agree with one fewer: beside a border of two
     /// pasts two are left. The doubt is what another number of them changes, and how far off the free springs tell the
-    /// edge, with their own doubt, for only those of one past go on smoothly; twice that, for beside a border springs of two
-    /// pasts may agree by chance. Where they are not of one, it is the way to the farther of the two springs between which the
-    /// edge is.
+    /// edge, with their own doubt, for only those of one past go on smoothly; where they are not of one, it is the way to the
+    /// farther of the two springs between which the edge is.
     pub fn edge(&self, pressed: usize, signs: impl Fn(usize) -> f64) -> Edge {
         let Some(last) = pressed.checked_sub(1) else {
             // What touches within the first spring presses none.
@@ -130,7 +129,7 @@ impl Layout {
         let doubt = inside.max(outside);
         let farther = (place - inner).max(outer - place);
         let is_told = is_one_past && loads.len() == NODES && from_outside.is_some();
-        Edge { place, doubt: if is_told { (BY_CHANCE * doubt).min(farther) } else { farther } }
+        Edge { place, doubt: if is_told { doubt.min(farther) } else { farther } }
     }
 }
 
@@ -169,8 +168,6 @@ pub struct Edge {
 
 /// Part of the way to the next spring to which springs of one past agree where the contact ends.
 const AGREE: f64 = 0.1;
-/// How much less than they may be off springs of two pasts may tell.
-const BY_CHANCE: f64 = 2.0;
 /// Springs at the edge by whose loads it is found.
 const NODES: usize = 4;
 
