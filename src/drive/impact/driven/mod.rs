@@ -275,14 +275,14 @@ impl Flight {
         self.parted
     }
 
-    /// Where in a piece the last spring is let go.
+    /// Where in a piece the last spring is let go: at its very beginning if the one before has ended there but for rounding.
     fn release(&self, law: &Shrinking<'_>, piece: &MotionPiece) -> f64 {
         let load = |theta: f64| {
             let memory = piece.memory(&self.model.spectrum, theta);
             let time = piece.start.time + theta * piece.span;
             law.first(&Kinematics { time, depth: piece.depth(theta), speed: piece.speed(theta), memory: &memory })
         };
-        crossing(load)
+        if load(0.0) <= 0.0 { 0.0 } else { crossing(load) }
     }
 
     /// What comes of the impact.

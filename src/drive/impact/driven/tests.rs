@@ -27,6 +27,18 @@ fn rebound(spectrum: Arc<Spectrum>, accuracy: f64) -> Rebound {
     driven(spectrum).flight(&UNIT, accuracy).unwrap().rebound()
 }
 
+/// The bodies part where the last spring is let go, also where rounding leaves it pressed in the step that ends there: no
+/// flight after it counts as contact.
+#[test]
+fn a_flight_ends_where_the_last_spring_is_let_go() {
+    let power = |k: i32| 10f64.powf(0.1 * f64::from(k));
+    let terms = [(-3, 4), (0, -6), (19, -9)].map(|(modulus, time)| (power(modulus), power(time)));
+    let profile = Arc::new(Cone { slope: Positive::new(0.5).unwrap() });
+    let model = StruckHalfSpace { spectrum: spectrum(0.2, &terms, power(-5)), profile };
+    let [seen, fine] = [1e-2, 1e-10].map(|accuracy| model.flight(&UNIT, accuracy).unwrap().rebound());
+    assert!(seen.difference(&fine) <= seen.error, "{seen:?} {fine:?}");
+}
+
 /// Steps that rounding keeps from meeting the tolerance are tried with a larger one, and what they miss is told.
 #[test]
 fn what_rounding_leaves_is_told() {
