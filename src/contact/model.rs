@@ -27,6 +27,8 @@ use super::error::ContactError;
 use super::loaded::Loaded;
 use super::state::{Gliding, Joined, Normal, Tangential};
 use crate::material::Spectrum;
+use crate::numerics::extremum;
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// A straight piece of the motion: depth and tangential displacement go linearly with time.
@@ -103,6 +105,9 @@ pub struct Effort {
     pub radius_error: Option<f64>,
 }
 
+/// Radii at which the largest pressure is looked for, denser towards the edge.
+const LOOKS: u32 = 48;
+
 /// Pressure and surface of a contact at the present instant.
 pub trait Loading {
     /// Contact radius [m].
@@ -129,6 +134,25 @@ pub trait Loading {
     /// Shear stress τ [Pa] at the radii `radii` [m], if there is friction; `None` where it is singular or not known.
     fn shear(&self, radii: &[f64]) -> Vec<Option<f64>> {
         vec![None; radii.len()]
+    }
+
+    /// Largest pressure [Pa] over the radius; `None` where a sharp edge or tip has an infinite one.
+    fn peak(&self) -> Option<f64> {
+        if self.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
+            return None;
+        }
+        let radius = |k: u32| self.contact_radius() * (FRAC_PI_2 * f64::from(k) / f64::from(LOOKS)).sin();
+        let seen = (0..LOOKS).map(|k| Some((radius(k), self.pressure(radius(k))?)));
+        self.peak_among(&seen.collect::<Option<Vec<_>>>()?)
+    }
+
+    /// The top about the largest of the pressures [Pa] `seen` at radii [m] of the contact, ascending.
+    fn peak_among(&self, seen: &[(f64, f64)]) -> Option<f64> {
+        let best = (0..seen.len()).max_by(|&i, &j| seen[i].1.total_cmp(&seen[j].1))?;
+        let Some(before) = best.checked_sub(1) else { return Some(seen[best].1) };
+        let after = seen.get(best + 1).map_or(self.contact_radius(), |(radius, _)| *radius);
+        let at = |r: f64| self.pressure(r).unwrap_or(f64::NEG_INFINITY);
+        Some(extremum::greatest(at, seen[before].0, after).value.max(seen[best].1))
     }
 
     /// The load as a value of its own, with the stresses below the surface; `None` where the method gives none.

@@ -28,8 +28,10 @@ pub fn of(loading: &dyn Loading, tangential: Option<Tangential>, (label, time): 
         let (pressure, displacement) = (loading.pressure(radius), loading.surface(radius));
         FieldRow { radius, pressure, displacement, shear }
     };
-    let rows = radii.iter().zip(loading.shear(&radii)).map(row).collect();
-    Field { label, time, contact_radius: a, stress_intensity: loading.stress_intensity(), rows }
+    let rows: Vec<FieldRow> = radii.iter().zip(loading.shear(&radii)).map(row).collect();
+    let carried = rows.iter().filter(|row| row.radius < a).filter_map(|row| Some((row.radius, row.pressure?)));
+    let peak = loading.peak_among(&carried.collect::<Vec<_>>());
+    Field { label, time, contact_radius: a, stress_intensity: loading.stress_intensity(), peak, rows }
 }
 
 /// Radii on both sides of the border of stick, where the shear stress has a corner.

@@ -324,11 +324,11 @@ impl Run {
 
     /// Pressure on the axis [Pa] of a contact that remembers at its largest force; `None` where a field shows it or where
     /// it is singular. Bodies that relax have lost it by the end of the entry.
-    pub(super) fn pressure_at_largest_force(&self) -> Option<f64> {
+    pub(super) fn peak_at_greatest_force(&self) -> Option<f64> {
         let marked = self.marked();
         let kept = marked.as_ref().or(self.strongest.as_ref())?;
         let shown = self.fields.iter().any(|field| (field.time - kept.time).abs() <= 0.0);
-        if shown { None } else { kept.contact.loading()?.pressure(0.0) }
+        if shown { None } else { kept.contact.loading()?.peak() }
     }
 
     /// The sudden changes on the way, the states before and after, whether they are among the records or not.

@@ -243,7 +243,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     let fretting = fretting::map(plan, run.path());
     let glides = gliding::steady(plan, &run.records)?;
     let rolled = rolling::steady(plan, &run.records)?;
-    let pressures = Pressures { fields: &run.fields, on_axis: run.pressure_at_largest_force() };
+    let pressures = Pressures { fields: &run.fields, at_greatest_force: run.peak_at_greatest_force() };
     let mut results = results::named(Some(&plan.contact), &run.records, &pressures);
     results.extend(own_results(plan, &run));
     results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));

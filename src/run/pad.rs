@@ -16,7 +16,7 @@ const CROWDED: f64 = 0.1;
 /// Runs a scene with a pad.
 pub(super) fn run(plan: &PadPlan, wanted: Wanted) -> Result<Outcome, SimulationError> {
     let run = follow(plan, Box::new(Pad::new(plan.bed)), wanted)?;
-    let mut results = results::named(None, &run.records, &Pressures { fields: &run.fields, on_axis: None });
+    let mut results = results::named(None, &run.records, &Pressures { fields: &run.fields, at_greatest_force: None });
     results.extend(joined(&run.records));
     results.extend(pulled(plan, &run));
     let relative = match plan.bed.element {

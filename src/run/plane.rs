@@ -49,7 +49,7 @@ fn outcome(
     let (records, broken): (Vec<_>, Vec<_>) = run.records.into_iter().partition(is_known);
     let outcome = Outcome {
         map: None,
-        results: results::named(None, &records, &Pressures { fields: &run.fields, on_axis: None }),
+        results: results::named(None, &records, &Pressures { fields: &run.fields, at_greatest_force: None }),
         records,
         fields: run.fields,
         tables: Vec::new(),

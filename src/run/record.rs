@@ -327,6 +327,8 @@ pub struct Field {
     pub contact_radius: f64,
     /// Stress intensity K_I at the edge [Pa √m], if the edge is singular.
     pub stress_intensity: Option<f64>,
+    /// Largest pressure [Pa], between the rows too, where it is not infinite.
+    pub peak: Option<f64>,
     /// Rows of the field, from the axis outwards.
     pub rows: Vec<FieldRow>,
 }

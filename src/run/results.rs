@@ -26,8 +26,8 @@ pub fn named(contact: Option<&ContactLaw>, records: &[Record], fields: &Pressure
 pub struct Pressures<'r> {
     /// Over the radius, at the ends of the entries and at the largest depth.
     pub fields: &'r [Field],
-    /// The largest on the axis [Pa] between them, where it was looked for.
-    pub on_axis: Option<f64>,
+    /// The largest [Pa] at the greatest force between them, where it was looked for.
+    pub at_greatest_force: Option<f64>,
 }
 
 /// The largest of everything.
@@ -208,8 +208,7 @@ const ROUNDING: f64 = 1e-12;
 impl Pressures<'_> {
     /// The largest of all, finite or not.
     fn largest(&self) -> Option<f64> {
-        let of_fields = self.fields.iter().flat_map(|field| field.rows.iter().filter_map(|row| row.pressure));
-        of_fields.chain(self.on_axis).reduce(f64::max)
+        self.fields.iter().filter_map(|field| field.peak).chain(self.at_greatest_force).reduce(f64::max)
     }
 
     /// Stress intensity [Pa √m] of the edge of a field, beyond the rounding of the loads the springs have carried:

@@ -25,7 +25,7 @@ mod search;
 mod tests;
 
 pub use search::speed_to;
-use search::{EDGES, Goal, damping};
+use search::{EDGES, Goal, LEAST_DEPTH, damping};
 
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
@@ -218,6 +218,9 @@ impl ForceDrive {
         {
             return Ok(Some(rest));
         }
+        if let Some(way) = self.closes(contact)? {
+            return Ok(Some(way));
+        }
         while self.now < self.end && !self.parted {
             let last = self.end - self.now <= self.step * (1.0 + 1e-9);
             let until = if last { self.end } else { (self.now + self.step).max(self.now.next_up()) };
@@ -300,6 +303,22 @@ impl ForceDrive {
             self.now = until;
             Stretch { speed: 0.0, until }
         })
+    }
+
+    /// The way of bodies apart to where they all but touch, in no time: a dashpot would feel how fast they come.
+    fn closes(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
+        let damped = contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0);
+        let gap = -depth_of(contact);
+        if !damped || contact.joined() || gap <= LEAST_DEPTH || self.parted || self.now >= self.end {
+            return Ok(None);
+        }
+        let until = (self.now + SHORTEST * self.end).max(self.now.next_up());
+        let speed = gap * (1.0 - 2.0 * f64::EPSILON) / (until - self.now);
+        let meets = contact.look(&ahead(contact, speed, until - self.now))?.contact_radius > 0.0;
+        Ok((!meets).then(|| {
+            self.now = until;
+            Stretch { speed, until }
+        }))
     }
 
     /// The one piece of a force that jumps, to be made by the caller: what lies between takes no time. `None` where

@@ -111,7 +111,7 @@ fn first_way(state: &Normal, still: f64) -> f64 {
 
 /// The least first guess, as a part of the depth and in metres.
 const LEAST_WAY: f64 = 1e-12;
-const LEAST_DEPTH: f64 = 1e-21;
+pub(super) const LEAST_DEPTH: f64 = 1e-21;
 
 /// Part of a force by which a root may miss it.
 const MET: f64 = 1e-9;

@@ -18,6 +18,31 @@ fn solid() -> Arc<Spectrum> {
     Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms, viscosity: 0.0 }))
 }
 
+/// A damped contact that adheres is drawn in as it touches, and what its dashpot takes then does not depend on the gap it
+/// came from, which is closed in no time. Bound: the accuracy asked for.
+#[test]
+fn a_gap_costs_a_dashpot_nothing() {
+    let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![(0.5, 0.1)], viscosity: 1.0 }));
+    let pressed = |gap: f64| {
+        let attraction = Attraction::relaxed(0.01, &spectrum).to_accuracy(1e-6);
+        let mut contact = ContinuousContact::new(Memory::new(spectrum.clone(), Arc::new(unit_ball())).with(attraction));
+        contact.follow(&Straight::between(0.0, -gap, 1.0)).unwrap();
+        let ramp = Ramp { from: -1.0, rate: 1.0, accuracy: 1e-5, scale: 1.0, stiffness: 0.0 };
+        let (mut drive, mut now) = (ForceDrive::new(ramp, 2.0, None, true), 0.0);
+        loop {
+            let here = contact.state();
+            let Some(piece) = drive.next(&mut contact, &here).unwrap() else { break };
+            contact.follow(&ahead(&contact, piece.speed, piece.until - now)).unwrap();
+            now = piece.until;
+        }
+        contact.state()
+    };
+    let (near, far) = (pressed(0.0), pressed(0.1));
+    let depths = far.indentation.zip(near.indentation).map(|(far, near)| far / near - 1.0);
+    let off = (far.dissipated / near.dissipated - 1.0).abs().max(depths.unwrap().abs());
+    assert!(near.contact_radius.unwrap() > 0.5 && off < 1e-6, "{near:?} {far:?}");
+}
+
 /// Sudden load: a³ = (3R/4) F J(t). Bound: rounding, and the ramp of 1e-12 s.
 #[test]
 fn creep_under_a_sudden_load() {

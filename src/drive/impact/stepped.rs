@@ -33,6 +33,8 @@ const FIRST: f64 = 1e-6;
 /// Change of the mean speed, relative to the speed of the impact, after which the next is of no account: each is (ωh)²/4
 /// of the one before.
 const SETTLED: f64 = 1e-9;
+/// How often the last step of a mass that sticks is cut: its speed goes to zero all but linearly.
+const MOST_CUTS: usize = 6;
 /// Growth of the steps at first, relative to the time that has passed.
 const GROWTH: f64 = 0.1;
 /// A mass that moves by so much more slowly than it struck is slow: its steps grow with its pace.
@@ -55,6 +57,8 @@ struct MovingMass<'c> {
     means: [(f64, f64); 3],
     /// Half the force [N] more per speed and mass, as in the last step [1/s].
     resistance: f64,
+    /// Whether it has turned once.
+    turned: bool,
     most: Rebound,
 }
 
@@ -77,16 +81,16 @@ impl SteppedMass {
         let most = Rebound { lost: self.impact.energy(), ..Rebound::default() };
         let (impact, speed) = (self.impact, self.impact.speed);
         let (before, means) = ([(0.0, 0.0); 2], [(0.0, speed); 3]);
-        let mut way = MovingMass { contact, impact, speed, time: 0.0, before, means, resistance: 0.0, most };
+        let mut way =
+            MovingMass { contact, impact, speed, time: 0.0, before, means, resistance: 0.0, turned: false, most };
         // The period of a mass that swings goes by in π of its paces.
         let (struck, longest) = (self.time / PI, self.time / self.steps);
         let mut step = FIRST * longest;
-        let mut turned = false;
         for _ in 0..MOST_STEPS {
-            if way.step(step, watcher)? || way.rests(struck) || (turned && way.speed > 0.0) {
+            if way.step(step, watcher)? || way.rests(struck) || (way.turned && way.speed >= 0.0) {
                 break;
             }
-            turned |= way.speed < 0.0;
+            way.turned |= way.speed < 0.0;
             let slower = (way.pace(struck) / (SLOW * struck)).max(1.0);
             step = (longest * slower).min(GROWTH * way.time + FIRST * longest);
         }
@@ -121,7 +125,7 @@ impl MovingMass<'_> {
     /// One step; whether the bodies have parted in it.
     fn step(&mut self, duration: f64, watcher: &mut Watcher<'_>) -> Result<bool, ContactError> {
         let (from, fast) = (depth_of(self.contact), self.speed);
-        let mean = self.mean_speed(duration)?;
+        let (mean, duration) = self.until_it_sticks(duration)?;
         let parted = mean < 0.0 && !self.joined_after(mean, duration)?;
         // The pull at the moment of parting belongs to the impulse, the nothing after it does not.
         let (held, duration) = if parted { self.parting(mean, duration)? } else { (duration, duration) };
@@ -153,6 +157,24 @@ impl MovingMass<'_> {
             most.contact_time = Some(self.time);
         }
         Ok(parted)
+    }
+
+    /// Mean speed [m/s] and duration [s] of a step of the duration `duration` [s] at most, cut where a mass that has turned
+    /// turns again.
+    fn until_it_sticks(&mut self, duration: f64) -> Result<(f64, f64), ContactError> {
+        let (mut mean, mut held) = (self.mean_speed(duration)?, duration);
+        if !self.turned || mean <= 0.5 * self.speed {
+            return Ok((mean, held));
+        }
+        for _ in 0..MOST_CUTS {
+            let end = 2.0 * mean - self.speed;
+            if end.abs() <= SETTLED * self.impact.speed {
+                break;
+            }
+            held = (held * self.speed / (self.speed - end)).min(duration);
+            mean = self.mean_speed(held)?;
+        }
+        Ok((mean.max(0.5 * self.speed), held))
     }
 
     /// The state at the end of a step, at the time `time` [s].
@@ -282,6 +304,20 @@ mod tests {
         assert!(off < 1e-5 && fine.difference(&exact) < 2e-4 && astray < 5e-5, "{off:e} {astray:e} {fine:?} {exact:?}");
         let slow = Projectile { mass: 1.0, speed: 0.3 };
         assert!(held(&[], 0.3, slow, 100.0).0.sticks());
+    }
+
+    /// A mass that sticks is followed to where it turns the second time, as by the energy of the direct path.
+    #[test]
+    fn a_mass_that_sticks_ends_where_it_turns() {
+        let ground = Foundation::new(Arc::new(Paraboloid { radius: Length::new(1.0).unwrap() }), 1.0);
+        let mut contact = QuasiStatic::new(EdgeLine::new(ground, 0.3));
+        let impact = Projectile { mass: 1.0, speed: 0.3 };
+        let exact = Passage::new(&contact, impact, 1e-9).unwrap().moments(4).last().map(|moment| moment.depth).unwrap();
+        let mut last = ImpactState::default();
+        let mass = SteppedMass { impact, time: 3.0, steps: 300.0 };
+        let seen = mass.watched(&mut contact, &mut |state, _| last = state).unwrap();
+        let off = last.depth / exact - 1.0;
+        assert!(seen.sticks() && last.speed.abs() < 1e-6 && off.abs() < 1e-4, "{off:e} {last:?}");
     }
 
     /// An edge that obeys a rate: the last state is one of bodies apart.

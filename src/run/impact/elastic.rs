@@ -11,9 +11,6 @@ use crate::scene::law::ElasticAdhesion;
 use crate::scene::plan::ImpactPlan;
 use std::num::NonZeroUsize;
 
-/// Radii at which the largest pressure is looked for.
-const LOOKS: u32 = 32;
-
 /// Follows an impact; records and fields only where `wanted`.
 ///
 /// # Errors
@@ -27,7 +24,7 @@ pub fn follow(
     let contact = direct(plan.ground(), adhesion)?;
     let passage = Passage::new(&contact, impact, plan.accuracy()).map_err(failed)?;
     let deepest = passage.deepest();
-    let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(peak));
+    let (rebound, peak_pressure) = (passage.rebound(), deepest.as_ref().and_then(|contact| contact.loaded().peak()));
     let row = ImpactRow { speed: impact.speed, rebound, oblique: None, peak_pressure };
     let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { passage.moments(records) } else { Vec::new() };
@@ -38,15 +35,4 @@ pub fn follow(
     let loaded = deepest.as_ref().filter(|_| wanted.is_some_and(|wanted| wanted.stresses)).map(QuasiStatic::loaded);
     let radius = deepest.as_ref().map_or(0.0, |contact| contact.loaded().contact_radius());
     Ok(Followed { row, moments, radius, field, loaded, bytes: passage.bytes() })
-}
-
-/// Largest pressure [Pa], unless a sharp edge or tip has an infinite one.
-fn peak(contact: &QuasiStatic) -> Option<f64> {
-    let loading: &dyn Loading = &contact.loaded();
-    if loading.stress_intensity().is_some_and(|intensity| intensity < 0.0) {
-        return None;
-    }
-    let a = loading.contact_radius();
-    let pressures = (0..LOOKS).map(|k| loading.pressure(a * f64::from(k) / f64::from(LOOKS)));
-    pressures.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
 }

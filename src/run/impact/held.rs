@@ -32,8 +32,7 @@ pub fn follow(
     let rebound = last.rebound;
     let deepest = last.deepest.as_ref();
     let loading = deepest.and_then(|(_, contact)| contact.loading());
-    let infinite = loading.as_ref().and_then(|loading| loading.stress_intensity()).is_some_and(|edge| edge < 0.0);
-    let peak_pressure = loading.as_ref().filter(|_| !infinite).and_then(|loading| loading.pressure(0.0));
+    let peak_pressure = loading.as_ref().and_then(|loading| loading.peak());
     let row = ImpactRow { speed: impact.speed, rebound, oblique: None, peak_pressure };
     let count = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { moments(&last.states, count) } else { Vec::new() };

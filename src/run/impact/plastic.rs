@@ -20,7 +20,7 @@ pub fn follow(plan: &ImpactPlan, ball: &YieldingBall, impact: Projectile, wanted
     let time = moments.iter().max_by(|x, y| x.depth.total_cmp(&y.depth)).map_or(0.0, |moment| moment.time);
     let deepest = pressed(ball, passage.deepest());
     let loading = deepest.loading();
-    let peak_pressure = loading.as_ref().and_then(|loading| loading.pressure(0.0));
+    let peak_pressure = loading.as_ref().and_then(|loading| loading.peak());
     let radius = loading.as_ref().map_or(0.0, |loading| loading.contact_radius());
     let field = wanted.filter(|wanted| wanted.fields);
     let field = field.and_then(|_| fields::field(&deepest, "greatest depth".to_owned(), time));

@@ -53,7 +53,7 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<
     let led = if law.falls() { Vec::new() } else { before.records };
     let records: Vec<Record> = led.into_iter().chain(moved.records).collect();
     let mut results =
-        results::named(Some(&plan.contact), &records, &Pressures { fields: &before.fields, on_axis: None });
+        results::named(Some(&plan.contact), &records, &Pressures { fields: &before.fields, at_greatest_force: None });
     results.extend(results::of_friction(plan, &records));
     results.extend(moved.results);
     results.push(Named::number("energy_error", Unit::ONE, energy_error(&records)));

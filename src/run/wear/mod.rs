@@ -83,7 +83,7 @@ fn worn(plan: &RoundPlan, law: WearLaw, begin: Beginning, wanted: Wanted) -> Res
     let unrubbed = before.records.iter().map(|record| Record { worn: Some(Worn::default()), ..*record });
     let records: Vec<Record> = unrubbed.chain(run.records).collect();
     let fields: Vec<Field> = before.fields.into_iter().chain(run.fields).collect();
-    let pressures = Pressures { fields: &fields, on_axis: None };
+    let pressures = Pressures { fields: &fields, at_greatest_force: None };
     let mut results = results::named(Some(&plan.contact), &records, &pressures);
     results.extend(results::of_friction(plan, &records));
     results.extend(of_wear(&records));

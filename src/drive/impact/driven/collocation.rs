@@ -64,6 +64,11 @@ pub fn slope(polynomial: &Polynomial, theta: f64) -> f64 {
     (1..TERMS).rev().fold(0.0, |sum, p| sum * theta + p as f64 * polynomial[p])
 }
 
+/// Derivative in time of a polynomial over a step `span` [s].
+pub fn rate(polynomial: &Polynomial, span: f64) -> Polynomial {
+    from_fn(|p| polynomial.get(p + 1).map_or(0.0, |next| (p + 1) as f64 * next / span))
+}
+
 /// ∂(∫₀^θ)/∂(value at node k) for the acceleration: the coefficient p of the velocity, per node.
 pub fn velocity_of_node(k: usize, p: usize) -> f64 {
     if p == 0 { 0.0 } else { CARDINAL[k][p - 1] / p as f64 }

@@ -228,3 +228,26 @@ proptest! {
         prop_assert!((here.contact_time.unwrap() / time / there.contact_time.unwrap() - 1.0).abs() < 2e-6);
     }
 }
+
+/// Under a profile that is flatter than a paraboloid, p ∝ (a² + 2r²)√(a² − r²) for r⁴, the largest pressure is off the axis,
+/// √2 times that on it.
+#[test]
+fn the_peak_pressure_is_sought_off_the_axis() {
+    let profile = Power { coefficient: Positive::new(1.0).unwrap(), exponent: Positive::new(4.0).unwrap() };
+    let model = StruckHalfSpace { spectrum: spectrum(1.0, &[], 0.0), profile: Arc::new(profile) };
+    let flight = model.flight(&UNIT, 1e-9).unwrap();
+    let ratio = flight.peak_pressure().unwrap() / flight.pressure(flight.turn(), 0.0);
+    assert!((ratio / 2f64.sqrt() - 1.0).abs() < 1e-9, "{ratio}");
+}
+
+/// A body that relaxes within a small part of the impact is pressed hardest at its very beginning: the largest pressure is no
+/// less than any of a fine scan, and is met by it as closely as the scan is fine.
+#[test]
+fn the_peak_pressure_is_no_less_than_any_before() {
+    for terms in [&[(1.0, 0.1)][..], &[(5.0, 0.05), (1.0, 1.0)], &[(100.0, 1e-3)], &[(20.0, 1e-2), (1.0, 2.0)]] {
+        let flight = driven(spectrum(0.2, terms, 0.0)).flight(&UNIT, 1e-9).unwrap();
+        let scan = (1..=1200).map(|k| flight.pressure(flight.turn() * (-0.01 * f64::from(k - 1)).exp(), 0.0));
+        let (scanned, seen) = (scan.fold(0.0, f64::max), flight.peak_pressure().unwrap());
+        assert!(scanned <= seen * (1.0 + 1e-9) && seen <= scanned * (1.0 + 1e-4), "{terms:?}: {seen} {scanned}");
+    }
+}
