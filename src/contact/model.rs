@@ -146,13 +146,15 @@ pub trait Loading {
         self.peak_among(&seen.collect::<Option<Vec<_>>>()?)
     }
 
-    /// The top about the largest of the pressures [Pa] `seen` at radii [m] of the contact, ascending.
+    /// The top about the largest of the pressures [Pa] `seen` at radii [m] of the contact, ascending; beyond the last of them
+    /// rounding may make an edge singular.
     fn peak_among(&self, seen: &[(f64, f64)]) -> Option<f64> {
         let best = (0..seen.len()).max_by(|&i, &j| seen[i].1.total_cmp(&seen[j].1))?;
-        let Some(before) = best.checked_sub(1) else { return Some(seen[best].1) };
-        let after = seen.get(best + 1).map_or(self.contact_radius(), |(radius, _)| *radius);
+        let Some(&[before, _, after]) = best.checked_sub(1).and_then(|before| seen.get(before..best + 2)) else {
+            return Some(seen[best].1);
+        };
         let at = |r: f64| self.pressure(r).unwrap_or(f64::NEG_INFINITY);
-        Some(extremum::greatest(at, seen[before].0, after).value.max(seen[best].1))
+        Some(extremum::greatest(at, before.0, after.0).value.max(seen[best].1))
     }
 
     /// The load as a value of its own, with the stresses below the surface; `None` where the method gives none.

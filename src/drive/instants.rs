@@ -36,6 +36,10 @@ const NOISE: f64 = 1e-12;
 const BEGINNING: f64 = 1e-12;
 /// Parts of a time, and multiples of a doubt, within which a parting may lie from where it was found.
 const NEAR: [(f64, f64); 4] = [(1e-15, 1.0), (1e-13, 8.0), (1e-10, 64.0), (1e-7, 512.0)];
+/// Looks at the pull before bodies part, each half as far from there as the last, and how often a look beyond is drawn
+/// back half the way to where they still touch.
+const LAST_LOOKS: i32 = 32;
+const HALVINGS: u32 = 40;
 /// Looks at equal distances in a whole entry.
 const EVEN: i32 = 24;
 /// Looks per decade towards the beginning of a piece, where the fast elements relax.
@@ -161,16 +165,65 @@ impl Watch {
     fn search(&mut self, contact: &mut dyn ContactModel) -> Result<(), ContactError> {
         let Some(next) = self.seen.get(1).copied() else { return Ok(()) };
         let here = self.seen[0];
-        if here.joined() != next.joined() {
-            self.found.extend(self.edge_of_contact(contact, here, next)?);
+        if here.joined() != next.joined()
+            && let Some(edge) = self.edge_of_contact(contact, here, next)?
+        {
+            let end = edge.just_before.unwrap_or(edge.time);
+            self.found.extend(self.turn_before_parting(contact, here, end)?);
+            self.found.push_back(edge);
         }
         if let Some(last) = self.seen.get(2).copied()
-            && [here, next, last].iter().all(Glimpse::joined)
+            && here.joined()
+            && next.joined()
+            && let Some(last) = self.still_joined(contact, next, last)?
         {
             self.found.extend(self.turn(contact, [here, next, last])?);
         }
         self.found.make_contiguous().sort_by(|one, other| one.time.total_cmp(&other.time));
         Ok(())
+    }
+
+    /// The second of two looks, or one as late as the bodies still touch, roughly, where they part between them.
+    fn still_joined(
+        &self,
+        contact: &mut dyn ContactModel,
+        next: Glimpse,
+        last: Glimpse,
+    ) -> Result<Option<Glimpse>, ContactError> {
+        let mut last = last;
+        for _ in 0..HALVINGS {
+            if last.joined() {
+                return Ok(Some(last));
+            }
+            let time = 0.5 * (next.time + last.time);
+            last = Glimpse { time, seen: self.see(contact, time)? };
+        }
+        Ok(None)
+    }
+
+    /// The turn of the force between the look `here` and the last time `end` [s] at which the bodies still touch.
+    fn turn_before_parting(
+        &self,
+        contact: &mut dyn ContactModel,
+        here: Glimpse,
+        end: f64,
+    ) -> Result<Option<NotableInstant>, ContactError> {
+        if !here.joined() || self.found.iter().any(|instant| instant.time > here.time) {
+            return Ok(None);
+        }
+        let mut three = [here; 3];
+        for part in (1..=LAST_LOOKS).map(|k| 1.0 - 0.5f64.powi(k)).chain([1.0]) {
+            let time = here.time + part * (end - here.time);
+            three = [three[1], three[2], Glimpse { time, seen: self.see(contact, time)? }];
+            if three[0].time < three[1].time && three[2].joined() {
+                let turn = self.turn(contact, three)?;
+                let eases = three.windows(2).all(|pair| pair[0].seen.force < pair[1].seen.force);
+                if turn.is_some() || eases {
+                    return Ok(turn);
+                }
+            }
+        }
+        Ok(None)
     }
 
     /// The instant between two looks at which the bodies touch or part.

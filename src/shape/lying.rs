@@ -38,6 +38,8 @@ const WIDEST: f64 = 3.0;
 const CLOSED: f64 = 1e-12;
 /// The least y of a wave that is followed while it is open: to 0.99 of the load of full contact.
 const OPEN: f64 = 1e-2;
+/// Part of the reach of a pressure beside which no panels are laid: there q − q(r) is rounding, over the square of the way.
+const NEAREST: f64 = 1e-3;
 /// Beyond this y nothing is left of e^(−y).
 const NOTHING: f64 = 700.0;
 
@@ -251,8 +253,8 @@ impl Profile for Lying {
         }
         let (here, inner, least) = (load.at(r), self.exponent(r), self.share(r));
         let to_t = |x: f64| Self::between(self.exponent(x), inner);
-        let breaks: Vec<f64> = ends.iter().copied().chain(self.breaks(a)).filter(|&x| x > r && x < a).collect();
-        let mut breaks: Vec<f64> = breaks.into_iter().map(to_t).collect();
+        let breaks = ends.iter().copied().chain(self.breaks(a)).filter(|&x| x > r && x < a).map(to_t);
+        let mut breaks: Vec<f64> = breaks.filter(|&t| t > NEAREST * to_t(a)).collect();
         breaks.sort_by(f64::total_cmp);
         let at = |t: f64| {
             let share = least.hypot(t);
@@ -342,7 +344,7 @@ mod tests {
     proptest! {
         /// The closed forms are those of any profile, by quadrature and by differences.
         #[test]
-        fn closed_forms_are_the_integrals(k in 1i32..90, of_wave: bool, j in 1i32..99) {
+        fn closed_forms_are_the_integrals(k in 1i32..90, of_wave: bool, j in 0i32..99) {
             let bed = if of_wave { wave() } else { cylinder() };
             let a = bed.at_exponent(if of_wave { 0.2 } else { 3.0 } + 0.5 * f64::from(k));
             let near = |one: f64, other: f64, bound: f64| (one / other - 1.0).abs() < bound;
@@ -355,9 +357,10 @@ mod tests {
             let h = 1e-5;
             let slopes = (bed.contact_area_slope(a * (1.0 + h)) / bed.contact_area_slope(a * (1.0 - h))).ln() / (2.0 * h);
             prop_assert!((slopes - bed.contact_area_bend(a)).abs() < 1e-5 * (1.0 + slopes.abs()), "{slopes}");
-            // Any load: that of the elastic bed and one more at the edge.
+            // Any load: that of the elastic bed and one more at the edge, known to its rounding.
+            let rounded = |x: f64| 1.0 + 1e-15 * (x.to_bits() % 8) as f64;
             let r = bed.place(0.01 * f64::from(j) * bed.contact_radius(a));
-            let load = PanelledCurve::new(|x: f64| bed.reduced(a) - bed.reduced(x) + 0.3 * bed.reduced(a), vec![a]);
+            let load = PanelledCurve::new(|x: f64| rounded(x) * (1.3 * bed.reduced(a) - bed.reduced(x)), vec![a]);
             let exact = bed.pressure_integral(r, a) + 0.3 * bed.reduced(a) * bed.edge_pressure(r, a);
             let found = bed.pressure_of(&load, r);
             prop_assert!(near(found, exact, 1e-6), "{}", found / exact);

@@ -40,6 +40,32 @@ fn a_pull_off_is_told_only_where_something_is_pulled_off() {
     }
 }
 
+/// The pull of JKR is told however small it is beside what pressed the bodies, and however few records there are: on the way
+/// out, from a table, and of impacts on elastic bodies and on those of which next to nothing relaxes. Bound: the accuracy.
+#[test]
+fn a_small_pull_is_told_by_few_records() {
+    let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e6, terms: [(modulus: 1e-4, time: 1e-3)]))";
+    let scene = |body: &str, adhesion: &str, entries: &str| {
+        let text = format!(
+            "(shape: Paraboloid(radius: 5e-3), bodies: ({body}, Rigid), adhesion: Jkr(work: 1e-5{adhesion}), steps: 2, \
+             accuracy: 1e-6, history: [{entries}])"
+        );
+        let rows: [(&str, &[f64]); 2] = [("time_s", &[0.0, 1.0, 9.0]), ("indentation_m", &[0.0, 1e-4, -3e-5])];
+        let plan = Scene::from_ron(&text).unwrap().resolve(&InMemory::default().with("way.csv", &rows)).unwrap();
+        run::run(&plan, Wanted::NOTHING).unwrap().number("pull_off_force_n").unwrap()
+    };
+    let (relaxed, elastic) = (", edge: Relaxed", "Elastic(young: 3e6, poisson: 0.5)");
+    let found = [
+        scene(body, relaxed, "Indent(to: 1e-4, over: 1), Indent(to: -3e-5, over: 8)"),
+        scene(body, relaxed, "Table(\"way.csv\")"),
+        scene(body, relaxed, "Impact(mass: 1e-3, speed: 0.01)"),
+        scene(elastic, "", "Impact(mass: 1e-3, speed: 0.01)"),
+    ];
+    for pull in found {
+        assert!((pull / (-1.5 * PI * 1e-5 * 5e-3) - 1.0).abs() < 1e-5, "{found:?}");
+    }
+}
+
 /// Under a force the bodies part where it passes −(3/2)πwR, not at the record after.
 #[test]
 fn the_warning_of_a_pull_off_tells_its_instant() {

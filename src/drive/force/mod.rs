@@ -305,11 +305,11 @@ impl ForceDrive {
         })
     }
 
-    /// The way of bodies apart to where they all but touch, in no time: a dashpot would feel how fast they come.
+    /// The way of bodies apart to where they all but touch, in no time: a dashpot would feel how fast they come, and a search
+    /// that begins so far away would lead bodies that draw each other in beyond where they balance.
     fn closes(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
-        let damped = contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0);
         let gap = -depth_of(contact);
-        if !damped || contact.joined() || gap <= LEAST_DEPTH || self.parted || self.now >= self.end {
+        if contact.joined() || contact.memory().is_none() || gap <= LEAST_DEPTH || self.parted || self.now >= self.end {
             return Ok(None);
         }
         let until = (self.now + SHORTEST * self.end).max(self.now.next_up());

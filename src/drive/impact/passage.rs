@@ -4,7 +4,7 @@ use super::{ImpactError, ImpactState, Projectile, Rebound};
 use crate::contact::adhesion::line::Energy;
 use crate::contact::direct::{Jump, QuasiStatic};
 use crate::numerics::chebyshev::Chebyshev;
-use crate::numerics::root;
+use crate::numerics::{extremum, root};
 use std::f64::consts::PI;
 
 /// The way of a mass through an elastic contact, with or without adhesion.
@@ -96,7 +96,8 @@ impl Passage {
         Some(leg.at(leg.to))
     }
 
-    /// States at `count` + 1 equal times from first touch to the end, with those on both sides of the jumps.
+    /// States at `count` + 1 equal times from first touch to the end, with those on both sides of the jumps and where the pull
+    /// is greatest.
     #[must_use]
     pub fn moments(&self, count: usize) -> Vec<ImpactState> {
         let duration: f64 = self.legs.iter().map(StableStretch::duration).sum();
@@ -106,8 +107,11 @@ impl Passage {
             let end = start + leg.duration();
             let time = |k: usize| duration * k as f64 / count as f64;
             let inside = (1..count).map(time).filter(|&t| t > start && t < end);
+            let pull = leg.strongest_pull().map(|phi| (start + leg.time_at(phi), leg.depth(phi)));
             let times = std::iter::once(start).chain(inside).chain(std::iter::once(end));
-            moments.extend(times.map(|t| leg.moment(&self.impact, t, leg.depth_at(t - start))));
+            let mut places: Vec<(f64, f64)> = times.map(|t| (t, leg.depth_at(t - start))).chain(pull).collect();
+            places.sort_by(|one, other| one.0.total_cmp(&other.0));
+            moments.extend(places.into_iter().map(|(t, depth)| leg.moment(&self.impact, t, depth)));
             start = end;
         }
         moments.extend(self.parted(start));
@@ -295,6 +299,23 @@ impl StableStretch {
 
     fn duration(&self) -> f64 {
         self.clock.last().map_or(0.0, |times| times.at(PI))
+    }
+
+    /// The angle at which the pull of a leg outwards is greatest, unless that is at one of its ends.
+    fn strongest_pull(&self) -> Option<f64> {
+        let pull = |phi: f64| -self.at(self.depth(phi)).present().balance.force;
+        // A pull that is small beside what pressed the bodies is so only just before they part.
+        let angle = |k: u32| if k < LOOKS { PI * (1.0 - 0.5f64.powi(k.cast_signed())) } else { PI };
+        let seen: Vec<f64> = (0..=LOOKS).filter(|_| self.to < self.from).map(|k| pull(angle(k))).collect();
+        let best = (1..LOOKS).zip(seen.windows(3)).filter(|(_, three)| three[1] > three[0].max(three[2]).max(0.0));
+        let (best, _) = best.max_by(|(_, one), (_, other)| one[1].total_cmp(&other[1]))?;
+        Some(extremum::greatest(pull, angle(best - 1), angle(best + 1)).place)
+    }
+
+    /// The time [s] of this leg at the angle `phi`.
+    fn time_at(&self, phi: f64) -> f64 {
+        let part = self.clock.partition_point(|times| times.high() < phi).min(self.clock.len() - 1);
+        self.clock[part].at(phi)
     }
 
     /// The depth at the time `t` of this leg.

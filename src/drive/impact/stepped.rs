@@ -4,6 +4,7 @@ use super::{ImpactState, Projectile, Rebound};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::drive::force::{ahead, depth_of};
+use crate::numerics::extremum;
 use std::f64::consts::PI;
 
 /// A mass that drives any contact in straight pieces of its depth.
@@ -35,6 +36,8 @@ const FIRST: f64 = 1e-6;
 const SETTLED: f64 = 1e-9;
 /// How often the last step of a mass that sticks is cut: its speed goes to zero all but linearly.
 const MOST_CUTS: usize = 6;
+/// Places in a step at which the pull is looked at where it turns, or each a quarter as far from where the bodies part.
+const LAST_LOOKS: i32 = 12;
 /// Growth of the steps at first, relative to the time that has passed.
 const GROWTH: f64 = 0.1;
 /// A mass that moves by so much more slowly than it struck is slow: its steps grow with its pace.
@@ -57,6 +60,8 @@ struct MovingMass<'c> {
     means: [(f64, f64); 3],
     /// Half the force [N] more per speed and mass, as in the last step [1/s].
     resistance: f64,
+    /// Forces [N] at the beginning, in the middle and at the end of the piece looked at last.
+    forces: [f64; 3],
     /// Whether it has turned once.
     turned: bool,
     most: Rebound,
@@ -81,8 +86,18 @@ impl SteppedMass {
         let most = Rebound { lost: self.impact.energy(), ..Rebound::default() };
         let (impact, speed) = (self.impact, self.impact.speed);
         let (before, means) = ([(0.0, 0.0); 2], [(0.0, speed); 3]);
-        let mut way =
-            MovingMass { contact, impact, speed, time: 0.0, before, means, resistance: 0.0, turned: false, most };
+        let mut way = MovingMass {
+            contact,
+            impact,
+            speed,
+            time: 0.0,
+            before,
+            means,
+            resistance: 0.0,
+            forces: [0.0; 3],
+            turned: false,
+            most,
+        };
         // The period of a mass that swings goes by in π of its paces.
         let (struck, longest) = (self.time / PI, self.time / self.steps);
         let mut step = FIRST * longest;
@@ -129,11 +144,16 @@ impl MovingMass<'_> {
         let parted = mean < 0.0 && !self.joined_after(mean, duration)?;
         // The pull at the moment of parting belongs to the impulse, the nothing after it does not.
         let (held, duration) = if parted { self.parting(mean, duration)? } else { (duration, duration) };
+        let pull = self.strongest_pull(mean, held, parted)?;
         // With the mean of the speeds at both ends the impulse is 2m(v₀ − w), which it need not be asked for again.
         self.speed =
             if parted { self.speed - self.impulse(mean, held)? / self.impact.mass } else { 2.0 * mean - self.speed };
         self.means = [self.means[1], self.means[2], (self.time + 0.5 * held, mean)];
-        self.contact.follow(&ahead(self.contact, mean, held))?;
+        if let Some((time, speed)) = pull {
+            self.contact.follow(&ahead(self.contact, mean, time))?;
+            watcher(ImpactState { speed, ..self.state(self.time + time) }, self.contact);
+        }
+        self.contact.follow(&ahead(self.contact, mean, held - pull.map_or(0.0, |(time, _)| time)))?;
         watcher(self.state(self.time + held), self.contact);
         if parted {
             self.contact.follow(&ahead(self.contact, mean, duration - held))?;
@@ -210,12 +230,42 @@ impl MovingMass<'_> {
 
     /// ∫F dt [N s] over a piece at the speed `mean` [m/s].
     fn impulse(&mut self, mean: f64, duration: f64) -> Result<f64, ContactError> {
-        let mut force = |part: f64| {
-            let piece: Straight = ahead(self.contact, mean, part * duration);
-            Ok::<_, ContactError>(self.contact.look(&piece)?.force)
-        };
         // A dashpot takes the new speed on at once: the beginning is just after it.
-        Ok(duration / 6.0 * (force(f64::EPSILON)? + 4.0 * force(0.5)? + force(1.0)?))
+        let mut force = |part: f64| self.force_after(mean, part * duration);
+        let forces = [force(f64::EPSILON)?, force(0.5)?, force(1.0)?];
+        self.forces = forces;
+        Ok(duration / 6.0 * (forces[0] + 4.0 * forces[1] + forces[2]))
+    }
+
+    /// Force [N] after a piece at the speed `mean` [m/s].
+    fn force_after(&mut self, mean: f64, duration: f64) -> Result<f64, ContactError> {
+        let piece: Straight = ahead(self.contact, mean, duration);
+        Ok(self.contact.look(&piece)?.force)
+    }
+
+    /// The time [s] in a piece outwards at which the pull is greatest, and the speed [m/s] there, unless that is at one of its
+    /// ends; `parts` if the bodies part at its end, just before which it may be.
+    fn strongest_pull(&mut self, mean: f64, duration: f64, parts: bool) -> Result<Option<(f64, f64)>, ContactError> {
+        let [first, middle, last] = self.forces;
+        // A parabola through them falls at the beginning and rises at the end.
+        let may_turn = 4.0 * middle < 3.0 * first + last && 4.0 * middle < first + 3.0 * last;
+        if mean >= 0.0 || !(parts || may_turn && middle.min(first).min(last) < 0.0) {
+            return Ok(None);
+        }
+        let looks =
+            (0..=LAST_LOOKS).map(|k| if parts { 1.0 - 0.25f64.powi(k) } else { f64::from(k) / f64::from(LAST_LOOKS) });
+        let times: Vec<f64> = looks.chain(parts.then_some(1.0)).map(|part| part * duration).collect();
+        let mut pulls = Vec::with_capacity(times.len());
+        for &time in &times {
+            pulls.push(-self.force_after(mean, time.max(f64::EPSILON * duration))?);
+        }
+        let best = pulls.iter().enumerate().max_by(|one, other| one.1.total_cmp(other.1)).map_or(0, |(k, _)| k);
+        if best == 0 || best + 1 >= times.len() || pulls[best] <= 0.0 {
+            return Ok(None);
+        }
+        let pull = |time: f64| Ok::<_, ContactError>(-self.force_after(mean, time)?);
+        let time = extremum::search(pull, times[best - 1], times[best], times[best + 1])?.place;
+        Ok(Some((time, self.speed - self.impulse(mean, time)? / self.impact.mass)))
     }
 
     fn joined_after(&mut self, mean: f64, duration: f64) -> Result<bool, ContactError> {

@@ -63,7 +63,8 @@ fn moments(states: &[ImpactState], count: usize) -> Vec<ImpactState> {
     let end = states.last().map_or(0.0, |state| state.time);
     let at = |k: usize| states.partition_point(|state| state.time < end * k as f64 / count as f64);
     let sides = states.len().saturating_sub(2)..states.len();
-    let mut chosen: Vec<usize> = (0..count).map(at).chain(sides).collect();
+    let pull = (0..states.len()).min_by(|&i, &j| states[i].force.total_cmp(&states[j].force));
+    let mut chosen: Vec<usize> = (0..count).map(at).chain(sides).chain(pull).collect();
     chosen.sort_unstable();
     chosen.dedup();
     chosen.into_iter().filter_map(|k| states.get(k).copied()).collect()

@@ -148,7 +148,8 @@ fn stepped(
     let struck = Struck { contact, impact, time: ELASTIC * depth / impact.speed };
     let run = struck.settled(plan.accuracy(), plan.scene.accuracy.is_some()).map_err(refused)?;
     let moments = count.map(|count| struck.again(&run, count)).transpose().map_err(refused)?;
-    Ok(Struggle { rebound: run.rebound, moments: moments.unwrap_or_default(), pull_off_force: 0.0, bytes: run.bytes })
+    let pull_off_force = run.states.iter().map(|state| state.force).fold(0.0, f64::min);
+    Ok(Struggle { rebound: run.rebound, moments: moments.unwrap_or_default(), pull_off_force, bytes: run.bytes })
 }
 
 /// A way through elastic springs, seen on a contact.

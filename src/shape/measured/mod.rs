@@ -375,7 +375,8 @@ mod tests {
             let heights: Vec<f64> = radii.iter().zip(&noise).map(|(r, noise)| r * r / 3.0 + noise).collect();
             let table = smooth(&radii, &heights);
             let depth = |k: u32| table.reduced(f64::from(k) / 200.0);
-            prop_assert!((1..=200).all(|k| depth(k - 1) <= depth(k)));
+            // Where it is level it is so to the rounding of its height.
+            prop_assert!((1..=200).all(|k| depth(k - 1) <= depth(k) + f64::EPSILON * depth(200)));
             // Heights count from their own zero.
             let square = |off: &dyn Fn(usize) -> f64| {
                 let mean = (0..201).map(off).sum::<f64>() / 201.0;
