@@ -11,7 +11,7 @@ pub(super) struct Ends {
     stored: f64,
     dissipated: f64,
     along: f64,
-    /// What parts the bodies, or all but does, if a pull has been passed.
+    /// What parts the bodies, or all but does, if a pull has been passed; on pixels it is one of the records alone.
     pull: Option<f64>,
     largest: Largest,
 }
@@ -67,7 +67,7 @@ impl Ends {
             stored: record.normal.stored.stored(),
             dissipated: record.normal.dissipated,
             along: record.tangential_force().unwrap_or(0.0),
-            pull: outcome.number("pull_off_force_n"),
+            pull: outcome.number("pull_off_force_n").filter(|_| record.pixels.is_none()),
             largest: Largest::of(outcome),
         })
     }
@@ -96,7 +96,7 @@ impl Ends {
     /// How the end of another way differs beyond `bound`, if it does.
     pub(super) fn differ(&self, other: &Self, bound: f64) -> Option<String> {
         let largest = &self.largest;
-        let [pull, other_pull] = self.pull.zip(other.pull).map_or([0.0; 2], |(one, two)| [one, two]);
+        let (pull, other_pull) = self.pull.zip(other.pull).unwrap_or_default();
         let pairs = [
             ("force", self.force, other.force, largest.tellable_force()),
             ("depth", self.depth, other.depth, largest.depth),

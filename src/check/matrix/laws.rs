@@ -99,8 +99,8 @@ impl Cell {
         }
         let whole = match outcome(&written) {
             Ok(whole) => whole,
-            // A wave that a mass has pressed flat, a sphere beyond its equator.
-            Err(why) if why.contains("outgrows the profile") => return Vec::new(),
+            // A wave that a mass has pressed flat, a sphere beyond its equator; a liquid drawn out too slowly to part.
+            Err(why) if why.contains("outgrows the profile") || why.contains("never part") => return Vec::new(),
             Err(why) => return vec![Kept::of(Law::Ledger, Some(why), &written)],
         };
         let exact = self.bound(&written, &whole);
