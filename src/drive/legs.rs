@@ -13,6 +13,8 @@ const JUMP: f64 = 4.0;
 
 /// Part of a time by which rounding may delay what was seen to happen.
 const LATEST: f64 = 1e-12;
+/// Parts of a row of a table at which bodies that pull each other are looked at.
+const ROW_THAT_PULLS: [f64; 4] = [1e-3, 0.5, 0.999, 1.0];
 
 /// A straight piece of the depth within a stage.
 #[derive(Debug, Clone)]
@@ -218,6 +220,8 @@ impl Driver {
         let Some(spectrum) = contact.memory().filter(|_| duration > 0.0) else { return Ok(None) };
         let Remainder::Chords(chords) = &self.stage.remainder else {
             let times = match self.stage.course.extent {
+                // A pull may turn in either half, and a row begin or end beyond its turn.
+                Extent::Row if here.stored.surface < 0.0 => ROW_THAT_PULLS.map(|part| part * duration).to_vec(),
                 Extent::Row => vec![0.5 * duration, duration],
                 Extent::Entry => looks(duration, 1e20 * spectrum.instant()),
             };
