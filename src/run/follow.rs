@@ -322,8 +322,8 @@ impl Run {
         }
     }
 
-    /// Pressure on the axis [Pa] of a contact that remembers at its largest force; `None` where a field shows it or where
-    /// it is singular. Bodies that relax have lost it by the end of the entry.
+    /// Largest pressure [Pa] of a contact that remembers at its greatest force; `None` where a field shows it or where it is
+    /// singular. Bodies that relax have lost it by the end of the entry.
     pub(super) fn peak_at_greatest_force(&self) -> Option<f64> {
         let marked = self.marked();
         let kept = marked.as_ref().or(self.strongest.as_ref())?;

@@ -41,7 +41,8 @@ fn a_pull_off_is_told_only_where_something_is_pulled_off() {
 }
 
 /// The pull of JKR is told however small it is beside what pressed the bodies, and however few records there are: on the way
-/// out, from a table, and of impacts on elastic bodies and on those of which next to nothing relaxes. Bound: the accuracy.
+/// out, from a table, and of impacts on elastic bodies and on those of which next to nothing relaxes. Bound: ten times the
+/// accuracy.
 #[test]
 fn a_small_pull_is_told_by_few_records() {
     let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e6, terms: [(modulus: 1e-4, time: 1e-3)]))";

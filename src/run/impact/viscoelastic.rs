@@ -2,6 +2,7 @@
 
 use super::table::ImpactRow;
 use super::{Followed, RECORDS, failed};
+use crate::contact::model::Loading;
 use crate::contact::viscoelastic::Spectrum;
 use crate::drive::impact::{Flight, Projectile, StruckHalfSpace};
 use crate::material::Relaxation;
@@ -32,15 +33,15 @@ pub fn follow(
     let row = ImpactRow { speed: impact.speed, rebound: flight.rebound(), oblique: None, peak_pressure };
     let records = plan.scene.steps.map_or(RECORDS, NonZeroUsize::get);
     let moments = if wanted.is_some() { flight.moments(records) } else { Vec::new() };
-    let field = peak_pressure.filter(|_| wanted.is_some_and(|wanted| wanted.fields));
-    let field = field.map(|peak| field_of(&flight, peak, plan.profile.as_ref()));
+    let shown = peak_pressure.is_some() && wanted.is_some_and(|wanted| wanted.fields);
+    let field = shown.then(|| field_of(&flight, plan.profile.as_ref()));
     let loaded = wanted.filter(|wanted| wanted.stresses).and_then(|_| flight.loaded());
     let radius = flight.deepest_radius();
     Ok(Followed { row, moments, radius, field, loaded, bytes: flight.bytes() })
 }
 
-/// The pressure at the greatest depth, `peak` [Pa] being the largest on the way there.
-fn field_of(flight: &Flight, peak: f64, profile: &dyn Profile) -> Field {
+/// The pressure at the greatest depth, where none is infinite.
+fn field_of(flight: &Flight, profile: &dyn Profile) -> Field {
     let (time, a) = (flight.turn(), profile.contact_radius(flight.deepest_radius()));
     let row = |k: u32| {
         let radius = a * (FRAC_PI_2 * f64::from(k) / f64::from(RADII)).sin();
@@ -48,6 +49,6 @@ fn field_of(flight: &Flight, peak: f64, profile: &dyn Profile) -> Field {
         FieldRow { radius, pressure, displacement: None, shear: None }
     };
     let rows = (0..=RADII).map(row).collect();
-    let (label, peak) = ("greatest depth".to_owned(), Some(peak));
+    let (label, peak) = ("greatest depth".to_owned(), flight.loaded().and_then(|loaded| Loading::peak(&loaded)));
     Field { label, time, contact_radius: a, stress_intensity: None, peak, rows }
 }

@@ -37,8 +37,8 @@ impl Flight {
         let best = (0..seen.len()).max_by(|&i, &j| seen[i].value.total_cmp(&seen[j].value))?;
         let (before, after) = (&seen[best.saturating_sub(1)], &seen[(best + 1).min(seen.len() - 1)]);
         let top = seen[best].max(extremum::greatest(at, before.place, after.place));
-        // Near the first touch the curve is a root, which the polynomials only follow to the place of its top.
         let deepest = self.loaded().and_then(|loaded| Loading::peak(&loaded))?;
+        // Near the first touch the curve is a root, which the polynomials only follow to the place of its top.
         Some(self.pressure(top.place, 0.0).max(deepest))
     }
 
