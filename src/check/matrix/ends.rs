@@ -29,6 +29,8 @@ pub(super) struct Largest {
 
 /// What the speeds of some hundred steps of an impact, each found to 1e-9, leave of the pull that ends it.
 const STEPPED: f64 = 1e-6;
+/// Part of the largest depth and force that rounding may leave of none.
+const ROUNDED: f64 = 1e-12;
 /// Part of the forces in balance beside which a force is none.
 const LEAST: f64 = 1e-3;
 
@@ -93,8 +95,18 @@ impl Ends {
         }
     }
 
-    /// How the end of another way differs beyond `bound`, if it does.
+    /// Whether the way ends where undented bodies touch, and which of them are joined then.
+    fn at_touch(&self) -> Option<bool> {
+        let touches = self.depth.abs() <= ROUNDED * self.largest.depth;
+        touches.then(|| self.force.abs() > ROUNDED * self.largest.tellable_force())
+    }
+
+    /// How the end of another way differs beyond `bound`, if it does. Of bodies that end as they touch rounding, and what
+    /// is left of a dent, decides whether they have met again.
     pub(super) fn differ(&self, other: &Self, bound: f64) -> Option<String> {
+        if self.at_touch().zip(other.at_touch()).is_some_and(|(one, two)| one != two) {
+            return None;
+        }
         let largest = &self.largest;
         let (pull, other_pull) = self.pull.zip(other.pull).unwrap_or_default();
         let pairs = [

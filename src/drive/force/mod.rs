@@ -25,7 +25,7 @@ mod search;
 mod tests;
 
 pub use search::speed_to;
-use search::{EDGES, Goal, LEAST_DEPTH, damping};
+use search::{EDGES, Goal, LEAST_DEPTH, UNSEEN, damping};
 
 use crate::contact::creep::Creep;
 use crate::contact::error::{BedError, ContactError};
@@ -162,6 +162,10 @@ const BESIDE: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 const BEFORE_JUMP: f64 = 0.1;
 /// First piece tried after a jump, relative to the whole.
 const AFTER_JUMP: f64 = 1e-3;
+/// Part of a gap by which what closes it stays before the touch: no look along it tells that better.
+const SHORT_OF: f64 = 64.0 * f64::EPSILON;
+/// No gap is longer than this [m].
+const FARTHEST: f64 = 1e9;
 /// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
 const MEETING: f64 = 1e-9;
 /// Places on a leap at which the contact is looked at.
@@ -306,18 +310,23 @@ impl ForceDrive {
     }
 
     /// The way of bodies apart to where they all but touch, in no time: a dashpot would feel how fast they come, and a search
-    /// that begins so far away would lead bodies that draw each other in beyond where they balance.
+    /// that begins so far away would lead bodies that draw each other in beyond where they balance. A dent that is not yet
+    /// filled up is part of the way.
     fn closes(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
-        let gap = -depth_of(contact);
-        if contact.joined() || contact.memory().is_none() || gap <= LEAST_DEPTH || self.parted || self.now >= self.end {
+        if contact.joined() || contact.memory().is_none() || self.parted || self.now >= self.end {
             return Ok(None);
         }
         let until = (self.now + SHORTEST * self.end).max(self.now.next_up());
-        let speed = gap * (1.0 - 2.0 * f64::EPSILON) / (until - self.now);
-        let meets = contact.look(&ahead(contact, speed, until - self.now))?.contact_radius > 0.0;
-        Ok((!meets).then(|| {
+        let duration = until - self.now;
+        let depth = depth_of(contact);
+        let meets = |way: f64| match contact.look(&ahead(contact, way / duration, duration)) {
+            Ok(seen) => seen.contact_radius > 0.0,
+            Err(_) => true,
+        };
+        let way = (1.0 - SHORT_OF) * way_to_touch(meets, (-depth).max(LEAST_DEPTH));
+        Ok((way > LEAST_DEPTH.max(UNSEEN * depth.abs())).then(|| {
             self.now = until;
-            Stretch { speed, until }
+            Stretch { speed: way / duration, until }
         }))
     }
 
@@ -510,6 +519,19 @@ pub(super) fn touching(scale: f64) -> f64 {
 /// Whether the force of a contact jumps with its speed.
 pub(super) fn is_damped(contact: &dyn ContactModel) -> bool {
     contact.joined() && contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0)
+}
+
+/// The longest way [m] on which bodies apart do not yet meet, about as long as `guess` [m].
+fn way_to_touch(mut meets: impl FnMut(f64) -> bool, guess: f64) -> f64 {
+    let (mut near, mut far) = (0.0, guess);
+    while far < FARTHEST && !meets(far) {
+        (near, far) = (far, 2.0 * far);
+    }
+    while far > LEAST_DEPTH && far - near > UNSEEN * far {
+        let middle = 0.5 * (near + far);
+        *(if meets(middle) { &mut far } else { &mut near }) = middle;
+    }
+    near
 }
 
 /// Depth [m] of a contact.

@@ -8,7 +8,7 @@ use crate::numerics::root;
 use std::cell::Cell;
 
 /// A change of the depth, relative to it, that no force tells: its rounding.
-const UNSEEN: f64 = 4.0 * f64::EPSILON;
+pub(super) const UNSEEN: f64 = 4.0 * f64::EPSILON;
 /// No speed is looked for beyond this [m/s].
 const FASTEST: f64 = 1e290;
 
