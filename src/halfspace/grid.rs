@@ -207,6 +207,8 @@ pub(super) struct Operators {
     pub(super) swift: Multiplier<f32>,
     pub(super) stiffness: Multiplier<f32>,
     pub(super) compliance: f64,
+    /// Whether a uniform pressure displaces nothing: where everything touches it is known up to a constant only.
+    pub(super) floats: bool,
 }
 
 impl Operators {
@@ -231,6 +233,7 @@ impl Operators {
         let compliance = spectrum_of_even(table, period);
         Self {
             compliance: own,
+            floats: false,
             swift: Multiplier::rough(size, period, &compliance),
             influence: Multiplier::new(size, period, compliance),
             stiffness: Multiplier::rough(size, circulant, &stiffness),
@@ -247,6 +250,7 @@ impl Operators {
             compliance.iter().map(|&given| if given > 0.0 { given } else { softest }.recip()).collect();
         Self {
             compliance: mean_over_period(&compliance, grid.size),
+            floats: compliance.first().is_some_and(|&uniform| uniform <= 0.0),
             swift: Multiplier::rough(grid.size, grid.size, &compliance),
             influence: Multiplier::new(grid.size, grid.size, compliance),
             stiffness: Multiplier::rough(grid.size, grid.size, &stiffness),

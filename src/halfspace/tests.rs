@@ -371,13 +371,34 @@ proptest! {
     fn free_contact_obeys_its_laws((heights, pixel) in surface(), depth in 1..100_i32, load in any::<bool>()) {
         let depth = 0.005 * f64::from(depth);
         let control = if load { Prescribed::Force(depth) } else { Prescribed::Indentation(depth) };
-        obeys_the_laws(&PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Free, control })?;
+        let problem = PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Free, control };
+        obeys_the_laws(&problem)?;
     }
 
     #[test]
     fn periodic_contact_obeys_its_laws((heights, pixel) in surface(), exponent in 0..100_i32) {
         let control = Prescribed::Force(10.0_f64.powf(-4.0 + 0.05 * f64::from(exponent)));
-        obeys_the_laws(&PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Periodic, control })?;
+        let problem = PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary: Boundary::Periodic, control };
+        obeys_the_laws(&problem)?;
+    }
+
+    /// A surface that repeats, drawn back from full contact, under any pressure that would do: one that is uniform
+    /// displaces nothing.
+    #[test]
+    fn full_contact_opens((heights, pixel) in surface(), depth in 1..100_i32, more in 0..12_i32) {
+        let mean = heights.mean().unwrap_or_default();
+        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        prop_assume!(mean > lowest);
+        let boundary = Boundary::Periodic;
+        let flat = PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary, control: Prescribed::Force(1e6) };
+        let flat = solved(&flat).pressure + 10.0_f64.powi(more);
+        let control = Prescribed::Indentation(lowest + 0.01 * f64::from(depth) * (mean - lowest));
+        let problem = PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary, control };
+        let [anew, back] = [Start::Nothing, Start::Pressure(flat.view())].map(|start| {
+            solve(&problem, start, &Settings::default()).map(|solution| solution.force())
+        });
+        let (anew, back) = (anew.unwrap_or(f64::NAN), back.unwrap_or(f64::NAN));
+        prop_assert!((back / anew - 1.0).abs() < 1e-5, "{anew:e} {back:e}");
     }
 }
 

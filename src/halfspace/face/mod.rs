@@ -136,6 +136,7 @@ impl GridContact<'_> {
                 misfit.overlap_square + (self.operators.compliance * self.operators.compliance) * misfit.pull_square;
             if residual <= tolerance || misfit.gap_square <= state.settled * state.settled * wrong {
                 self.correct(pressure, &mut state, approach);
+                self.open(pressure, &mut state);
                 if pulls {
                     self.refresh(pressure, &mut state, effort, scratch);
                 }
@@ -169,8 +170,21 @@ impl GridContact<'_> {
         each_mut(&mut state.contact).zip(&state.lift).enumerate().for_each(|(index, (contact, lift))| {
             *contact |= *lift < approach && !yields(index);
         });
+        self.open(pressure, &mut state);
         self.stiffen(&mut state, scratch);
         state
+    }
+
+    /// Opens a contact that is closed everywhere, at an approach that leaves a mean gap, where it is pressed least. What is
+    /// taken off the pressure displaces nothing.
+    fn open(&self, pressure: &mut [f64], state: &mut Iterate) {
+        let is_given = matches!(self.goal, Goal::Approach(_));
+        if !(self.operators.floats && is_given && state.contact.iter().all(|&contact| contact)) {
+            return;
+        }
+        let least = pressure.iter().copied().fold(f64::INFINITY, f64::min);
+        update(pressure, self.heights, |p, _| *p -= least);
+        each_mut(&mut state.contact).zip(&*pressure).for_each(|(contact, p)| *contact = *p > 0.0);
     }
 
     /// Lift of the present pressure, computed afresh.
