@@ -102,6 +102,8 @@ struct Iterate {
     uniform: Vec<f32>,
     /// Its sum.
     uniform_total: f64,
+    /// What a uniform pressure on the contact displaces; empty until it is asked for.
+    level: Vec<f32>,
     slope: f64,
     /// Overlap too small to count.
     threshold: f64,
@@ -159,6 +161,7 @@ impl GridContact<'_> {
             work: vec![0.0; pixels],
             uniform: if prescribed_sum { vec![0.0; pixels] } else { Vec::new() },
             uniform_total: 0.0,
+            level: Vec::new(),
             slope: 0.0,
             threshold: 0.0,
             settled: SETTLED,

@@ -8,12 +8,16 @@ use super::{Budget, Goal, GridContact, Iterate};
 use crate::halfspace::precision::{Precision, Scratch};
 use crate::halfspace::vector::{each_mut, scale, sum, swept, update};
 
+/// Part of a prescribed sum up to which what a step adds to it is taken off as a factor.
+const MORE: f64 = 1e-3;
+
 impl GridContact<'_> {
     /// Stiffness of the present contact against a uniform displacement.
     pub(super) fn stiffen(&self, state: &mut Iterate, scratch: &mut Scratch) {
         if state.uniform.is_empty() {
             return;
         }
+        state.level.clear();
         let ones = &mut state.residual;
         each_mut(ones).zip(&state.contact).for_each(|(one, &contact)| *one = f32::from(u8::from(contact)));
         self.operators.stiffness.apply(ones, &mut state.uniform, scratch);
@@ -63,8 +67,36 @@ impl GridContact<'_> {
         update(pressure, &state.direction, |p, direction| *p += length * f64::from(direction));
         update(&mut state.lift, &state.work, |lift, change| *lift += length * f64::from(change));
         if let Goal::Sum(wanted) = self.goal {
-            self.rescale(pressure, &mut state.lift, wanted / (wanted + length * added));
+            let more = length * added;
+            if more.abs() <= MORE * wanted {
+                self.rescale(pressure, &mut state.lift, wanted / (wanted + more));
+            } else {
+                self.take_off(pressure, state, more, effort, scratch);
+            }
         }
+    }
+
+    /// Takes `more` off the sum of the pressures, evenly over the contact. Steps on a contact that is much too large add
+    /// pressures that push and pull, and their sum is rounded to seven digits of them: more than a small force asked for,
+    /// which as a factor would leave nothing of the step.
+    fn take_off(
+        &self,
+        pressure: &mut [f64],
+        state: &mut Iterate,
+        more: f64,
+        effort: &mut Budget,
+        scratch: &mut Scratch,
+    ) {
+        let Iterate { contact, level, lift, residual, .. } = state;
+        if level.is_empty() {
+            each_mut(residual).zip(&*contact).for_each(|(one, &contact)| *one = f32::from(u8::from(contact)));
+            level.resize(residual.len(), 0.0);
+            self.operators.swift.apply(residual, level, scratch);
+            effort.products += 1;
+        }
+        let each = more / contact.iter().filter(|&&contact| contact).count() as f64;
+        each_mut(contact).zip(pressure.par_iter_mut()).filter(|(contact, _)| **contact).for_each(|(_, p)| *p -= each);
+        update(lift, level, |lift, level| *lift -= each * f64::from(level));
     }
 
     /// Pressure and displacement `by` times.
