@@ -71,32 +71,21 @@ impl GridContact<'_> {
             if more.abs() <= MORE * wanted {
                 self.rescale(pressure, &mut state.lift, wanted / (wanted + more));
             } else {
-                self.take_off(pressure, state, more, effort, scratch);
+                self.level(state, effort, scratch);
+                take_off(more, pressure, state);
             }
         }
     }
 
-    /// Takes `more` off the sum of the pressures, evenly over the contact. Steps on a contact that is much too large add
-    /// pressures that push and pull, and their sum is rounded to seven digits of them: more than a small force asked for,
-    /// which as a factor would leave nothing of the step.
-    fn take_off(
-        &self,
-        pressure: &mut [f64],
-        state: &mut Iterate,
-        more: f64,
-        effort: &mut Budget,
-        scratch: &mut Scratch,
-    ) {
-        let Iterate { contact, level, lift, residual, .. } = state;
+    /// What a uniform pressure on the present contact displaces.
+    fn level(&self, state: &mut Iterate, effort: &mut Budget, scratch: &mut Scratch) {
+        let Iterate { contact, level, residual, .. } = state;
         if level.is_empty() {
             each_mut(residual).zip(&*contact).for_each(|(one, &contact)| *one = f32::from(u8::from(contact)));
             level.resize(residual.len(), 0.0);
             self.operators.swift.apply(residual, level, scratch);
             effort.products += 1;
         }
-        let each = more / contact.iter().filter(|&&contact| contact).count() as f64;
-        each_mut(contact).zip(pressure.par_iter_mut()).filter(|(contact, _)| **contact).for_each(|(_, p)| *p -= each);
-        update(lift, level, |lift, level| *lift -= each * f64::from(level));
     }
 
     /// Pressure and displacement `by` times.
@@ -108,6 +97,16 @@ impl GridContact<'_> {
             }
         });
     }
+}
+
+/// Takes `more` off the sum of the pressures, evenly over the contact. Steps on a contact that is much too large add
+/// pressures that push and pull, and their sum is rounded to seven digits of them: more than a small force asked for, which
+/// as a factor would leave nothing of the step.
+fn take_off(more: f64, pressure: &mut [f64], state: &mut Iterate) {
+    let Iterate { contact, level, lift, .. } = state;
+    let each = more / contact.iter().filter(|&&contact| contact).count() as f64;
+    each_mut(pressure).zip(&*contact).filter(|(_, contact)| **contact).for_each(|(p, _)| *p -= each);
+    update(lift, level, |lift, level| *lift -= each * f64::from(level));
 }
 
 /// Values in contact are kept, all others zero; the sum of those kept.

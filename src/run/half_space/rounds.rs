@@ -16,6 +16,9 @@ const ROUNDS: usize = 2000;
 /// Residual to which a contact is solved that an attraction changes again, whatever accuracy is asked for: less would be
 /// worked off in the next round, and more keeps gap and attraction from finding each other.
 const LOOSE: f64 = 1e-7;
+/// The same of rounds that have gone on for long: of a range that is short beside the displacements what is left over changes
+/// the attraction.
+const TIGHT: f64 = 1e-10;
 /// Change of the attraction, as part of its stress, at which they have.
 const SETTLED: f64 = 1e-5;
 /// Pixels kept around those that press or pull.
@@ -161,7 +164,6 @@ impl Rounds<'_> {
         let Self { attraction, lone, map, .. } = self;
         let own = (part.size() != <[usize; 2]>::from(map.heights.dim())).then(|| self.response.part(part.size()));
         let response = own.as_ref().unwrap_or(self.response);
-        let settings = Settings { tolerance: LOOSE, ..self.settings };
         let heights = part.of(&map.heights);
         let mut last = last.map(|last| part.of(&last.view()).to_owned());
         let mut pull = part.of(&pull.view()).to_owned();
@@ -169,6 +171,8 @@ impl Rounds<'_> {
         let mut change = f64::INFINITY;
         while *left > 0 {
             *left -= 1;
+            let tolerance = if 4 * *left > 3 * ROUNDS { LOOSE } else { TIGHT };
+            let settings = Settings { tolerance, ..self.settings };
             let Some(control) = self.control(&pull) else {
                 // A guess may pull less than what holds the bodies.
                 let Some(safe) = mixed.back() else { return Ok(Reached::TornOff) };
