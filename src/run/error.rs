@@ -137,7 +137,8 @@ fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run, count: usize) -> Erro
     );
     let (springs, depth) = (0.25 * width * width, felt(plan, run) * plan.accuracy());
     let (steep, edge) = (steepness(plan, &run.records), edge_between_springs(plan, run));
-    ErrorEstimate { relative: steep * (steep * springs.max(edge) + depth), basis }
+    let between = run.force_error / largest_force(run);
+    ErrorEstimate { relative: steep * (steep * springs.max(edge) + depth) + between, basis }
 }
 
 /// The largest error of the place of the edge between two springs, as a part of the place of the largest contact.
@@ -167,6 +168,11 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
 }
 
+/// The records up to where a machine moves the contact, which a history that is followed again has.
+fn led(run: &Run) -> Vec<Record> {
+    run.records.iter().filter(|record| record.machine.is_none()).copied().collect()
+}
+
 /// How much coarser the pieces are that tell the error of fine ones: no less than it, should it fall with the root of the
 /// accuracy alone, or should one of the two lose a contact that the other keeps.
 const COARSER: f64 = 10.0;
@@ -179,7 +185,7 @@ fn coarser_pieces(plan: &RoundPlan, run: &Run) -> Option<f64> {
     let coarse = to_accuracy(plan, (COARSER * plan.accuracy()).min(COARSEST))?;
     let contact = compose::contact(&coarse, Wanted::NOTHING).ok()?;
     let again = follow(&coarse, contact, Wanted::NOTHING).ok()?;
-    Some(apart(&run.records, &again.records))
+    Some(apart(&led(run), &again.records))
 }
 
 /// The plan at another accuracy.
@@ -195,7 +201,7 @@ fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldE
     let refined = compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge));
     let finer = plan.is_curved().then(|| to_accuracy(plan, plan.accuracy() / viscoelastic::FINER)).flatten();
     let again = follow(finer.as_ref().unwrap_or(plan), refined, Wanted::NOTHING);
-    let off = again.map_or(f64::NAN, |again| apart(&run.records, &again.records));
+    let off = again.map_or(f64::NAN, |again| apart(&led(run), &again.records));
     let pieces = if plan.is_curved() { CHORDS * plan.accuracy() * in_balance(run) } else { 0.0 };
     of(
         sums(run) + pieces + 2.0 * off,

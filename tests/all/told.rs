@@ -67,6 +67,56 @@ fn a_small_pull_is_told_by_few_records() {
     }
 }
 
+/// The pull on a body that relaxes within a row of a table turns right behind the beginning of the row or before its end, and
+/// is told as of rows a hundred times shorter. Bound: the accuracy.
+#[test]
+fn a_pull_that_turns_within_a_row_is_told() {
+    let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e4, terms: [(modulus: 3e3, time: 3e-8), (modulus: 6e3, \
+                time: 3e-4)]))";
+    let pulled = |edge: &str, over: f64, parts: u32| {
+        let text = format!(
+            "(shape: Paraboloid(radius: 5e-3), bodies: ({body}, Rigid), adhesion: Jkr(work: 1e-6, edge: {edge}), \
+             steps: 2, accuracy: 1e-4, history: [Table(\"way.csv\")])"
+        );
+        let (mut times, mut depths) = (vec![0.0, 1e-5], vec![0.0, 9e-7]);
+        for part in (1..=parts).map(|part| f64::from(part) / f64::from(parts)) {
+            times.push(1e-5 + over * part);
+            depths.push(9e-7 - 1.2e-6 * part);
+        }
+        let rows: [(&str, &[f64]); 2] = [("time_s", &times), ("indentation_m", &depths)];
+        let plan = Scene::from_ron(&text).unwrap().resolve(&InMemory::default().with("way.csv", &rows)).unwrap();
+        run::run(&plan, Wanted::NOTHING).unwrap().number("pull_off_force_n").unwrap()
+    };
+    for (edge, over) in [("Instantaneous", 1e-7), ("Relaxed", 3e-8), ("Relaxed", 1e-4)] {
+        let [one, many] = [1, 100].map(|parts| pulled(edge, over, parts));
+        assert!(one < 0.0 && (one / many - 1.0).abs() < 1e-4, "{edge} {over:e}: {one:e} {many:e}");
+    }
+}
+
+/// A mass that lies on a liquid which relaxes before the next spring is met tells what its force is off by: that of a part of
+/// a spring, which no shorter step would show.
+#[test]
+fn a_fall_on_a_liquid_tells_its_springs() {
+    let fallen = |accuracy: &str| {
+        let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 0, terms: [(modulus: 2e7, time: 1e-5), \
+                    (modulus: 6e8, time: 3e-7)]))";
+        let text = format!(
+            "(shape: Paraboloid(radius: 1.6e-4), bodies: ({body}, Elastic(young: 1e8, poisson: 0.5)), \
+             machine: (mass: 3e-6), steps: 4, accuracy: {accuracy}, history: [Fall(height: 1e-5, over: 2e-2)])"
+        );
+        tried(&text).unwrap()
+    };
+    let (usual, fine) = (fallen("1e-3"), fallen("1e-5"));
+    let pairs = usual.records.iter().zip(&fine.records);
+    let off = pairs.map(|(one, two)| (one.normal.force - two.normal.force).abs()).fold(0.0, f64::max);
+    let weight = 3e-6 * 9.806_65;
+    assert!(
+        off > 1.1e-3 * weight && off < usual.error_estimate.relative * weight,
+        "{off:e} {:?}",
+        usual.error_estimate
+    );
+}
+
 /// Under a force the bodies part where it passes −(3/2)πwR, not at the record after.
 #[test]
 fn the_warning_of_a_pull_off_tells_its_instant() {

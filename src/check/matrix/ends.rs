@@ -114,7 +114,12 @@ impl Ends {
             ("depth", self.depth, other.depth, largest.depth),
             ("stored", self.stored, other.stored, largest.energy),
             ("dissipated", self.dissipated, other.dissipated, largest.energy),
-            ("pull-off force", pull, other_pull, largest.tellable_force() * (bound.max(STEPPED) / bound)),
+            (
+                "pull-off force",
+                pull,
+                other_pull,
+                largest.tellable_force().max(pull.abs()) * (bound.max(STEPPED) / bound),
+            ),
             ("tangential force", self.along, other.along, largest.tellable_force().max(self.along.abs())),
         ];
         let off = pairs.iter().find(|(_, one, two, scale)| {

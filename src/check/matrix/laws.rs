@@ -79,6 +79,10 @@ const SAME: f64 = 1e-9;
 /// Weight of the Prony terms of bodies that are nearly elastic, and what it may change.
 const WEIGHT: f64 = 1e-10;
 
+/// What physics says no to: a wave that a mass has pressed flat, or a sphere beyond its equator; a liquid drawn out too
+/// slowly to part; an edge that a slide peels off.
+const REFUSED: [&str; 3] = ["outgrows the profile", "never part", "peels the adhesive contact"];
+
 /// Records of an entry where its work is added up, on a bed and on pixels.
 const RECORDS: [u32; 2] = [400, 40];
 
@@ -99,8 +103,7 @@ impl Cell {
         }
         let whole = match outcome(&written) {
             Ok(whole) => whole,
-            // A wave that a mass has pressed flat, a sphere beyond its equator; a liquid drawn out too slowly to part.
-            Err(why) if why.contains("outgrows the profile") || why.contains("never part") => return Vec::new(),
+            Err(why) if REFUSED.iter().any(|refused| why.contains(refused)) => return Vec::new(),
             Err(why) => return vec![Kept::of(Law::Ledger, Some(why), &written)],
         };
         let exact = self.bound(&written, &whole);

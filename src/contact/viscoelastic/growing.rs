@@ -201,7 +201,8 @@ impl ContactModel for GrowingBed {
     }
 
     fn effort(&self) -> Effort {
-        Effort { radius_error: Some(self.edge().doubt), ..self.bed.effort() }
+        let force_error = Some(self.bed.force_between_springs());
+        Effort { force_error, radius_error: Some(self.edge().doubt), ..self.bed.effort() }
     }
 
     fn creep(&self) -> Option<Creep> {

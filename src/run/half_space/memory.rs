@@ -21,6 +21,8 @@ pub(super) struct Memory {
     /// G P, the displacement \[m\].
     moved: Array2<f64>,
     elements: Vec<Element>,
+    /// Modulus \[Pa\] in no time of bodies that are dashpots alone, which do not move then.
+    rigid: f64,
     /// Energy lost so far \[J\].
     dissipated: f64,
 }
@@ -87,10 +89,11 @@ impl Shares {
 }
 
 impl Memory {
-    pub(super) fn new(relaxation: Arc<Relaxation>, pixels: (usize, usize)) -> Self {
+    /// Pixels at rest; what takes no time finds bodies that are dashpots alone of the modulus `rigid` \[Pa\].
+    pub(super) fn new(relaxation: Arc<Relaxation>, pixels: (usize, usize), rigid: f64) -> Self {
         let nothing = || Array2::zeros(pixels);
         let elements = relaxation.terms.iter().map(|_| Element { pressure: nothing(), moved: nothing() }).collect();
-        Self { relaxation, strain: nothing(), moved: nothing(), elements, dissipated: 0.0 }
+        Self { relaxation, strain: nothing(), moved: nothing(), elements, rigid, dissipated: 0.0 }
     }
 
     /// Numbers kept on each pixel.
@@ -115,7 +118,8 @@ impl Memory {
             kept.scaled_add(shares.kept, &element.pressure);
             moved.scaled_add(shares.kept, &element.moved);
         }
-        Step { over, modulus: self.relaxation.equilibrium + changing, kept, moved }
+        let modulus = self.relaxation.equilibrium + changing;
+        Step { over, modulus: if modulus > 0.0 { modulus } else { self.rigid }, kept, moved }
     }
 
     /// Ends a step under the pressure `pressure` \[Pa\], pulls included, with the displacement `moved` \[m\].

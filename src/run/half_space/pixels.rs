@@ -46,11 +46,15 @@ pub(super) struct Past {
     earlier: Option<(Array2<f64>, f64)>,
 }
 
+/// Part of the range of an attraction by which it moves bodies that do not move, nearly.
+const UNMOVED: f64 = 1e-4;
+
 impl<'p> Pixels<'p> {
     pub(super) fn new(plan: &HalfSpacePlan, pressing: Pressing<'p>) -> Self {
         let (pixels, side) = (pressing.heights.values.dim(), area(pressing.heights.pixel).sqrt());
-        let memory = plan.relaxation.clone().map(|relaxation| Memory::new(relaxation, pixels));
         let attraction = Attraction::of(plan.attraction, side, pressing.modulus);
+        let rigid = attraction.map_or(0.0, |attraction| attraction.stress * side / (UNMOVED * attraction.range()));
+        let memory = plan.relaxation.clone().map(|relaxation| Memory::new(relaxation, pixels, rigid));
         let stiffness = pressing.response.alone().map(|give| pressing.modulus / give);
         let lone = attraction.zip(stiffness).map(|(attraction, stiffness)| LoneSprings::new(attraction, stiffness));
         let dent = plan.hardness.map(|hardness| Dent { hardness, depth: Array2::zeros(pixels), dissipated: 0.0 });

@@ -2,7 +2,7 @@
 
 use super::led::Led;
 use super::slips::{self, SlipEvent};
-use super::{Moved, failed, rated};
+use super::{Errors, Moved, failed, rated};
 use crate::contact::error::ContactError;
 use crate::contact::state::{Normal, Tangential};
 use crate::drive::machine::{Drawn, DrawnMass, RatedMass, SteppedDrawn};
@@ -68,7 +68,15 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
     });
     let warnings = warnings.into_iter().chain(warning).collect();
     let results = results.into_iter().chain(slips).collect();
-    Ok(Moved { warnings, records: motion.records, tables, results, moments: Vec::new(), error })
+    Ok(Moved {
+        warnings,
+        records: motion.records,
+        tables,
+        results,
+        moments: Vec::new(),
+        errors: Errors::default(),
+        error,
+    })
 }
 
 /// A motion that has been followed.

@@ -17,6 +17,7 @@ use super::record::{ErrorEstimate, Outcome, Record};
 use super::results::{self, Pressures};
 use super::table::Table;
 use super::{SimulationError, Solved, Wanted, compose};
+use crate::contact::model::Effort;
 use crate::drive::machine::{MachineError, MassMoment};
 use crate::material::Relaxation;
 use crate::run::unit::Unit;
@@ -32,8 +33,23 @@ struct Moved {
     warnings: Vec<String>,
     /// What happened to a mass along the normal.
     moments: Vec<MassMoment>,
+    errors: Errors,
     /// How far it is from another run, if there was one, and what that was.
     error: Option<(f64, &'static str)>,
+}
+
+/// Largest errors of the contact at the records of a motion: of its force [N] and of its radius [m].
+#[derive(Debug, Clone, Copy, Default)]
+struct Errors {
+    force: f64,
+    radius: f64,
+}
+
+impl Errors {
+    fn note(&mut self, effort: &Effort) {
+        self.force = self.force.max(effort.force_error.unwrap_or(0.0));
+        self.radius = self.radius.max(effort.radius_error.unwrap_or(0.0));
+    }
 }
 
 /// Leads a contact through its history, and then lets the machine move it.
@@ -48,15 +64,21 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<
         None if plan.contact.bodies().adheres() => halved::run(plan, &Arc::new(unrelaxed(plan)), (law, &before))?,
         None => normal::run(law, &mut before)?,
     };
-    let error_estimate = estimate(plan, &before, &moved);
     // A mass that falls has never been where the history begins.
-    let led = if law.falls() { Vec::new() } else { before.records };
-    let records: Vec<Record> = led.into_iter().chain(moved.records).collect();
+    if law.falls() {
+        before.records.clear();
+    }
+    before.force_error = before.force_error.max(moved.errors.force);
+    before.radius_error = before.radius_error.max(moved.errors.radius);
+    let energy_error = energy_error(&moved.records);
+    before.records.extend(moved.records);
+    let error_estimate = estimate(plan, &before, (energy_error, moved.error));
+    let records = before.records;
     let mut results =
         results::named(Some(&plan.contact), &records, &Pressures { fields: &before.fields, at_greatest_force: None });
     results.extend(results::of_friction(plan, &records));
     results.extend(moved.results);
-    results.push(Named::number("energy_error", Unit::ONE, energy_error(&records)));
+    results.push(Named::number("energy_error", Unit::ONE, energy_error));
     let outcome = Outcome {
         map: None,
         error_estimate,
@@ -93,10 +115,12 @@ fn off_balance(record: &Record) -> Option<f64> {
 /// Least error that is told of a motion in steps.
 const STEPS: f64 = 1e-11;
 
-fn estimate(plan: &RoundPlan, before: &Run, moved: &Moved) -> ErrorEstimate {
-    let contact = error::estimate(plan, before);
-    let relative = energy_error(&moved.records).max(STEPS);
-    if let Some((error, basis)) = moved.error {
+/// The error of a run with its motion, whose energies are apart by `open`, from that of the contact and from another run, if
+/// there was one.
+fn estimate(plan: &RoundPlan, run: &Run, (open, steps): (f64, Option<(f64, &'static str)>)) -> ErrorEstimate {
+    let contact = error::estimate(plan, run);
+    let relative = open.max(STEPS);
+    if let Some((error, basis)) = steps {
         return ErrorEstimate { relative: error.max(relative).max(contact.relative), basis: basis.to_owned() };
     }
     if contact.relative > relative {

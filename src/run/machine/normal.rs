@@ -1,7 +1,7 @@
 //! A mass that swings or bounces on the contact.
 
 use super::bounces::{self, Bounce};
-use super::{Moved, failed};
+use super::{Errors, Moved, failed};
 use crate::contact::state::Normal;
 use crate::drive::machine::{GRAVITY, Happening, Held, Mass, MassMoment, MassState, MovedMass, Suspension};
 use crate::run::SimulationError;
@@ -38,6 +38,7 @@ pub(super) struct Motion<'r> {
     records: Vec<Record>,
     moments: Vec<MassMoment>,
     bounces: Vec<Bounce>,
+    errors: Errors,
 }
 
 /// Moves the mass of a machine along the normal.
@@ -75,8 +76,8 @@ impl Motion<'_> {
             results.push(Named::number("small_frequency", Unit::HERTZ, frequency));
         }
         let tables = if self.bounces.is_empty() { Vec::new() } else { vec![bounces::table(&self.bounces)] };
-        let Self { records, moments, .. } = self;
-        Ok(Moved { records, tables, results, warnings: Vec::new(), moments, error: None })
+        let Self { records, moments, errors, .. } = self;
+        Ok(Moved { records, tables, results, warnings: Vec::new(), moments, errors, error: None })
     }
 }
 
@@ -107,8 +108,8 @@ impl<'r> Motion<'r> {
             }
         };
         let (records, moments, bounces) = (Vec::new(), Vec::new(), Vec::new());
-        let begin = before.time;
-        Ok(Self { entry, suspension, held, begin, from, fall, initial: 0.0, before, records, moments, bounces })
+        let (begin, initial, errors) = (before.time, 0.0, Errors::default());
+        Ok(Self { entry, suspension, held, begin, from, fall, initial, before, records, moments, bounces, errors })
     }
 
     /// Whether it can be followed to its end.
@@ -165,8 +166,9 @@ impl<'r> Motion<'r> {
         Ok(mass.creeps_since())
     }
 
-    fn normal(&self, mass: &mut dyn MovedMass) -> Result<Normal, SimulationError> {
+    fn normal(&mut self, mass: &mut dyn MovedMass) -> Result<Normal, SimulationError> {
         let contact = mass.contact().map_err(|source| failed(self.entry.entry)(source.into()))?;
+        self.errors.note(&contact.effort());
         Ok(contact.state())
     }
 
