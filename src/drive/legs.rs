@@ -124,7 +124,8 @@ impl Driver {
             while let Some(instant) = leg.watch.as_mut().and_then(|watch| watch.take_until(stop - leg.begin)) {
                 let before = match instant.just_before {
                     Some(time) => {
-                        self.move_to(contact, leg, leg.begin + time)?;
+                        let time = self.still_touching(contact, leg, leg.begin + time)?;
+                        self.move_to(contact, leg, time)?;
                         Some(self.state(contact))
                     }
                     None => None,
@@ -140,6 +141,23 @@ impl Driver {
                 _ => return Ok(()),
             }
         }
+    }
+
+    /// The time `time` [s], or one before it by rounding, at which bodies that part after it still touch as seen from here: it was
+    /// found by looking from a little earlier.
+    fn still_touching(&self, contact: &mut dyn ContactModel, leg: &Leg, time: f64) -> Result<f64, ContactError> {
+        let (now, sliding_speed) = (self.stage.now, self.stage.sliding_speed());
+        let (mut stop, mut earlier) = (time, f64::EPSILON * time);
+        while now < stop && earlier < LATEST * time {
+            let (to, slide) = (leg.depth(stop), self.stage.slide_at(stop));
+            let way = Straight { to, speed: leg.speed, slide, sliding_speed, duration: stop - now };
+            if contact.look(&way)?.contact_radius > 0.0 {
+                break;
+            }
+            stop = (stop - earlier).max(now);
+            earlier *= 2.0;
+        }
+        Ok(stop)
     }
 
     /// On along a leg until an instant has passed, not beyond `stop` [s]; the time [s] it is then.

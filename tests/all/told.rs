@@ -2,7 +2,7 @@
 
 use springbed::contact::elliptic::EllipticHertz;
 use springbed::input::table::InMemory;
-use springbed::run::record::Outcome;
+use springbed::run::record::{Outcome, Record};
 use springbed::run::{self, SimulationError, Wanted};
 use springbed::scene::Scene;
 use std::f64::consts::PI;
@@ -64,6 +64,24 @@ fn a_small_pull_is_told_by_few_records() {
     ];
     for pull in found {
         assert!((pull / (-1.5 * PI * 1e-5 * 5e-3) - 1.0).abs() < 1e-5, "{found:?}");
+    }
+}
+
+/// Where bodies with a pinned edge part the record before tells the last pull, and not once more that there is none.
+#[test]
+fn the_record_before_a_parting_still_touches() {
+    for accuracy in ["1e-3", "1e-4", "1e-5"] {
+        let parted = tried(&format!(
+            "(shape: Cylinder(radius: 1.5811388300841897e-3, datum: 3.1622776601683794e-3, width: 3.1622776601683794e-3), \
+             bodies: (Elastic(young: 1.1246826503806982e11, poisson: 0.5), Rigid), \
+             adhesion: Jkr(work: 1.1246826503806984, closing: 0.5623413251903492), steps: 4, accuracy: {accuracy}, history: \
+             [Press(to: 316.22776601683796, over: 1.778279410038923e-4), \
+             Indent(to: -3.556558820077846e-7, over: 1.778279410038923e-4)])"
+        ))
+        .unwrap();
+        let touches = |record: &Record| record.normal.contact_radius.is_some_and(|radius| radius > 0.0);
+        let pairs = || parted.records.windows(2).filter(|pair| pair[1].time - pair[0].time <= 1e-12 * pair[1].time);
+        assert!(pairs().count() == 1 && pairs().all(|pair| touches(&pair[0]) && !touches(&pair[1])), "{accuracy}");
     }
 }
 
