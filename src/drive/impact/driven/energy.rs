@@ -1,6 +1,6 @@
 //! Records of a motion, with the energy stored in the bed.
 
-use super::collocation::{Fading, NODES, Polynomial, RADAU, slope, through_all};
+use super::collocation::{Fading, NODES, Polynomial, RADAU, slope, through_all, through_nodes, value};
 use super::law::{Kinematics, Shrinking, touch_of};
 use super::piece::{MotionPiece, at};
 use super::{Flight, ImpactState, StruckHalfSpace};
@@ -8,6 +8,9 @@ use crate::contact::adhesion::line::Energy;
 use crate::contact::viscoelastic::spring::Free;
 use crate::numerics::quadrature;
 use std::array::from_fn;
+
+/// Part of the time of a mode up to which a step lets springs go whose stretch changes but little in it.
+const SOON: f64 = 0.3;
 
 /// Energies of the bed at the ends of the steps.
 struct Stores {
@@ -71,7 +74,9 @@ impl Flight {
         let law = Shrinking::new(&self.model, &self.loading);
         let answer = law.answer(&place, piece.touched_at(theta));
         let gone = self.model.freed(piece, theta, &stores.modes[number], &law);
-        let held = if answer.joined { self.held_energy(&place, answer.touched, answer.radius, stores) } else { 0.0 };
+        // Where the bodies part all springs have been let go, whatever rounding leaves pressed.
+        let holds = answer.joined && !(self.parted && time >= self.end.time && !self.model.parts_at_once());
+        let held = if holds { self.held_energy(&place, answer.touched, answer.radius, stores) } else { 0.0 };
         let force = answer.force;
         let stored = Energy { elastic: held + self.model.recovering(&gone), surface: 0.0 };
         self.balanced(ImpactState { time, depth, speed, force, radius: answer.radius, stored, dissipated: 0.0 })
@@ -176,22 +181,36 @@ impl StruckHalfSpace {
     }
 
     /// ∫ zₘ² at θ of a step of the unloading: what is left of the springs let go before, and those let go in it.
+    ///
+    /// The place a of the edge may end as steeply as a logarithm, that under lying bodies does; in a step within which
+    /// little of zₘ² fades ∫zₘ² da is taken by parts, so that it is not a that is differentiated.
     fn freed(&self, piece: &MotionPiece, theta: f64, before: &[f64], law: &Shrinking<'_>) -> Vec<f64> {
         let touch = |k: usize| if k == 0 { piece.touched_before(0.0) } else { piece.touched[k - 1] };
         let height = |t: f64| at(law.loading, t).map_or(0.0, |loaded| loaded.depth(loaded.part(t)));
         let radius = |k: usize| self.edge(height(touch(k))).unwrap_or(0.0);
         let radii = through_all(radius(0), &from_fn(|j| radius(j + 1)));
-        let free: [Free; NODES] = from_fn(|j| {
-            let c = RADAU[j];
+        let let_go = |c: f64, touched: f64| {
             let memory = piece.memory(&self.spectrum, c);
             let time = piece.start.time + c * piece.span;
             let place = Kinematics { time, depth: piece.depth(c), speed: piece.speed(c), memory: &memory };
-            self.let_go(&place, (piece.touched[j], height(piece.touched[j])), law.loading)
-        });
+            self.let_go(&place, (touched, height(touched)), law.loading)
+        };
+        let (first, free): (Free, [Free; NODES]) =
+            (let_go(0.0, touch(0)), from_fn(|j| let_go(RADAU[j], piece.touched[j])));
         let mode = |(m, mode): (usize, &crate::contact::viscoelastic::Mode)| {
-            let rate: [f64; NODES] = from_fn(|j| -2.0 * slope(&radii, RADAU[j]).min(0.0) * free[j].modes[m].powi(2));
             let fading = Fading::new(2.0 * piece.span / mode.time, theta);
-            fading.kept * before[m] + fading.gain(&super::collocation::through_nodes(&rate))
+            let square = |free: &Free| free.modes[m].powi(2);
+            let gone = if piece.span <= SOON * mode.time {
+                let left = |c: f64| (2.0 * (c - theta) * piece.span / mode.time).exp();
+                let squares = through_all(left(0.0) * square(&first), &from_fn(|j| left(RADAU[j]) * square(&free[j])));
+                let swept = |c: f64| value(&squares, c) * value(&radii, c);
+                let moved = quadrature::panel(|c| slope(&squares, c) * value(&radii, c), 0.0, theta);
+                2.0 * (swept(0.0) - swept(theta) + moved)
+            } else {
+                let rate = from_fn(|j| -2.0 * slope(&radii, RADAU[j]).min(0.0) * square(&free[j]));
+                fading.gain(&through_nodes(&rate))
+            };
+            fading.kept * before[m] + gone
         };
         self.spectrum.modes().iter().enumerate().map(mode).collect()
     }
