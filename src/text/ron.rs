@@ -158,8 +158,17 @@ impl<'t> Stop<'t> {
     fn wrong_value(&self, code: &Error) -> String {
         let what = match code {
             Error::InvalidValueForType { expected, found } => {
+                let least = match expected.as_str() {
+                    "a nonzero usize" => Some("one above zero"),
+                    "usize" | "u64" | "u32" => Some("one from 0"),
+                    _ => None,
+                };
+                let number = self.token().parse().ok().filter(|_| self.token().parse::<u64>().is_err());
+                if let Some((least, number)) = least.zip(number) {
+                    return self.not_whole(number, least);
+                }
                 let some = if found.contains("optional") { "Some(…) is not needed: " } else { "" };
-                let expected = if expected == "a nonzero usize" { "a whole number above zero" } else { expected };
+                let expected = least.map_or_else(|| expected.clone(), |one| one.replace("one", "a whole number"));
                 format!("{some}`{}` cannot stand here: expected {expected}", self.token())
             }
             other => other.to_string(),
@@ -201,7 +210,6 @@ impl<'t> Stop<'t> {
         let (before, token) = (self.before(), self.token());
         let number = before.starts_with(|c: char| c.is_ascii_digit());
         Some(match code {
-            Error::InvalidIntegerDigit { .. } | Error::IntegerOutOfBounds => self.not_whole(token),
             Error::ExpectedFloat => format!("`{token}` is not a number: expected one such as 1.5 or 1e-6"),
             Error::ExpectedChar => "text stands in double quotes: expected \"…\"".into(),
             Error::ExpectedComma | Error::UnexpectedChar(_) if number && token == "/" => {
@@ -220,17 +228,15 @@ impl<'t> Stop<'t> {
 
     /// A number that goes on where it should end.
     fn broken_number(&self, token: &str) -> Option<String> {
-        if token.parse::<f64>().is_ok() {
-            return Some(self.not_whole(token));
-        }
         let unit = token.find(|c: char| c.is_alphabetic())?;
         Some(format!("a number with a unit stands in quotes: expected \"{} {}\"", &token[..unit], &token[unit..]))
     }
 
-    fn not_whole(&self, token: &str) -> String {
-        let whole = token.parse::<f64>().ok().filter(|value| value.fract() == 0.0 && (1.0..1e15).contains(value));
-        let right = whole.map_or_else(|| "one above zero".to_owned(), |value| format!("{value:.0}"));
-        format!("{}: `{token}` is not a whole number: expected {right}", self.around.path)
+    /// A `number` where a whole one should be, which `least` says.
+    fn not_whole(&self, number: f64, least: &str) -> String {
+        let whole = (number.fract() == 0.0 && (1.0..1e15).contains(&number)).then(|| format!("{number:.0}"));
+        let (path, token, right) = (&self.around.path, self.token(), whole.as_deref().unwrap_or(least));
+        format!("{path}: `{token}` is not a whole number: expected {right}")
     }
 
     /// Whether a colon follows the token, so that it is the name of the next field.

@@ -223,6 +223,13 @@ fn full_contact_of_what_repeats() {
     assert_eq!(flat.number("area_fraction"), Some(1.0));
     assert_eq!((flat.number("mean_gap_m"), flat.named("gap_percolates")), (Some(0.0), Some(Finding::Answer(false))));
     assert!(flat.warnings.iter().any(|warning| warning.contains("full contact is reached")), "{:?}", flat.warnings);
+    // What may lie between pixels moves no force that is given, however stiff the full contact is.
+    let back = on_pixels(&pressed(
+        shape,
+        "Press(to: 1e3, over: 1), Indent(to: 1e-3, over: 1)",
+        "solver: HalfSpace(grid: 64), steps: 4",
+    ));
+    assert!(back.error_estimate.relative < 0.1, "{:?}", back.error_estimate);
     let deep =
         planned(&pressed(shape, "Indent(to: 0.1, over: 1)", "solver: HalfSpace(grid: 64)"), &InMemory::default());
     let deep = deep.unwrap_err();

@@ -186,7 +186,10 @@ fn touch_apart(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) ->
         let depth = part(below, largest(|record| record.normal.indentation.map_or(0.0, f64::abs)));
         return (0.0, format!("{told}which adds {depth:.1e} of the largest to the depths alone"));
     }
-    let stiffness = largest(|record| record.normal.stiffness);
+    // Under a given force a stiffness moves no force, however large it is: in full contact of what repeats it has no end.
+    let by_force = |entry| plan.stages.iter().any(|it| it.entry == entry && it.control == Some(Control::Force));
+    let by_depth = records.iter().filter(|record| !by_force(record.entry));
+    let stiffness = by_depth.map(|record| record.normal.stiffness).filter(|of| of.is_finite()).fold(0.0, f64::max);
     let force = part(below * stiffness, largest(|record| record.normal.force.abs()));
     (force, format!("{told}{force:.1e} of the largest force"))
 }

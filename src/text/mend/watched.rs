@@ -24,6 +24,15 @@ impl<'de, S: DeserializeSeed<'de>> DeserializeSeed<'de> for Watched<'_, S> {
     }
 }
 
+/// Asks the parser for whatever number there is, so that one that is not whole is a wrong value and not a fault of the notation.
+macro_rules! any_number {
+    ($($asked:ident),* $(,)?) => {$(
+        fn $asked<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, D::Error> {
+            self.deserialize_any(visitor)
+        }
+    )*};
+}
+
 /// Hands every question of a type on to the parser, the visitor watched.
 macro_rules! handed_on {
     ($($asked:ident($($name:ident: $kind:ty),*)),* $(,)?) => {$(
@@ -36,11 +45,13 @@ macro_rules! handed_on {
 impl<'de, D: de::Deserializer<'de>> de::Deserializer<'de> for Watched<'_, D> {
     type Error = D::Error;
 
+    any_number! {
+        deserialize_i8, deserialize_i16, deserialize_i32, deserialize_i64,
+        deserialize_u8, deserialize_u16, deserialize_u32, deserialize_u64,
+    }
+
     handed_on! {
-        deserialize_any(), deserialize_bool(),
-        deserialize_i8(), deserialize_i16(), deserialize_i32(), deserialize_i64(), deserialize_i128(),
-        deserialize_u8(), deserialize_u16(), deserialize_u32(), deserialize_u64(), deserialize_u128(),
-        deserialize_f32(), deserialize_f64(), deserialize_char(), deserialize_str(), deserialize_string(),
+        deserialize_any(), deserialize_bool(), deserialize_i128(), deserialize_u128(), deserialize_f32(), deserialize_f64(), deserialize_char(), deserialize_str(), deserialize_string(),
         deserialize_bytes(), deserialize_byte_buf(), deserialize_option(), deserialize_unit(),
         deserialize_unit_struct(name: &'static str), deserialize_newtype_struct(name: &'static str),
         deserialize_seq(), deserialize_tuple(length: usize),
