@@ -308,6 +308,30 @@ fn what_a_damped_rough_line_meets_within_a_piece_is_seen() {
     assert!(off(0) < 2e-3 && off(1) < 4e-3, "{coarse:?} {fine:?}");
 }
 
+/// A liquid that a force has left lies on its dent as long as it is held, whatever its dashpot makes of the least force: pieces of
+/// the depth by which that force was as well known as its own size had no end.
+#[cfg(feature = "text")]
+#[test]
+fn a_liquid_that_nothing_presses_is_soon_told() {
+    use springbed::text::Notation;
+
+    let at = |accuracy: f64| {
+        let text = format!(
+            "(shape: Cylinder(radius: 9e-3, datum: 1.8e-2, width: 1.8e-2), bodies: (Viscoelastic(poisson: 0.5, shear: \
+             (terms: [(modulus: 1e9, time: 5.6e5), (modulus: 1e7, time: 1e2), (modulus: 5.6e7, time: 3.2e2)], \
+             viscosity: 5.6e10)), Rigid), steps: 4, accuracy: {accuracy}, \
+             history: [Press(to: 1.8, over: 1e5), Press(to: 0, over: 1e5), HoldForce(over: 1e5)])"
+        );
+        let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap();
+        run::run(&plan, Wanted::NOTHING).unwrap().records.iter().map(|it| it.normal.indentation.unwrap()).collect()
+    };
+    let (coarse, fine): (Vec<f64>, Vec<f64>) = (at(1e-3), at(1e-5));
+    let deepest = fine.iter().fold(0.0, |most: f64, &depth| most.max(depth));
+    for (coarse, fine) in coarse.iter().zip(&fine) {
+        assert!((coarse - fine).abs() < 1e-3 * deepest, "{coarse:e} {fine:e}");
+    }
+}
+
 /// Depth by depth at given times, as one table.
 fn by_table(bodies: (Body, Body), times: &[f64], depths: &[f64]) -> Outcome {
     let tables = InMemory::default().with("h.csv", &[("time_s", times), ("indentation_m", depths)]);

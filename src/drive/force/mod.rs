@@ -20,10 +20,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod lying;
 mod search;
 #[cfg(test)]
 mod tests;
 
+use lying::Lying;
 pub use search::speed_to;
 use search::{EDGES, Goal, LEAST_DEPTH, UNSEEN, damping};
 
@@ -86,6 +88,9 @@ pub struct ForceDrive {
     /// By how much the last piece tried from here was too far off, in errors allowed.
     failed: Option<f64>,
     pace: Pace,
+    /// The largest depth [m] so far.
+    deepest: f64,
+    lying: Lying,
 }
 
 /// A piece at whose end no speed met the force.
@@ -179,7 +184,8 @@ impl ForceDrive {
     /// Bodies that a pull has parted stay where they are until it ends, and their springs recover.
     #[must_use]
     pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>, parted: bool) -> Self {
-        Self { ramp, creep, end, now: 0.0, step: end, parted, unmet: None, failed: None, pace: Pace::default() }
+        let (pace, lying) = (Pace::default(), Lying::Unknown);
+        Self { ramp, creep, end, now: 0.0, step: end, parted, unmet: None, failed: None, pace, deepest: 0.0, lying }
     }
 
     /// The exact creep at the time `t` [s] of the ramp, where it is known.
@@ -222,8 +228,14 @@ impl ForceDrive {
         {
             return Ok(Some(rest));
         }
-        if let Some(way) = self.closes(contact)? {
+        self.deepest = self.deepest.max(depth_of(contact));
+        if matches!(self.lying, Lying::Unknown)
+            && let Some(way) = self.closes(contact)?
+        {
             return Ok(Some(way));
+        }
+        if let Some(piece) = self.lies(contact, here) {
+            return Ok(Some(piece));
         }
         while self.now < self.end && !self.parted {
             let last = self.end - self.now <= self.step * (1.0 + 1e-9);
@@ -323,7 +335,7 @@ impl ForceDrive {
             Ok(seen) => seen.contact_radius > 0.0,
             Err(_) => true,
         };
-        let way = (1.0 - SHORT_OF) * way_to_touch(meets, (-depth).max(LEAST_DEPTH));
+        let way = (1.0 - SHORT_OF) * way_to_touch(meets, (-depth).max(LEAST_DEPTH), 0.0);
         Ok((way > LEAST_DEPTH.max(UNSEEN * depth.abs())).then(|| {
             self.now = until;
             Stretch { speed: way / duration, until }
@@ -518,16 +530,21 @@ pub(super) fn touching(scale: f64) -> f64 {
 
 /// Whether the force of a contact jumps with its speed.
 pub(super) fn is_damped(contact: &dyn ContactModel) -> bool {
-    contact.joined() && contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0)
+    contact.joined() && has_dashpot(contact)
 }
 
-/// The longest way [m] on which bodies apart do not yet meet, about as long as `guess` [m].
-fn way_to_touch(mut meets: impl FnMut(f64) -> bool, guess: f64) -> f64 {
+/// Whether the bodies of a contact have a dashpot of their own, without a spring in a row with it.
+fn has_dashpot(contact: &dyn ContactModel) -> bool {
+    contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0)
+}
+
+/// The longest way [m] on which bodies apart do not yet meet, about as long as `guess` [m], to `within` [m] at the best.
+fn way_to_touch(mut meets: impl FnMut(f64) -> bool, guess: f64, within: f64) -> f64 {
     let (mut near, mut far) = (0.0, guess);
     while far < FARTHEST && !meets(far) {
         (near, far) = (far, 2.0 * far);
     }
-    while far > LEAST_DEPTH && far - near > UNSEEN * far {
+    while far > LEAST_DEPTH && far - near > within.max(UNSEEN * far) {
         let middle = 0.5 * (near + far);
         *(if meets(middle) { &mut far } else { &mut near }) = middle;
     }
