@@ -91,7 +91,7 @@ fn work(one: &Record, two: &Record) -> f64 {
     let ((from, resisted), (to, resists)) = (slide(one), slide(two));
     let rubbed = 0.5 * (resisted + resists) * (to - from);
     let (Some(from), Some(to)) = (one.normal.indentation, two.normal.indentation) else {
-        let torn = one.normal.indentation.is_some() && one.normal.force < 0.0;
+        let torn = one.normal.indentation.is_some() && one.normal.force <= 0.0;
         return rubbed + if torn { (accounted(two) - accounted(one)).max(0.0) } else { 0.0 };
     };
     0.5 * (one.normal.force + two.normal.force) * (to - from) + rubbed

@@ -80,7 +80,13 @@ impl Ledger {
                 self.lost += (last.accounted - accounted).max(0.0);
                 Open::default()
             }
-            (_, Stand::Apart(_)) | (None, Stand::Together(_)) => {
+            (Some(Stand::Apart(before)), Stand::Apart(accounted)) => {
+                // Apart nothing is put in, wherever a search for what would hold them has begun.
+                self.slope = None;
+                self.lost += before - accounted;
+                Open::default()
+            }
+            (None, _) => {
                 self.slope = None;
                 Open::default()
             }
@@ -129,8 +135,10 @@ mod tests {
     fn what_is_stored_is_lost_as_a_force_tears() {
         let mut ledger = Ledger::default();
         ledger.step(Stand::Together(Entry { force: -1.0, depth: -0.5, accounted: 3.0 }), None);
-        ledger.step(Stand::Apart(0.25), None);
-        assert!((ledger.lost() - 2.75).abs() < 1e-15);
+        for accounted in [0.25, 0.125] {
+            ledger.step(Stand::Apart(accounted), None);
+            assert!((ledger.lost() + accounted - 3.0).abs() < 1e-15);
+        }
     }
 
     /// What a force has torn apart and presses together again loses what the attraction gives; led by the depth, that less

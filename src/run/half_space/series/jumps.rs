@@ -10,13 +10,13 @@ use crate::halfspace::Prescribed;
 use crate::run::SimulationError;
 
 /// Most times a step is halved, and fewest around what seems a jump.
-const MOST_HALVINGS: u32 = 12;
+const MOST_HALVINGS: u32 = 20;
 /// Most of a step in which bodies are torn apart, by far less, it may be, than the force that is asked for.
 const MOST_TEARINGS: u32 = 48;
 const LEAST_HALVINGS: u32 = 3;
 /// Part of the accuracy asked for that a jump may leave open of the energies, and the least that pixels tell.
-const LEFT_OPEN: f64 = 0.1;
-const LEAST_OPEN: f64 = 2e-4;
+const LEFT_OPEN: f64 = 0.05;
+const LEAST_OPEN: f64 = 5e-5;
 /// Part of the force that tears bodies apart to which it is found.
 const TORN: f64 = 1e-5;
 /// Part of what the trapezoid misses over a step below which what it misses over half of it is smooth.
