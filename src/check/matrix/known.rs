@@ -43,7 +43,14 @@ fn apart(whole: &Outcome, fine: &Outcome) -> Option<[f64; 2]> {
     }
     let pairs = || whole.records.iter().zip(&fine.records).filter(|(one, two)| at_once(one, two));
     let force = pairs().map(|(one, two)| one.normal.force - two.normal.force);
-    let radius = pairs().filter_map(|(one, two)| Some(one.normal.contact_radius? - two.normal.contact_radius?));
+    // Where bodies have just met, upon a dent it may be, rounding decides how far they touch.
+    let apart = |record: &Record| record.normal.contact_radius.is_none_or(|radius| radius <= 0.0);
+    let met = |record: &Record| record.normal.force.abs() <= ROUNDING * largest.force;
+    let radii = pairs().scan(true, |was_apart, (one, two)| {
+        let told = !(std::mem::replace(was_apart, apart(one)) && met(one) && met(two));
+        Some((told, one.normal.contact_radius.zip(two.normal.contact_radius)))
+    });
+    let radius = radii.filter_map(|(told, radii)| radii.filter(|_| told)).map(|(one, two)| one - two);
     let most = |offs: &mut dyn Iterator<Item = f64>, scale: f64| {
         let worst = |most: f64, off: f64| if off > most || off.is_nan() { off } else { most };
         // Of nothing at all nothing is off.
