@@ -63,6 +63,20 @@ pub fn search<E>(mut function: impl FnMut(f64) -> Result<f64, E>, low: f64, star
     Ok(seen.best)
 }
 
+/// The highest of the tops a function has between ascending places at which it is looked at, above both its neighbours;
+/// `None` if it has none.
+///
+/// # Errors
+/// The first error of the function ends the search.
+pub fn turn<E>(mut function: impl FnMut(f64) -> Result<f64, E>, places: &[f64]) -> Result<Option<Peak>, E> {
+    let values = places.iter().map(|&place| function(place)).collect::<Result<Vec<f64>, E>>()?;
+    let tops = values.windows(3).zip(places.windows(3)).filter(|(three, _)| three[1] > three[0].max(three[2]));
+    match tops.max_by(|(one, _), (other, _)| one[1].total_cmp(&other[1])) {
+        Some((_, around)) => search(function, around[0], around[1], around[2]).map(Some),
+        None => Ok(None),
+    }
+}
+
 /// A place between `low` and `high` at which a function with one hump is not negative.
 ///
 /// The search for its top ends at the first such place; `None` if the top is negative.
@@ -158,6 +172,19 @@ mod tests {
     fn a_top_at_an_end_is_found() {
         assert!(greatest(|x| x, 0.0, 3.0).place > 3.0 * (1.0 - 1e-9));
         assert!(greatest(|x| -x, 0.0, 3.0).place < 3e-9);
+    }
+
+    /// The higher of two tops, though an end is higher still; none of what only rises.
+    #[test]
+    fn a_turn_is_a_top_between_the_ends() {
+        let places: Vec<f64> = (0..=20).map(f64::from).collect();
+        let waves = |x: f64| Ok::<_, ()>((0.5 * x).sin() * (0.05 * x).exp() + if x > 19.5 { 9.0 } else { 0.0 });
+        let top = turn(waves, &places).unwrap().unwrap();
+        // tan(x/2) = −10 beyond one wave.
+        let right = 2.0 * (3.0 * std::f64::consts::PI - 10f64.atan());
+        assert!((top.place - right).abs() < 1e-6, "{top:?} {right}");
+        assert_eq!(turn(Ok::<_, ()>, &places), Ok(None));
+        assert_eq!(turn(|x| if x > 3.0 { Err(x) } else { Ok(x) }, &places), Err(4.0));
     }
 
     proptest! {

@@ -5,6 +5,7 @@ use crate::contact::adhesion::line::Energy;
 use crate::contact::direct::{Jump, QuasiStatic};
 use crate::numerics::chebyshev::Chebyshev;
 use crate::numerics::{extremum, root};
+use std::convert::Infallible;
 use std::f64::consts::PI;
 
 /// The way of a mass through an elastic contact, with or without adhesion.
@@ -303,13 +304,15 @@ impl StableStretch {
 
     /// The angle at which the pull of a leg outwards is greatest, unless that is at one of its ends.
     fn strongest_pull(&self) -> Option<f64> {
-        let pull = |phi: f64| -self.at(self.depth(phi)).present().balance.force;
+        if self.to >= self.from {
+            return None;
+        }
+        let pull = |phi: f64| Ok::<_, Infallible>(-self.at(self.depth(phi)).present().balance.force);
         // A pull that is small beside what pressed the bodies is so only just before they part.
         let angle = |k: u32| if k < LOOKS { PI * (1.0 - 0.5f64.powi(k.cast_signed())) } else { PI };
-        let seen: Vec<f64> = (0..=LOOKS).filter(|_| self.to < self.from).map(|k| pull(angle(k))).collect();
-        let best = (1..LOOKS).zip(seen.windows(3)).filter(|(_, three)| three[1] > three[0].max(three[2]).max(0.0));
-        let (best, _) = best.max_by(|(_, one), (_, other)| one[1].total_cmp(&other[1]))?;
-        Some(extremum::greatest(pull, angle(best - 1), angle(best + 1)).place)
+        let angles: Vec<f64> = (0..=LOOKS).map(angle).collect();
+        let Ok(turn) = extremum::turn(pull, &angles);
+        turn.filter(|peak| peak.value > 0.0).map(|peak| peak.place)
     }
 
     /// The time [s] of this leg at the angle `phi`.

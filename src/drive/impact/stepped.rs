@@ -4,7 +4,7 @@ use super::{ImpactState, Projectile, Rebound};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::drive::force::{ahead, depth_of};
-use crate::numerics::extremum;
+use crate::numerics::extremum::{self, Peak};
 use std::f64::consts::PI;
 
 /// A mass that drives any contact in straight pieces of its depth.
@@ -255,16 +255,10 @@ impl MovingMass<'_> {
         let looks =
             (0..=LAST_LOOKS).map(|k| if parts { 1.0 - 0.25f64.powi(k) } else { f64::from(k) / f64::from(LAST_LOOKS) });
         let times: Vec<f64> = looks.chain(parts.then_some(1.0)).map(|part| part * duration).collect();
-        let mut pulls = Vec::with_capacity(times.len());
-        for &time in &times {
-            pulls.push(-self.force_after(mean, time.max(f64::EPSILON * duration))?);
-        }
-        let best = pulls.iter().enumerate().max_by(|one, other| one.1.total_cmp(other.1)).map_or(0, |(k, _)| k);
-        if best == 0 || best + 1 >= times.len() || pulls[best] <= 0.0 {
+        let pull = |time: f64| Ok::<_, ContactError>(-self.force_after(mean, time.max(f64::EPSILON * duration))?);
+        let Some(Peak { place: time, .. }) = extremum::turn(pull, &times)?.filter(|peak| peak.value > 0.0) else {
             return Ok(None);
-        }
-        let pull = |time: f64| Ok::<_, ContactError>(-self.force_after(mean, time)?);
-        let time = extremum::search(pull, times[best - 1], times[best], times[best + 1])?.place;
+        };
         Ok(Some((time, self.speed - self.impulse(mean, time)? / self.impact.mass)))
     }
 
