@@ -1,14 +1,16 @@
-//! What lies on its dent: bodies with a dashpot that touch and that no force presses.
+//! What lies on its dent: bodies that remember and touch, and that no force presses.
 //!
-//! Whatever pushed it would press the dent in again, and a dashpot makes much of a little. So the bodies are drawn apart
+//! Whatever pushed them would press the dent in again, and a dashpot makes much of a little. So the bodies are drawn apart
 //! by less than the depth is known, and meet again at the end of the piece: what comes up in between does so freely, and
 //! errors of the depth do not add up.
 
 use super::search::LEAST_DEPTH;
-use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of, has_dashpot, way_to_touch};
+use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of, way_to_touch};
 use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
 
+/// Multiple of the least force asked for that is none: as it comes to nothing a force is known no better.
+const NOTHING: f64 = 10.0;
 /// Places of a piece at which the bodies may not touch and are no further apart than the depth is known.
 const PLACES: [f64; 3] = [0.25, 0.5, 0.75];
 /// Part of the gap that may be left at the end of a piece.
@@ -38,8 +40,8 @@ impl ForceDrive {
 
     /// The next piece of bodies on a dent that nothing presses from now on, `None` if they are not.
     pub(super) fn lies(&mut self, contact: &mut dyn ContactModel, here: &Normal) -> Option<Stretch> {
-        let is_free = self.ramp.rate == 0.0 && self.ramp.from.abs() < super::touching(self.ramp.scale);
-        if !is_free || !has_dashpot(contact) || self.creep.is_some() || here.stored.surface < 0.0 {
+        let is_free = self.ramp.rate == 0.0 && self.ramp.from.abs() < NOTHING * super::touching(self.ramp.scale);
+        if !is_free || contact.memory().is_none() || self.creep.is_some() || here.stored.surface < 0.0 {
             return None;
         }
         let piece = match self.lying {
