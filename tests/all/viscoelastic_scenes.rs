@@ -332,6 +332,29 @@ fn a_liquid_that_nothing_presses_is_soon_told() {
     }
 }
 
+/// So does a solid that has come up as far as it will and is held under no force, whatever the dashpot beside it.
+#[cfg(feature = "text")]
+#[test]
+fn a_solid_that_nothing_presses_is_soon_told() {
+    use springbed::text::Notation;
+
+    for viscosity in [0.0, 1e-3, 1e3, 1e7, 1e10] {
+        let text = format!(
+            "(shape: WavyParaboloid(radius: 2e-2, amplitude: 1e-8, wavelength: 1e-4), bodies: (Viscoelastic(poisson: 0.5, \
+             shear: (equilibrium: 1.8e11, terms: [(modulus: 3.2e12, time: 3.2e-4)], viscosity: {viscosity})), Rigid), \
+             steps: 4, accuracy: 1e-3, history: [Press(to: 4e2, over: 0.1), HoldForce(over: 0.1), Press(to: 0, over: 1), \
+             HoldForce(over: 0.3), Press(to: 0, over: 1), Press(to: 1e2, over: 1)])"
+        );
+        let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap();
+        let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
+        let deepest = outcome.records.iter().filter_map(|it| it.normal.indentation).fold(0.0, f64::max);
+        let held = outcome.records.iter().filter(|record| record.time > 1.21 && record.time < 2.49);
+        let lying = held.map(|record| record.normal.indentation.unwrap()).fold(0.0, f64::max);
+        assert!(lying < 2e-3 * deepest || viscosity > 1e6, "{viscosity:e}: {lying:e} {deepest:e}");
+        assert!((outcome.records.last().unwrap().normal.force / 1e2 - 1.0).abs() < 1e-3, "{viscosity:e}");
+    }
+}
+
 /// Depth by depth at given times, as one table.
 fn by_table(bodies: (Body, Body), times: &[f64], depths: &[f64]) -> Outcome {
     let tables = InMemory::default().with("h.csv", &[("time_s", times), ("indentation_m", depths)]);

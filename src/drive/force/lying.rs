@@ -1,11 +1,11 @@
-//! What lies on its dent: bodies that remember and touch, and that no force presses.
+//! What lies on its dent: bodies with a dashpot that touch and that no force presses.
 //!
 //! Whatever pushed them would press the dent in again, and a dashpot makes much of a little. So the bodies are drawn apart
 //! by less than the depth is known, and meet again at the end of the piece: what comes up in between does so freely, and
 //! errors of the depth do not add up.
 
 use super::search::LEAST_DEPTH;
-use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of, way_to_touch};
+use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of, has_dashpot, way_to_touch};
 use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
 
@@ -30,6 +30,8 @@ pub(super) enum Lying {
     Touching,
     /// They are drawn apart.
     Apart,
+    /// They do not follow so and are led.
+    Led,
 }
 
 impl ForceDrive {
@@ -41,15 +43,16 @@ impl ForceDrive {
     /// The next piece of bodies on a dent that nothing presses from now on, `None` if they are not.
     pub(super) fn lies(&mut self, contact: &mut dyn ContactModel, here: &Normal) -> Option<Stretch> {
         let is_free = self.ramp.rate == 0.0 && self.ramp.from.abs() < NOTHING * super::touching(self.ramp.scale);
-        if !is_free || contact.memory().is_none() || self.creep.is_some() || here.stored.surface < 0.0 {
+        if !is_free || !has_dashpot(contact) || self.creep.is_some() || here.stored.surface < 0.0 {
             return None;
         }
         let piece = match self.lying {
             Lying::Apart => self.meets_again(contact),
             Lying::Unknown | Lying::Touching => self.draws_apart(contact),
+            Lying::Led => None,
         };
         if piece.is_none() {
-            self.lying = Lying::Unknown;
+            self.lying = Lying::Led;
         }
         piece
     }
@@ -63,13 +66,19 @@ impl ForceDrive {
         if matches!(self.lying, Lying::Unknown) && would_stick(contact, gap, duration) {
             return None;
         }
-        if depth <= ENDS * gap {
+        let touch = match self.lying {
+            Lying::Touching => depth,
+            Lying::Unknown | Lying::Apart | Lying::Led => {
+                way_to_touch(|to| touches(contact, to - depth, duration), depth.max(gap), ENDS * gap)
+            }
+        };
+        if touch <= ENDS * gap {
             // Nothing comes up beyond where it lay before all.
             let speed = -depth / (self.end - self.now);
             self.now = self.end;
             return Some(Stretch { speed, until: self.end });
         }
-        let speed = -gap / duration;
+        let speed = (touch - gap - depth) / duration;
         (self.now, self.lying) = (until, Lying::Apart);
         Some(Stretch { speed, until })
     }
@@ -79,10 +88,7 @@ impl ForceDrive {
         let (depth, gap, mut longer) = (depth_of(contact), self.gap(), LONGER[0]);
         while until > self.now {
             let duration = until - self.now;
-            let mut meets = |way: f64, lift: f64, part: f64| {
-                let speed = (part * way + lift) / (part * duration);
-                contact.look(&ahead(contact, speed, part * duration)).map_or(true, |seen| seen.contact_radius > 0.0)
-            };
+            let mut meets = |way: f64, lift: f64, part: f64| touches(contact, part * way + lift, part * duration);
             let way = way_to_touch(|to| meets(to - depth, 0.0, 1.0), depth.max(gap), ENDS * gap) - depth;
             let follows = PLACES.iter().all(|&part| !meets(way, 0.0, part) && meets(way, 2.0 * gap, part));
             if follows && !meets(way, 0.0, 1.0) {
@@ -93,6 +99,11 @@ impl ForceDrive {
         }
         None
     }
+}
+
+/// Whether bodies touch after a way \[m\] of `duration` [s].
+fn touches(contact: &mut dyn ContactModel, way: f64, duration: f64) -> bool {
+    contact.look(&ahead(contact, way / duration, duration)).map_or(true, |seen| seen.contact_radius > 0.0)
 }
 
 /// Whether bodies that are pressed by `way` \[m\] within `duration` \[s\] stick to each other.

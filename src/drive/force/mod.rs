@@ -229,7 +229,7 @@ impl ForceDrive {
             return Ok(Some(rest));
         }
         self.deepest = self.deepest.max(depth_of(contact));
-        if matches!(self.lying, Lying::Unknown)
+        if matches!(self.lying, Lying::Unknown | Lying::Led)
             && let Some(way) = self.closes(contact)?
         {
             return Ok(Some(way));
