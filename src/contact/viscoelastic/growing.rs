@@ -143,7 +143,7 @@ impl ContactModel for GrowingBed {
         };
         self.widen(piece.to)?;
         let see = |bed: &Lazy| Glance { force: force(bed), contact_radius: bed.radius() };
-        Ok(self.bed.tried(piece.speed, piece.duration, see))
+        Ok(self.bed.glanced(piece.speed, piece.duration, see))
     }
 
     fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {

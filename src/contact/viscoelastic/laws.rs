@@ -164,6 +164,24 @@ fn triangles_by_springs() {
 proptest! {
     #![proptest_config(crate::laws::cases(64))]
 
+    /// A glance sees the edge a motion comes to, to the last bit, and the force to rounding of what its springs can bear.
+    #[test]
+    fn a_glance_sees_what_the_motion_comes_to(recipe in recipe_or_dashpot(8), history in history(6)) {
+        let spectrum = Spectrum::new(&recipe.relaxation());
+        let springs = spectrum.terms().iter().map(|term| term.modulus).sum::<f64>() + spectrum.equilibrium();
+        let bearable = |speed: f64| springs + spectrum.viscosity() * speed.abs();
+        let mut bed = Lazy::new(Arc::new(spectrum.clone()), Layout::uniform(&unit_ball(), 1.0, 30));
+        let mut most = 0.0;
+        for motion in history {
+            let see = |bed: &Lazy| (bed.force(), bed.radius(), bed.pressed());
+            let (force, radius, pressed) = bed.glanced(motion.speed, motion.duration, see);
+            bed.advance(motion.speed, motion.duration);
+            prop_assert_eq!((radius, pressed), (bed.radius(), bed.pressed()));
+            most = f64::max(most, bearable(motion.speed));
+            prop_assert!((force - bed.force()).abs() <= 1e-14 * most, "{force:e} {:e}, of {most:e}", bed.force());
+        }
+    }
+
     /// A bed goes back to where it was marked to the last bit, whatever has been tried and done since.
     #[test]
     fn a_mark_is_gone_back_to(recipe in recipe_or_dashpot(8), before in history(4), after in history(4)) {

@@ -169,7 +169,7 @@ pub struct Edge {
 /// Part of the way to the next spring to which springs of one past agree where the contact ends.
 const AGREE: f64 = 0.1;
 /// Springs at the edge by whose loads it is found.
-const NODES: usize = 4;
+pub(super) const NODES: usize = 4;
 
 /// The polynomial x(q) through the points (q, x), at q = 0 (Neville).
 fn led_to_zero(points: &[(f64, f64)]) -> f64 {

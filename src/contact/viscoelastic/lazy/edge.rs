@@ -2,7 +2,6 @@
 
 use super::Lazy;
 use crate::contact::viscoelastic::layout::Edge;
-use crate::contact::viscoelastic::spring::Spring;
 
 impl Lazy {
     /// Whether the front closes over a dashpot, so that the load at the edge is not zero.
@@ -44,9 +43,7 @@ impl Lazy {
     }
 
     fn edge_by_loads(&self) -> Edge {
-        self.layout.edge(self.now.pressed, |j| match self.spring(j) {
-            Spring::Pressed(_) => self.line_load(j),
-            Spring::Free(_) => self.now.depth - self.layout.height[j] - self.displacement(j),
-        })
+        let gap_below = |j: usize| self.now.depth - self.layout.height[j] - self.displacement(j);
+        self.layout.edge(self.now.pressed, |j| if self.is_pressed(j) { self.line_load(j) } else { gap_below(j) })
     }
 }

@@ -32,9 +32,19 @@ impl Lazy {
 
     /// What `look` sees at the end of a motion that is then taken back.
     pub fn tried<T>(&mut self, speed: f64, duration: f64, look: impl FnOnce(&Self) -> T) -> T {
+        self.taken_back(|bed| bed.advance(speed, duration), look)
+    }
+
+    /// What `look` sees of the force and the edge at the end of a motion that is then taken back: of the springs let go in
+    /// it only those beside the edge are followed.
+    pub fn glanced<T>(&mut self, speed: f64, duration: f64, look: impl FnOnce(&Self) -> T) -> T {
+        self.taken_back(|bed| bed.end_at(speed, duration), look)
+    }
+
+    fn taken_back<T>(&mut self, motion: impl FnOnce(&mut Self), look: impl FnOnce(&Self) -> T) -> T {
         let before = self.now.clone();
         self.journal = Some(Vec::new());
-        self.advance(speed, duration);
+        motion(self);
         let seen = look(self);
         let changed = self.journal.take().unwrap_or_default();
         self.take_back(changed, before);

@@ -26,6 +26,7 @@
 //! ```
 
 mod edge;
+mod glance;
 mod mark;
 
 use mark::{Mark, Undo};
@@ -35,7 +36,7 @@ use super::alike::Alike;
 use super::layout::Layout;
 use super::ledger::Ledger;
 use super::spring::{Free, Motion, Piece, Spring};
-use super::totals::Totals;
+use super::totals::{Numbers, Totals};
 use crate::contact::model::{Effort, Straight};
 use crate::shape::Profile;
 use std::sync::Arc;
@@ -266,14 +267,25 @@ impl Lazy {
 
     /// The spring `j` now.
     fn spring(&self, j: usize) -> Spring {
+        if self.is_pressed(j) { Spring::Pressed(self.loads(j).collect()) } else { Spring::Free(self.free(j)) }
+    }
+
+    fn is_pressed(&self, j: usize) -> bool {
+        j < self.now.pressed
+    }
+
+    /// Element loads sᵢ [N/m] of the pressed spring `j`.
+    fn loads(&self, j: usize) -> impl Iterator<Item = f64> + '_ {
         let (age, constants) = (self.now.instant.since(self.since[j]), &self.constants[self.row(j)]);
-        if j < self.now.pressed {
-            let elements = self.spectrum.terms().iter().zip(constants).zip(&self.now.memory);
-            return Spring::Pressed(elements.map(|((term, c), h)| h + (-age / term.time).exp() * c).collect());
-        }
+        let elements = self.spectrum.terms().iter().zip(constants).zip(&self.now.memory);
+        elements.map(move |((term, c), h)| h + (-age / term.time).exp() * c)
+    }
+
+    /// The free spring `j`.
+    fn free(&self, j: usize) -> Free {
+        let (age, constants) = (self.now.instant.since(self.since[j]), &self.constants[self.row(j)]);
         let modes = self.spectrum.modes().iter().zip(constants);
-        let modes = modes.map(|(mode, z)| z * (-age / mode.time).exp()).collect();
-        Spring::Free(Free { rest: self.rest[j], modes })
+        Free { rest: self.rest[j], modes: modes.map(|(mode, z)| z * (-age / mode.time).exp()).collect() }
     }
 
     /// Memory and sums over a motion of the springs that stay pressed or free.
@@ -345,21 +357,23 @@ impl Lazy {
         steady + self.now.totals.loads.iter().sum::<f64>() + self.spectrum.viscosity() * self.now.speed * weight
     }
 
-    /// Line load of the pressed spring `j` [N/m].
+    /// Line load of the spring `j` [N/m].
     #[must_use]
     pub fn line_load(&self, j: usize) -> f64 {
-        match self.spring(j) {
-            Spring::Pressed(s) => self.spectrum.load(self.now.depth - self.layout.height[j], &s, self.now.speed),
-            Spring::Free(_) => 0.0,
+        if !self.is_pressed(j) {
+            return 0.0;
         }
+        let loads: Numbers = self.loads(j).collect();
+        self.spectrum.load(self.displacement(j), &loads, self.now.speed)
     }
 
     /// Displacement u [m] of the spring `j`.
     #[must_use]
     pub fn displacement(&self, j: usize) -> f64 {
-        match self.spring(j) {
-            Spring::Pressed(_) => self.now.depth - self.layout.height[j],
-            Spring::Free(free) => self.spectrum.recovered(&free, 0.0),
+        if self.is_pressed(j) {
+            self.now.depth - self.layout.height[j]
+        } else {
+            self.spectrum.recovered(&self.free(j), 0.0)
         }
     }
 
