@@ -1,11 +1,11 @@
-//! What lies on its dent: bodies with a dashpot that touch and that no force presses.
+//! What lies on its dent: bodies that remember, touch, and that no force presses.
 //!
 //! Whatever pushed them would press the dent in again, and a dashpot makes much of a little. So the bodies are drawn apart
 //! by less than the depth is known, and meet again at the end of the piece: what comes up in between does so freely, and
 //! errors of the depth do not add up.
 
 use super::search::LEAST_DEPTH;
-use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of, has_dashpot, way_to_touch};
+use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of, way_to_touch};
 use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
 
@@ -43,7 +43,7 @@ impl ForceDrive {
     /// The next piece of bodies on a dent that nothing presses from now on, `None` if they are not.
     pub(super) fn lies(&mut self, contact: &mut dyn ContactModel, here: &Normal) -> Option<Stretch> {
         let is_free = self.ramp.rate == 0.0 && self.ramp.from.abs() < NOTHING * super::touching(self.ramp.scale);
-        if !is_free || !has_dashpot(contact) || self.creep.is_some() || here.stored.surface < 0.0 {
+        if !is_free || contact.memory().is_none() || self.creep.is_some() || here.stored.surface < 0.0 {
             return None;
         }
         let piece = match self.lying {
