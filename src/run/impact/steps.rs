@@ -3,7 +3,8 @@
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
-use crate::drive::impact::{ImpactState, Projectile, Rebound, SteppedMass};
+
+use crate::drive::impact::{ImpactState, Projectile, Rebound, SteppedMass, force_at};
 
 /// Steps in the time of an impact on the stiffest bodies: those of the first run, the most of a run, and the most where
 /// the scene asks for an accuracy.
@@ -83,7 +84,8 @@ impl Struck<'_> {
             while moments.len() <= count && time(moments.len()) <= pair[1].time {
                 let now = between(pair, time(moments.len()));
                 contact.follow(&straight(&from, &now))?;
-                moments.push((now.time, contact.state()));
+                let force = force_at(contact.as_mut(), now.speed, pair[1].time - pair[0].time)?;
+                moments.push((now.time, Normal { force, ..contact.state() }));
                 from = now;
             }
             if from.time < pair[1].time {
@@ -105,7 +107,7 @@ impl Struck<'_> {
 fn between(step: &[ImpactState], time: f64) -> ImpactState {
     let part = (time - step[0].time) / (step[1].time - step[0].time);
     let depth = if part < 1.0 { step[0].depth + part * (step[1].depth - step[0].depth) } else { step[1].depth };
-    ImpactState { time, depth, ..step[1] }
+    ImpactState { time, depth, speed: step[0].speed + part * (step[1].speed - step[0].speed), ..step[1] }
 }
 
 fn straight(from: &ImpactState, to: &ImpactState) -> Straight {
