@@ -123,10 +123,14 @@ impl Pad {
     /// The first depth [m] that carries `force` [N] above the depth `low` [m] from which on the force grows.
     fn beyond(&self, low: f64, force: f64) -> f64 {
         let path = self.path();
+        let joined = path.joined_from().max(low);
         if path.force(path.joining()) >= force && path.joining() > low {
             path.between((low, path.joining()), force)
+        } else if path.force(joined) >= force {
+            // By less than depths are told from each other.
+            path.between((path.joining().max(low), joined), force)
         } else {
-            path.above(path.joined_from().max(low), force)
+            path.above(joined, force)
         }
     }
 
