@@ -36,7 +36,7 @@ pub use driven::{Flight, StruckHalfSpace};
 pub use passage::Passage;
 pub use plastic::PlasticPassage;
 pub use springs::SpringPassage;
-pub use stepped::{SteppedMass, Watcher, force_at};
+pub use stepped::{SteppedMass, Watcher, force_at, led_on};
 
 use crate::contact::adhesion::equilibrium::BranchError;
 use crate::contact::adhesion::line::Energy;

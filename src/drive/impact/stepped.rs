@@ -45,6 +45,11 @@ const SLOW: f64 = 4.0;
 /// Part of the greatest depth that does not count: a mass with less to go has come to rest.
 const REST: f64 = 1e-9;
 
+/// The mean speeds [m/s] of two steps, each at its middle [s], led on to the time `time` [s].
+pub fn led_on([one, other]: [(f64, f64); 2], time: f64) -> f64 {
+    other.1 + (other.1 - one.1) / (other.0 - one.0) * (time - other.0)
+}
+
 /// Force [N] of a contact as it moves on at the speed `speed` [m/s] for a while of the order `duration` [s]: a dashpot takes
 /// on at once that of the mass, where the piece behind it had the mean of a step.
 ///
@@ -206,13 +211,26 @@ impl MovingMass<'_> {
             }
             held = (held * self.speed / (self.speed - end)).min(duration);
             mean = self.mean_speed(held)?;
+            // In a shorter step it does not turn: behind a dashpot the speed at its beginning was not that of the motion.
+            if mean <= self.speed {
+                return Ok((mean, held));
+            }
         }
         Ok((mean.max(0.5 * self.speed), held))
     }
 
+    /// Speed [m/s] at the time `time` [s], to which the mean speeds of the last two steps are led on: behind a dashpot those at
+    /// the ends of long steps lie now on one side of the motion and now on the other.
+    fn speed_by_means(&self, time: f64) -> f64 {
+        let [_, early, late] = self.means;
+        let led = led_on([early, late], time);
+        if led.is_finite() { led } else { self.speed }
+    }
+
     /// The state at the time `time` [s], at which the mass has the speed `speed` [m/s].
     fn state(&mut self, time: f64, speed: f64) -> Result<ImpactState, ContactError> {
-        let (state, force) = (self.contact.state(), force_at(self.contact, speed, time)?);
+        let led = self.speed_by_means(time);
+        let (state, force) = (self.contact.state(), force_at(self.contact, led, time)?);
         Ok(ImpactState {
             time,
             depth: depth_of(self.contact),

@@ -4,7 +4,7 @@ use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
 
-use crate::drive::impact::{ImpactState, Projectile, Rebound, SteppedMass, force_at};
+use crate::drive::impact::{ImpactState, Projectile, Rebound, SteppedMass, force_at, led_on};
 
 /// Steps in the time of an impact on the stiffest bodies: those of the first run, the most of a run, and the most where
 /// the scene asks for an accuracy.
@@ -79,12 +79,13 @@ impl Struck<'_> {
         let end = run.states[held - 1].time;
         let time = |k: usize| if k < count { end * k as f64 / count as f64 } else { end };
         let mut moments = vec![(0.0, contact.state())];
-        for pair in run.states[..held].windows(2) {
+        let means: Vec<(f64, f64)> = run.states[..held].windows(2).map(mean).collect();
+        for (step, pair) in run.states[..held].windows(2).enumerate() {
             let mut from = pair[0];
             while moments.len() <= count && time(moments.len()) <= pair[1].time {
                 let now = between(pair, time(moments.len()));
                 contact.follow(&straight(&from, &now))?;
-                let force = force_at(contact.as_mut(), now.speed, pair[1].time - pair[0].time)?;
+                let force = force_at(contact.as_mut(), speed_at(&means, step, now.time), pair[1].time - pair[0].time)?;
                 moments.push((now.time, Normal { force, ..contact.state() }));
                 from = now;
             }
@@ -107,7 +108,22 @@ impl Struck<'_> {
 fn between(step: &[ImpactState], time: f64) -> ImpactState {
     let part = (time - step[0].time) / (step[1].time - step[0].time);
     let depth = if part < 1.0 { step[0].depth + part * (step[1].depth - step[0].depth) } else { step[1].depth };
-    ImpactState { time, depth, speed: step[0].speed + part * (step[1].speed - step[0].speed), ..step[1] }
+    ImpactState { time, depth, ..step[1] }
+}
+
+/// The middle [s] and the mean speed [m/s] of a step.
+fn mean(step: &[ImpactState]) -> (f64, f64) {
+    let (from, to) = (&step[0], &step[1]);
+    (0.5 * (from.time + to.time), (to.depth - from.depth) / (to.time - from.time))
+}
+
+/// Speed [m/s] at the time `time` [s] of the step `step`, by its mean speed and that of the nearer of its neighbours.
+fn speed_at(means: &[(f64, f64)], step: usize, time: f64) -> f64 {
+    let here = means[step];
+    let before = step.checked_sub(1).and_then(|other| means.get(other));
+    let after = means.get(step + 1);
+    let other = if time < here.0 { before.or(after) } else { after.or(before) };
+    other.map_or(here.1, |&other| led_on([other, here], time))
 }
 
 fn straight(from: &ImpactState, to: &ImpactState) -> Straight {
