@@ -360,6 +360,35 @@ fn a_solid_that_nothing_presses_stays_where_it_is() {
     }
 }
 
+/// A pull on bodies apart that turns into a push: where the force passes zero they draw each other in and stay together. At no
+/// depth, as the edge of an adhesive contact is there too, the search for the speed had no measure, and tore them apart again
+/// a thousand times, for five hundred times the energy.
+#[cfg(feature = "text")]
+#[test]
+fn bodies_drawn_in_as_the_force_turns_stay_together() {
+    use springbed::text::Notation;
+
+    for viscosity in [5.6e3, 5.623413251903491e5, 5.6e6] {
+        let text = format!(
+            "(shape: Cylinder(radius: 5e-3, datum: 1e-2, width: 1e-2), bodies: (Viscoelastic(poisson: 0.5, shear: \
+             (equilibrium: 1.7782794100389227e6, terms: [(modulus: 5.62341325190349e5, time: 1e-4)], viscosity: \
+             {viscosity})), Rigid), adhesion: Jkr(work: 3.556558820077846e-4, edge: Relaxed), steps: 4, accuracy: 1e-3, \
+             history: [Press(to: -3.1622776601683794e-4, over: 1.0000000000000002e-2), \
+             Press(to: 2.8460498941515417e-3, over: 1e-1)])"
+        );
+        let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap();
+        let records = run::run(&plan, Wanted { instants: true, ..Wanted::NOTHING }).unwrap().records;
+        let [joined, last] = [records.iter().find(|record| record.normal.stored.surface < 0.0), records.last()];
+        let (joined, last) = (joined.unwrap(), last.unwrap());
+        let after = records.iter().filter(|record| record.time > joined.time);
+        assert!(after.clone().all(|record| record.normal.contact_radius > Some(0.0)), "{viscosity:e}");
+        assert!((last.normal.force / 2.8460498941515417e-3 - 1.0).abs() < 1e-3, "{viscosity:e}");
+        // w of the first edge is lost, and some of what the force does on the way.
+        let lost = last.normal.dissipated / -last.normal.stored.surface;
+        assert!(lost < 1.5, "{viscosity:e}: {lost:e}");
+    }
+}
+
 /// Depth by depth at given times, as one table.
 fn by_table(bodies: (Body, Body), times: &[f64], depths: &[f64]) -> Outcome {
     let tables = InMemory::default().with("h.csv", &[("time_s", times), ("indentation_m", depths)]);

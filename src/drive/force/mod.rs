@@ -91,6 +91,8 @@ pub struct ForceDrive {
     /// The largest depth [m] so far.
     deepest: f64,
     lying: Lying,
+    /// Whether the bodies were apart at the beginning of the last piece.
+    apart: bool,
 }
 
 /// A piece at whose end no speed met the force.
@@ -185,7 +187,20 @@ impl ForceDrive {
     #[must_use]
     pub fn new(ramp: Ramp, end: f64, creep: Option<Creep>, parted: bool) -> Self {
         let (pace, lying) = (Pace::default(), Lying::Unknown);
-        Self { ramp, creep, end, now: 0.0, step: end, parted, unmet: None, failed: None, pace, deepest: 0.0, lying }
+        Self {
+            ramp,
+            creep,
+            end,
+            now: 0.0,
+            step: end,
+            parted,
+            unmet: None,
+            failed: None,
+            pace,
+            deepest: 0.0,
+            lying,
+            apart: false,
+        }
     }
 
     /// The exact creep at the time `t` [s] of the ramp, where it is known.
@@ -237,6 +252,12 @@ impl ForceDrive {
         if let Some(piece) = self.lies(contact, here) {
             return Ok(Some(piece));
         }
+        // Bodies that have drawn each other in have jumped, however little force that was found to take.
+        let joined = contact.joined();
+        if joined && self.apart {
+            (self.step, self.pace) = (self.step.max(AFTER_JUMP * self.end), Pace::default());
+        }
+        self.apart = !joined;
         while self.now < self.end && !self.parted {
             let last = self.end - self.now <= self.step * (1.0 + 1e-9);
             let until = if last { self.end } else { (self.now + self.step).max(self.now.next_up()) };
@@ -567,9 +588,13 @@ fn draws(contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<bo
 }
 
 /// How much force [N/m] a way is worth: by the stiffness, and where there is none, on a dashpot alone, as a part of the
-/// force what the way is of the depth.
+/// force what the way is of the depth. An edge that pulls is there at no depth too: then of the way on which the force does
+/// as much as the surfaces.
 fn felt(state: &Normal) -> f64 {
-    let as_part = state.indentation.filter(|&depth| depth > 0.0).map_or(0.0, |depth| state.force.abs() / depth);
+    let force = state.force.abs();
+    let pulls = if force > 0.0 { (-state.stored.surface).max(0.0) / force } else { 0.0 };
+    let depth = state.indentation.filter(|&depth| depth > 0.0);
+    let as_part = depth.map_or(0.0, |depth| force / depth.max(pulls));
     state.stiffness.max(as_part)
 }
 
