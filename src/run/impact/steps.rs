@@ -3,7 +3,6 @@
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
-
 use crate::drive::impact::{ImpactState, Projectile, Rebound, SteppedMass, force_at, led_on};
 
 /// Steps in the time of an impact on the stiffest bodies: those of the first run, the most of a run, and the most where
@@ -85,7 +84,8 @@ impl Struck<'_> {
             while moments.len() <= count && time(moments.len()) <= pair[1].time {
                 let now = between(pair, time(moments.len()));
                 contact.follow(&straight(&from, &now))?;
-                let force = force_at(contact.as_mut(), speed_at(&means, step, now.time), pair[1].time - pair[0].time)?;
+                let speed = speed_at(&means, step, now.time, pair[1].speed);
+                let force = force_at(contact.as_mut(), speed, pair[1].time - pair[0].time)?;
                 moments.push((now.time, Normal { force, ..contact.state() }));
                 from = now;
             }
@@ -117,13 +117,15 @@ fn mean(step: &[ImpactState]) -> (f64, f64) {
     (0.5 * (from.time + to.time), (to.depth - from.depth) / (to.time - from.time))
 }
 
-/// Speed [m/s] at the time `time` [s] of the step `step`, by its mean speed and that of the nearer of its neighbours.
-fn speed_at(means: &[(f64, f64)], step: usize, time: f64) -> f64 {
+/// Speed [m/s] at the time `time` [s] of the step `step`, by its mean speed and that of the nearer of its neighbours; that at
+/// its end, `last`, where a step takes no time.
+fn speed_at(means: &[(f64, f64)], step: usize, time: f64, last: f64) -> f64 {
     let here = means[step];
     let before = step.checked_sub(1).and_then(|other| means.get(other));
     let after = means.get(step + 1);
     let other = if time < here.0 { before.or(after) } else { after.or(before) };
-    other.map_or(here.1, |&other| led_on([other, here], time))
+    let led = other.map_or(here.1, |&other| led_on([other, here], time));
+    if led.is_finite() { led } else { last }
 }
 
 fn straight(from: &ImpactState, to: &ImpactState) -> Straight {
