@@ -36,8 +36,9 @@ const NOISE: f64 = 1e-12;
 const BEGINNING: f64 = 1e-12;
 /// Parts of a time, and multiples of a doubt, within which a parting may lie from where it was found.
 const NEAR: [(f64, f64); 4] = [(1e-15, 1.0), (1e-13, 8.0), (1e-10, 64.0), (1e-7, 512.0)];
-/// Looks at the pull before bodies part, each half as far from there as the last, and how often a look beyond is drawn
-/// back half the way to where they still touch.
+/// Looks at the pull before bodies part, each half as far from there as the last and, in the first half, each twice as far
+/// from the beginning, and how often a look beyond is drawn back half the way to where they still touch.
+const FIRST_LOOKS: i32 = 6;
 const LAST_LOOKS: i32 = 32;
 const HALVINGS: u32 = 40;
 /// Looks at equal distances in a whole entry.
@@ -175,30 +176,35 @@ impl Watch {
         if let Some(last) = self.seen.get(2).copied()
             && here.joined()
             && next.joined()
-            && let Some(last) = self.still_joined(contact, next, last)?
         {
-            self.found.extend(self.turn(contact, [here, next, last])?);
+            let turn = if last.joined() {
+                self.turn(contact, [here, next, last])?
+            } else {
+                let end = self.still_joined(contact, next, last)?;
+                self.turn_before_parting(contact, here, end)?
+            };
+            self.found.extend(turn);
         }
         self.found.make_contiguous().sort_by(|one, other| one.time.total_cmp(&other.time));
         Ok(())
     }
 
-    /// The second of two looks, or one as late as the bodies still touch, roughly, where they part between them.
+    /// A time [s] between a look at bodies that touch and one at bodies that do not at which they still do, roughly the
+    /// last.
     fn still_joined(
         &self,
         contact: &mut dyn ContactModel,
-        next: Glimpse,
-        last: Glimpse,
-    ) -> Result<Option<Glimpse>, ContactError> {
-        let mut last = last;
+        joined: Glimpse,
+        apart: Glimpse,
+    ) -> Result<f64, ContactError> {
+        let mut time = apart.time;
         for _ in 0..HALVINGS {
-            if last.joined() {
-                return Ok(Some(last));
+            time = 0.5 * (joined.time + time);
+            if self.see(contact, time)?.contact_radius > 0.0 {
+                return Ok(time);
             }
-            let time = 0.5 * (next.time + last.time);
-            last = Glimpse { time, seen: self.see(contact, time)? };
         }
-        Ok(None)
+        Ok(joined.time)
     }
 
     /// The turn of the force between the look `here` and the last time `end` [s] at which the bodies still touch.
@@ -211,14 +217,16 @@ impl Watch {
         if !here.joined() || self.found.iter().any(|instant| instant.time > here.time) {
             return Ok(None);
         }
+        let early = (2..=FIRST_LOOKS).rev().map(|k| 0.5f64.powi(k));
+        let late = (1..=LAST_LOOKS).map(|k| 1.0 - 0.5f64.powi(k));
         let mut three = [here; 3];
-        for part in (1..=LAST_LOOKS).map(|k| 1.0 - 0.5f64.powi(k)).chain([1.0]) {
+        for part in early.chain(late).chain([1.0]) {
             let time = here.time + part * (end - here.time);
             three = [three[1], three[2], Glimpse { time, seen: self.see(contact, time)? }];
             if three[0].time < three[1].time && three[2].joined() {
                 let turn = self.turn(contact, three)?;
                 let eases = three.windows(2).all(|pair| pair[0].seen.force < pair[1].seen.force);
-                if turn.is_some() || eases {
+                if turn.is_some() || (eases && part > 0.5) {
                     return Ok(turn);
                 }
             }

@@ -13,8 +13,9 @@ const JUMP: f64 = 4.0;
 
 /// Part of a time by which rounding may delay what was seen to happen.
 const LATEST: f64 = 1e-12;
-/// Parts of a row of a table at which bodies that pull each other are looked at.
-const ROW_THAT_PULLS: [f64; 4] = [1e-3, 0.5, 0.999, 1.0];
+/// Parts of a row of a table at which bodies that pull each other are looked at. An edge with a rate is known too coarsely
+/// for the last two alone to tell that the pull has turned.
+const ROW_THAT_PULLS: [f64; 5] = [1e-3, 0.5, 0.9, 0.999, 1.0];
 
 /// A straight piece of the depth within a stage.
 #[derive(Debug, Clone)]

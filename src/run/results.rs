@@ -57,6 +57,9 @@ fn jump_in(records: &[Record]) -> Option<f64> {
     Some(jump[1].normal.force).filter(|force| same && *force < 0.0)
 }
 
+/// Relative change of a force below which it eases by rounding: that of a liquid drawn out at a speed stays as it is.
+const ROUNDED: f64 = 1e-12;
+
 /// The least force [N] on the way out, if it is a pull and has been passed: the bodies have parted, or are drawn
 /// further apart under a weaker one.
 pub(super) fn pull_off(records: &[Record]) -> Option<f64> {
@@ -64,7 +67,8 @@ pub(super) fn pull_off(records: &[Record]) -> Option<f64> {
     let radius = |record: &Record| record.normal.contact_radius.unwrap_or(0.0);
     let passed = |pair: &&[Record]| {
         let out = depth(&pair[1]) < depth(&pair[0]) || radius(&pair[1]) < radius(&pair[0]);
-        out && depth(&pair[1]) <= depth(&pair[0]) && pair[1].normal.force > pair[0].normal.force
+        let [force, next] = [pair[0].normal.force, pair[1].normal.force];
+        out && depth(&pair[1]) <= depth(&pair[0]) && next - force > ROUNDED * force.abs()
     };
     let least = records.windows(2).filter(passed).map(|pair| pair[0].normal.force).reduce(f64::min);
     least.filter(|least| *least < 0.0)

@@ -41,6 +41,22 @@ fn a_pull_off_is_told_only_where_something_is_pulled_off() {
     }
 }
 
+/// A liquid drawn out at a speed pulls as hard all the way, to rounding, whatever its records: nothing is pulled off.
+#[test]
+fn a_pull_that_stays_is_no_pull_off() {
+    let liquid = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 0, terms: [(modulus: 1e10, time: 6e-5)]))";
+    for steps in 3..20 {
+        let text = format!(
+            "(shape: PlaneWave(amplitude: 3e-8, wavelength: 3e-7), bodies: ({liquid}, Rigid), adhesion: Jkr(work: 0.06, \
+             edge: Instantaneous), steps: {steps}, history: [Indent(to: 1e-9, over: 3e-3), Hold(over: 0.03), \
+             Indent(to: 7e-10, over: 0.02)])"
+        );
+        let outcome = tried(&text).unwrap();
+        assert!(outcome.number("final_force_n").unwrap() < -1e-2, "{steps}: {:?}", outcome.results);
+        assert_eq!(outcome.number("pull_off_force_n"), None, "{steps}");
+    }
+}
+
 /// The pull of JKR is told however small it is beside what pressed the bodies, and however few records there are: on the way
 /// out, from a table, and of impacts on elastic bodies and on those of which next to nothing relaxes. Bound: the
 /// accuracy.
@@ -123,6 +139,49 @@ fn a_pull_that_turns_within_a_row_is_told() {
     for (edge, over) in [("Instantaneous", 1e-7), ("Relaxed", 3e-8), ("Relaxed", 1e-4)] {
         let [one, many] = [1, 100].map(|parts| pulled(edge, over, parts));
         assert!(one < 0.0 && (one / many - 1.0).abs() < 1e-4, "{edge} {over:e}: {one:e} {many:e}");
+    }
+}
+
+/// A pull that turns soon after a long way out begins is told as on a shorter one. Bound: the accuracy.
+#[test]
+fn a_pull_that_turns_early_is_told() {
+    let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 2.8e5, terms: [(modulus: 1e5, time: 1e5)]))";
+    let pulled = |parts: u32| {
+        let text = format!(
+            "(shape: Paraboloid(radius: 2), bodies: ({body}, Rigid), adhesion: Jkr(work: 6e-7, edge: Relaxed), steps: 2, \
+             accuracy: 1e-4, history: [Indent(to: 0, over: 1e6), Indent(to: -{}e-8, over: {parts}e4)])",
+            3 * parts
+        );
+        tried(&text).unwrap().number("pull_off_force_n").unwrap()
+    };
+    let least = pulled(1);
+    for parts in 2..300 {
+        let found = pulled(parts);
+        assert!(least < 0.0 && (found / least - 1.0).abs() < 1e-4, "{parts}: {found:e} {least:e}");
+    }
+}
+
+/// A pull at an edge with a rate that turns before a row ends, and not in the next, is told. Bound: the accuracy.
+#[test]
+fn a_pull_that_turns_late_in_a_row_is_told() {
+    let body = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 5.6e8, terms: [(modulus: 3.2e7, time: 5600), (modulus: 1e9, \
+                time: 56)]))";
+    let other = "Elastic(young: 1.1e9, poisson: 0.5)";
+    let pulled = |end: f64| {
+        let text = format!(
+            "(shape: WavyParaboloid(radius: 2e-4, amplitude: 1e-10, wavelength: 1e-6), bodies: ({body}, {other}), \
+             adhesion: Jkr(work: 1.1e-2, edge: Rate(speed: 1e-9, exponent: 0.5)), steps: 2, accuracy: 1e-3, history: [Table(\"way.csv\")])"
+        );
+        let out = -end * 1.7e-8;
+        let rows: [(&str, &[f64]); 2] =
+            [("time_s", &[0.0, 1.8e5, 1.8e5 + end * 1.8e4, 1.98e5]), ("indentation_m", &[0.0, 0.0, out, -1.7e-8])];
+        let plan = Scene::from_ron(&text).unwrap().resolve(&InMemory::default().with("way.csv", &rows)).unwrap();
+        run::run(&plan, Wanted::NOTHING).unwrap().number("pull_off_force_n").unwrap()
+    };
+    let least = pulled(0.9);
+    for percent in 20..50 {
+        let found = pulled(0.01 * f64::from(percent));
+        assert!(least < 0.0 && (found / least - 1.0).abs() < 1e-3, "{percent}: {found:e} {least:e}");
     }
 }
 
