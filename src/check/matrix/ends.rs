@@ -48,10 +48,12 @@ impl Largest {
 
     pub(super) fn of(outcome: &Outcome) -> Self {
         let largest = |of: &dyn Fn(&Record) -> f64| outcome.records.iter().map(|r| of(r).abs()).fold(0.0, f64::max);
+        // The blow of an impact may fall between its records.
+        let told = |name| outcome.number(name).unwrap_or(0.0);
         Self {
-            force: largest(&|record| record.normal.force),
+            force: largest(&|record| record.normal.force).max(told("largest_force_n")),
             balanced: largest(&|record| record.normal.in_balance()),
-            depth: largest(&|record| record.normal.indentation.unwrap_or(0.0)),
+            depth: largest(&|record| record.normal.indentation.unwrap_or(0.0)).max(told("largest_indentation_m")),
             energy: largest(&|record| record.normal.stored.elastic)
                 + largest(&|record| record.normal.stored.surface)
                 + largest(&|record| record.normal.dissipated),

@@ -141,6 +141,30 @@ mod tests {
     use crate::shape::rough::{Rings, RoughLine, RoughnessSpectrum};
     use std::sync::Arc;
 
+    /// A motion slowed down evenly has the speed of its means all the way, whatever the steps; a step that takes no time, and
+    /// one led on beside it alone, has that at its end.
+    #[test]
+    fn the_speed_is_led_on_from_the_means() {
+        let path = |time: f64| 3.0 * time - time * time;
+        let means = |times: &[f64]| -> Vec<(f64, f64)> {
+            let mean =
+                |pair: &[f64]| (0.5 * (pair[0] + pair[1]), (path(pair[1]) - path(pair[0])) / (pair[1] - pair[0]));
+            times.windows(2).map(mean).collect()
+        };
+        let times = [0.0, 0.1, 0.15, 0.5, 0.9];
+        let slowed = means(&times);
+        for (step, pair) in times.windows(2).enumerate() {
+            for time in [pair[0], 0.7 * pair[0] + 0.3 * pair[1], pair[1]] {
+                let speed = speed_at(&slowed, step, time, f64::NAN);
+                assert!((speed - (3.0 - 2.0 * time)).abs() < 1e-13, "{step} {time}: {speed}");
+            }
+        }
+        let stopped = means(&[0.0, 0.1, 0.1]);
+        assert_eq!(speed_at(&stopped, 1, 0.1, 2.8), 2.8);
+        assert_eq!(speed_at(&stopped, 0, 0.1, 2.8), 2.8);
+        assert!((speed_at(&means(&[0.0, 0.1]), 0, 0.02, 2.8) - 2.9).abs() < 1e-14);
+    }
+
     const IMPACT: Projectile = Projectile { mass: 1.0, speed: 3e-3 };
 
     fn line() -> RoughLine {
