@@ -142,6 +142,26 @@ fn a_pull_that_turns_within_a_row_is_told() {
     }
 }
 
+/// The pull that a mass passes just before or after a step of its motion ends is told as that of the same impact on an
+/// elastic body, to what the speeds of the steps leave of it.
+#[test]
+fn a_pull_that_turns_between_steps_of_an_impact_is_told() {
+    let pulled = |body: &str, edge: &str, speed: f64| {
+        let text = format!(
+            "(shape: PlaneWave(amplitude: 1e-5, wavelength: 1e-4), bodies: ({body}, Rigid), adhesion: Jkr(work: 2{edge}), \
+             steps: 4, accuracy: 1e-3, history: [Impact(mass: 5.6e-6, speed: {speed})])"
+        );
+        tried(&text).unwrap().number("pull_off_force_n").unwrap()
+    };
+    let relaxing = "Viscoelastic(poisson: 0.5, shear: (equilibrium: 2.8e9, terms: [(modulus: 0.28, time: 1e-3)]))";
+    for percent in 100..140 {
+        let speed = 0.08 * f64::from(percent);
+        let elastic = pulled("Elastic(young: 8.4e9, poisson: 0.5)", "", speed);
+        let found = pulled(relaxing, ", edge: Instantaneous", speed);
+        assert!((found / elastic - 1.0).abs() < 1e-6, "{speed}: {found:e}, not {elastic:e}");
+    }
+}
+
 /// A pull that turns soon after a long way out begins is told as on a shorter one. Bound: the accuracy.
 #[test]
 fn a_pull_that_turns_early_is_told() {

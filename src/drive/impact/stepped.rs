@@ -36,8 +36,12 @@ const FIRST: f64 = 1e-6;
 const SETTLED: f64 = 1e-9;
 /// How often the last step of a mass that sticks is cut: its speed goes to zero all but linearly.
 const MOST_CUTS: usize = 6;
-/// Places in a step at which the pull is looked at where it turns, or each a quarter as far from where the bodies part.
+/// Looks at the pull in a step in which it may turn, each a quarter as far from its end as the last and, before the middle,
+/// each four times as far from its beginning: a pull turns just after a step begins, or just before the bodies part.
+const FIRST_LOOKS: i32 = 4;
 const LAST_LOOKS: i32 = 12;
+/// Part of a step by which the turn of the parabola through three forces may miss that of the pull.
+const MISSED: f64 = 0.25;
 /// Growth of the steps at first, relative to the time that has passed.
 const GROWTH: f64 = 0.1;
 /// A mass that moves by so much more slowly than it struck is slow: its steps grow with its pace.
@@ -278,14 +282,16 @@ impl MovingMass<'_> {
     /// ends; `parts` if the bodies part at its end, just before which it may be.
     fn strongest_pull(&mut self, mean: f64, duration: f64, parts: bool) -> Result<Option<(f64, f64)>, ContactError> {
         let [first, middle, last] = self.forces;
-        // A parabola through them falls at the beginning and rises at the end.
-        let may_turn = 4.0 * middle < 3.0 * first + last && 4.0 * middle < first + 3.0 * last;
+        // The parabola through them turns in the step, or near it.
+        let (bend, turn) = (first - 2.0 * middle + last, 0.25 * (3.0 * first - 4.0 * middle + last));
+        let may_turn = turn > -MISSED * bend && turn < (1.0 + MISSED) * bend;
         if mean >= 0.0 || !(parts || may_turn && middle.min(first).min(last) < 0.0) {
             return Ok(None);
         }
-        let looks =
-            (0..=LAST_LOOKS).map(|k| if parts { 1.0 - 0.25f64.powi(k) } else { f64::from(k) / f64::from(LAST_LOOKS) });
-        let times: Vec<f64> = looks.chain(parts.then_some(1.0)).map(|part| part * duration).collect();
+        let early = (1..=FIRST_LOOKS).rev().map(|k| 0.25f64.powi(k));
+        let late = (1..=LAST_LOOKS).map(|k| 1.0 - 0.25f64.powi(k));
+        let looks = [0.0].into_iter().chain(early).chain([0.5]).chain(late).chain([1.0]);
+        let times: Vec<f64> = looks.map(|part| part * duration).collect();
         let pull = |time: f64| Ok::<_, ContactError>(-self.force_after(mean, time.max(f64::EPSILON * duration))?);
         let Some(Peak { place: time, .. }) = extremum::turn(pull, &times)?.filter(|peak| peak.value > 0.0) else {
             return Ok(None);
