@@ -40,7 +40,7 @@ pub struct Straight {
     pub speed: f64,
     /// Tangential displacement u_x at its end [m].
     pub slide: f64,
-    /// Sliding speed |u̇_x| [m/s].
+    /// Sliding speed u̇_x [m/s].
     pub sliding_speed: f64,
     /// Duration [s]; zero for a jump.
     pub duration: f64,
@@ -53,7 +53,7 @@ pub struct Pull {
     pub force: f64,
     /// Tangential displacement u_x at its end [m].
     pub slide: f64,
-    /// Sliding speed |u̇_x| [m/s].
+    /// Sliding speed u̇_x [m/s].
     pub sliding_speed: f64,
     /// Duration [s].
     pub duration: f64,

@@ -51,6 +51,13 @@ impl Chords {
         ((t / self.width() + SAME).floor() + 1.0) * self.width()
     }
 
+    /// The speed [m/s] of the chord that goes up to the time `t` [s], or beyond it.
+    pub fn speed_until(&self, t: f64) -> f64 {
+        let width = self.width();
+        let corner = ((t / width - SAME).ceil() - 1.0).max(0.0);
+        (self.wave.at((corner + 1.0) * width) - self.wave.at(corner * width)) / width
+    }
+
     /// Duration of a chord [s].
     fn width(&self) -> f64 {
         (self.per_cycle * self.wave.frequency).recip()

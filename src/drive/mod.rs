@@ -135,10 +135,10 @@ impl ActiveStage {
         self.course.tangential.at(self.slide, if over > 0.0 { t / over } else { 1.0 }, over)
     }
 
-    /// Sliding speed [m/s] of a stage that slides steadily.
+    /// Sliding speed u̇_x [m/s] of a stage that slides steadily.
     fn sliding_speed(&self) -> f64 {
         match self.course.tangential {
-            Path::To(to) => (to - self.slide).abs() / self.course.over,
+            Path::To(to) => (to - self.slide) / self.course.over,
             Path::Steady { speed } => speed,
             Path::Stay | Path::Wave(_) | Path::UntilParted { .. } => 0.0,
         }
@@ -299,8 +299,9 @@ impl Driver {
     fn meet(&self, contact: &mut dyn ContactModel, until: f64) -> Result<(), ContactError> {
         let Remainder::Force(force) = &self.stage.remainder else { return Ok(()) };
         if let Some(instant) = force.met(contact, until)? {
-            let (slide, sliding_speed) = (self.stage.slide_at(until), self.stage.sliding_speed());
-            contact.follow(&Straight { slide, sliding_speed, ..instant })?;
+            let shaken = self.stage.shaken.as_ref().map(|shaken| shaken.speed_until(until));
+            let sliding_speed = shaken.unwrap_or_else(|| self.stage.sliding_speed());
+            contact.follow(&Straight { slide: self.stage.slide_at(until), sliding_speed, ..instant })?;
         }
         Ok(())
     }

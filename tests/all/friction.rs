@@ -230,6 +230,38 @@ fn turning_points_between_records_count() {
     }
 }
 
+/// The dashpots of a body pull along the surface against the way it slides under a force that has just been eased, back and as
+/// it is shaken: the tangential force over the way, and the normal one over the depth, is what is stored and lost. Bound: what
+/// the trapezoidal rule misses where the force along the surface jumps as the way turns, half a record each time.
+#[test]
+fn dashpots_pull_against_the_slide_under_a_force() {
+    let shear = "(equilibrium: 5.6e10, terms: [(modulus: 1.8e9, time: 1.8e4)], viscosity: 1.8e11)";
+    let body = format!("Viscoelastic(poisson: 0.5, shear: {shear})");
+    for way in ["Slide(to: -7e-7, over: 18)", "Shake(amplitude: 8e-7, frequency: 0.02, cycles: 2)"] {
+        let text = format!(
+            "(shape: Paraboloid(radius: 9e-3), bodies: ({body}, Rigid), friction: Coulomb(coefficient: 0.3), steps: 200, \
+             history: [Press(to: 90, over: 56), HoldForce(over: 30), Slide(to: 1.4e-6, over: 56), \
+             Press(to: 80, over: 18), {way}])"
+        );
+        let outcome = run(Scene::from_ron(&text).unwrap());
+        let held = outcome.records.iter().filter(|record| record.entry > 1).collect::<Vec<_>>();
+        let accounted = |record: &Record| {
+            let along = record.tangential.unwrap();
+            record.normal.stored.stored() + record.normal.dissipated + along.stored.unwrap() + along.dissipated.unwrap()
+        };
+        let (mut open, mut work): (f64, f64) = (0.0, 0.0);
+        for pair in held.windows(2) {
+            let [from, to] = [pair[0], pair[1]];
+            let [one, two] = [from, to].map(|record| record.tangential.unwrap());
+            let down = to.normal.indentation.unwrap() - from.normal.indentation.unwrap();
+            let put_in = 0.5 * (one.force + two.force) * (two.slide - one.slide);
+            work += put_in.abs();
+            open += put_in + 0.5 * (from.normal.force + to.normal.force) * down - accounted(to) + accounted(from);
+        }
+        assert!(work > 0.0 && open.abs() < 0.02 * work, "{way}: open by {open:e} J of {work:e} J");
+    }
+}
+
 /// A contact that has parted forgets: pressed again it is as fresh.
 #[test]
 fn parting_wipes_the_memory() {

@@ -64,7 +64,7 @@ pub struct Step<'c> {
     pub prescribed: [f64; 2],
     /// Tangential displacements at the beginning and the end [m], linear in time too.
     pub slide: [f64; 2],
-    /// Sliding speed [m/s].
+    /// Sliding speed u̇_x [m/s].
     pub speed: f64,
     /// Speed of the depth [m/s]; zero under a force.
     pub sinking: f64,

@@ -38,7 +38,7 @@ impl Peeling {
     fn peeled(&self, step: &Step<'_>) -> Result<HeldShear<Sliding>, FrictionError> {
         let (normal, contact) = (step.contact.state(), &self.edge.contact);
         let (rest, under) = (normal.contact_radius.unwrap_or(0.0), self.edge.prescribed(step.control, &normal));
-        let stress = self.interface.law(step.speed)?.stress(0.0);
+        let stress = self.interface.law(step.speed.abs())?.stress(0.0);
         let state = match under.control {
             Control::Indentation => contact.at_depth(under.value, stress, rest)?,
             Control::Force => contact.under_stress(under.value, stress)?,

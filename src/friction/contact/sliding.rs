@@ -134,7 +134,7 @@ impl TangentialContact for SlidingContact {
         let normal = step.contact.state();
         let mut slip = self.slip.clone();
         let radius = normal.contact_radius.unwrap_or(0.0);
-        let onset = slip.follow((step.slide, step.speed), radius, |law| self.limit_of(law, &normal))?;
+        let onset = slip.follow((step.slide, step.speed.abs()), radius, |law| self.limit_of(law, &normal))?;
         self.slip = slip;
         Ok(onset)
     }
