@@ -31,7 +31,7 @@ const MOST: usize = 4096;
 const PANELS: u32 = 16;
 
 /// One spring, or a few neighbours put together.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SeenSpring {
     /// Distance from the axis [m].
     pub place: f64,
@@ -74,14 +74,19 @@ impl SpringLoads {
 }
 
 /// Neighbours as one spring: their widths summed, the rest averaged.
-fn together(springs: impl Iterator<Item = SeenSpring> + Clone) -> SeenSpring {
-    let count = springs.clone().count() as f64;
-    let mean = |of: fn(&SeenSpring) -> f64| springs.clone().map(|spring| of(&spring)).sum::<f64>() / count;
+fn together(springs: impl ExactSizeIterator<Item = SeenSpring>) -> SeenSpring {
+    let count = springs.len() as f64;
+    let sum = springs.fold(SeenSpring::default(), |sum, spring| SeenSpring {
+        place: sum.place + spring.place,
+        load: sum.load + spring.load,
+        weight: sum.weight + spring.weight,
+        displacement: sum.displacement + spring.displacement,
+    });
     SeenSpring {
-        place: mean(|spring| spring.place),
-        load: mean(|spring| spring.load),
-        weight: count * mean(|spring| spring.weight),
-        displacement: mean(|spring| spring.displacement),
+        place: sum.place / count,
+        load: sum.load / count,
+        weight: sum.weight,
+        displacement: sum.displacement / count,
     }
 }
 

@@ -572,3 +572,46 @@ proptest! {
         }
     }
 }
+
+/// Bodies with a dashpot that a pull has parted are pushed together again upon the dent it has left in them, in units of force
+/// by which rounding decides whether they have met: what the surface draws them through is not lost to the dashpot. Bound:
+/// the accuracy of each run.
+#[test]
+fn bodies_parted_over_a_dent_meet_as_gently_in_any_unit() {
+    let lost = |unit: f64| {
+        let shear = format!(
+            "(equilibrium: {:e}, terms: [(modulus: {:e}, time: 5.6234132519034916e4)], viscosity: {:e})",
+            5.623413251903491e10 * unit,
+            3.16227766016838e12 * unit,
+            5.623413251903491e15 * unit
+        );
+        let adhesion = format!(
+            "Jkr(work: {:e}, closing: {:e}, edge: Relaxed)",
+            3.556558820077846e-6 * unit,
+            1.778279410038923e-6 * unit
+        );
+        let press = |force: f64, over: f64| format!("Press(to: {:e}, over: {over:e})", force * unit);
+        let history = [
+            press(7.90569415042095e-6, 3.16227766016838e4),
+            "HoldForce(over: 1.778279410038923e5)".to_owned(),
+            press(-1.5811388300841902e-6, 1.0000000000000001e6),
+            press(1.2649110640673522e-5, 5.6234132519034916e4),
+            press(1.423024947075771e-5, 3.16227766016838e4),
+            "HoldForce(over: 1.778279410038923e5)".to_owned(),
+            press(1.58113883008419e-5, 5.623413251903491e5),
+            "HoldForce(over: 3.1622776601683795e6)".to_owned(),
+        ];
+        let text = format!(
+            "(shape: Paraboloid(radius: 5.000000000000001e-7), bodies: (Viscoelastic(poisson: 0.5, shear: {shear}), Rigid), \
+             adhesion: {adhesion}, steps: 4, accuracy: 1e-3, history: [{}])",
+            history.join(", ")
+        );
+        let plan = Scene::from_ron(&text).unwrap().resolve(&InMemory::default()).unwrap();
+        run::run(&plan, Wanted::NOTHING).unwrap().number("dissipated_j").unwrap() / unit
+    };
+    let least = lost(1.0);
+    for unit in [500.0, 1e3, 2e3] {
+        let found = lost(unit);
+        assert!((found / least - 1.0).abs() < 2e-3, "{unit:e}: {found:e}, not {least:e}");
+    }
+}

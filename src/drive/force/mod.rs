@@ -169,8 +169,9 @@ const BESIDE: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 const BEFORE_JUMP: f64 = 0.1;
 /// First piece tried after a jump, relative to the whole.
 const AFTER_JUMP: f64 = 1e-3;
-/// Part of a gap by which what closes it stays before the touch: no look along it tells that better.
-const SHORT_OF: f64 = 64.0 * f64::EPSILON;
+/// Parts of a gap by which what closes it stays before the touch: no look along it tells that better, and a contact that
+/// follows it may touch earlier by its rounding.
+const SHORT_OF: [f64; 4] = [1e-14, 1e-13, 1e-12, 1e-11];
 /// No gap is longer than this [m].
 const FARTHEST: f64 = 1e9;
 /// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
@@ -356,7 +357,12 @@ impl ForceDrive {
             Ok(seen) => seen.contact_radius > 0.0,
             Err(_) => true,
         };
-        let way = (1.0 - SHORT_OF) * way_to_touch(meets, (-depth).max(LEAST_DEPTH), 0.0);
+        let gap = way_to_touch(meets, (-depth).max(LEAST_DEPTH), 0.0);
+        let stays_apart = |way: &f64| {
+            let mut copy = contact.copy();
+            copy.follow(&ahead(contact, way / duration, duration)).is_ok() && !copy.joined()
+        };
+        let way = SHORT_OF.map(|part| (1.0 - part) * gap).into_iter().find(stays_apart).unwrap_or(0.0);
         Ok((way > LEAST_DEPTH.max(UNSEEN * depth.abs())).then(|| {
             self.now = until;
             Stretch { speed: way / duration, until }
