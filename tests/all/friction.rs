@@ -233,6 +233,7 @@ fn turning_points_between_records_count() {
 /// The dashpots of a body pull along the surface against the way it slides under a force that has just been eased, back and as
 /// it is shaken: the tangential force over the way, and the normal one over the depth, is what is stored and lost. Bound: what
 /// the trapezoidal rule misses where the force along the surface jumps as the way turns, half a record each time.
+#[cfg(feature = "text")]
 #[test]
 fn dashpots_pull_against_the_slide_under_a_force() {
     let shear = "(equilibrium: 5.6e10, terms: [(modulus: 1.8e9, time: 1.8e4)], viscosity: 1.8e11)";

@@ -576,6 +576,7 @@ proptest! {
 /// Bodies with a dashpot that a pull has parted are pushed together again upon the dent it has left in them, in units of force
 /// by which rounding decides whether they have met: what the surface draws them through is not lost to the dashpot. Bound:
 /// the accuracy of each run.
+#[cfg(feature = "text")]
 #[test]
 fn bodies_parted_over_a_dent_meet_as_gently_in_any_unit() {
     let lost = |unit: f64| {

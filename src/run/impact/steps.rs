@@ -160,8 +160,7 @@ mod tests {
             }
         }
         let stopped = means(&[0.0, 0.1, 0.1]);
-        assert_eq!(speed_at(&stopped, 1, 0.1, 2.8), 2.8);
-        assert_eq!(speed_at(&stopped, 0, 0.1, 2.8), 2.8);
+        assert!([0, 1].iter().all(|&step| (speed_at(&stopped, step, 0.1, 2.8) - 2.8).abs() <= 0.0));
         assert!((speed_at(&means(&[0.0, 0.1]), 0, 0.02, 2.8) - 2.9).abs() < 1e-14);
     }
 
