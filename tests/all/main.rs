@@ -35,6 +35,8 @@ mod half_space_friction;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_gliding;
 #[cfg(all(feature = "text", feature = "half-space"))]
+mod half_space_jumps;
+#[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_layers;
 #[cfg(all(feature = "text", feature = "half-space"))]
 mod half_space_past;

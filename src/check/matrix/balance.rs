@@ -6,6 +6,9 @@ use crate::run::record::{MachineState, Outcome, Record};
 /// What the trapezoidal rule between records may miss of the work.
 const TRAPEZOIDS: f64 = 2e-3;
 
+/// Part of the force that parts the bodies which records must show for the work between them to be known.
+const SHOWN: f64 = 0.5;
+
 /// Work by the trapezoidal rule between records, against what is stored and lost; nothing lost is found again but by an
 /// edge that `finds` it, and never as a pull tears the bodies apart.
 pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String> {
@@ -17,7 +20,9 @@ pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String>
     }
     let led = led(&whole.records);
     // A pull that is over on the way from one record to the next is in none of them.
-    if !led.iter().any(|record| record.normal.force.abs() > 0.0) {
+    let told = whole.number("pull_off_force_n").unwrap_or(0.0);
+    let shown = led.iter().map(|record| record.normal.force.abs()).fold(0.0, f64::max);
+    if shown <= 0.0 || shown < SHOWN * told.abs() {
         return None;
     }
     let (first, last) = (led.first()?, led.last()?);

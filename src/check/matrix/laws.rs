@@ -184,7 +184,10 @@ impl Cell {
             // An edge between two works is followed in steps.
             "ellipsoid" if self.names()[2] == "JKR, closing" => estimate.min(ACCURACY),
             "rough line" | "ellipsoid" if !written.relaxes() => 0.0,
-            _ if written.is_on_pixels() => estimate.min(ACCURACY),
+            // What the steps leave is another matter on other steps.
+            _ if written.is_on_pixels() => {
+                estimate.min(whole.number("error_of_steps").map_or(ACCURACY, |steps| steps.max(ACCURACY)))
+            }
             _ => estimate,
         };
         SAME + 4.0 * followed

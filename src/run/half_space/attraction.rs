@@ -11,6 +11,8 @@ const RING: f64 = 3.0;
 
 /// Ranges after which what fades is over: less than 2e-8 of its stress and work is left.
 const FADED: f64 = 18.0;
+/// Part of a range by which what ends does so before.
+const SHORT_OF: f64 = 1e-9;
 /// Part of the stress from which on a pixel of what fades is held.
 const HELD: f64 = 0.01;
 
@@ -56,6 +58,11 @@ impl Attraction {
     /// Range δ = w/σ₀ \[m\].
     pub(super) fn range(self) -> f64 {
         self.work / self.stress
+    }
+
+    /// Range \[m\] of what ends, short of it by a little: where it is exactly as far, nothing is left but rounding.
+    fn end(self) -> f64 {
+        self.range() * (1.0 - SHORT_OF)
     }
 
     /// Gap \[m\] beyond which nothing pulls.
@@ -104,7 +111,7 @@ impl Attraction {
     /// Attractive stress \[Pa\] on each pixel under the gap `gap` \[m\].
     pub(super) fn pull(self, gap: &Array2<f64>, boundary: Boundary) -> Array2<f64> {
         match self.fall {
-            Fall::AtOnce => self.stress * within::shares(gap, self.range(), boundary),
+            Fall::AtOnce => self.stress * within::shares(gap, self.end(), boundary),
             Fall::ByAndBy => gap.mapv(|gap| self.at(gap)),
         }
     }
@@ -112,7 +119,7 @@ impl Attraction {
     /// Energy of the attraction \[J per m² of a pixel\], zero far apart.
     pub(super) fn energy(self, gap: &Array2<f64>, boundary: Boundary) -> f64 {
         match self.fall {
-            Fall::AtOnce => -self.stress * within::depth(gap, self.range(), boundary),
+            Fall::AtOnce => -self.stress * within::depth(gap, self.end(), boundary),
             Fall::ByAndBy => gap.fold(0.0, |sum, &gap| sum + self.energy_at(gap)),
         }
     }

@@ -73,7 +73,7 @@ impl Ledger {
     /// has done next to nothing: what their attraction gives is lost.
     pub(super) fn step(&mut self, now: Stand, from: Option<f64>) -> Open {
         match (self.last.replace(now), now) {
-            (Some(Stand::Together(last)), Stand::Together(now)) => self.moved(last, now),
+            (Some(Stand::Together(last)), Stand::Together(now)) => self.moved(last, now, from.is_none()),
             (Some(Stand::Apart(accounted)), Stand::Together(now)) => self.joined(accounted, now, from),
             (Some(Stand::Together(last)), Stand::Apart(accounted)) => {
                 self.slope = None;
@@ -101,14 +101,17 @@ impl Ledger {
         self.count(now, Open { open, missing })
     }
 
-    fn moved(&mut self, last: Entry, now: Entry) -> Open {
+    /// Bodies that are together have moved, led by the depth or by the force, which then is at no time beyond its ends: so
+    /// the trapezoid misses no more than the triangle over them, however far they jump.
+    fn moved(&mut self, last: Entry, now: Entry, is_forced: bool) -> Open {
         let way = now.depth - last.depth;
         if way.abs() <= 0.0 {
             return Open::default();
         }
         let slope = (now.force - last.force) / way;
         let missing = 0.5 * (last.force + now.force) * way - (now.accounted - last.accounted);
-        let open = OPEN * way * way * (slope - self.slope.unwrap_or(-slope)).abs();
+        let most = if is_forced { 0.5 * (way * (now.force - last.force)).abs() } else { f64::INFINITY };
+        let open = (OPEN * way * way * (slope - self.slope.unwrap_or(-slope)).abs()).min(most);
         self.slope = Some(slope);
         self.count(now, Open { open, missing })
     }

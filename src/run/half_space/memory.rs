@@ -1,9 +1,12 @@
 //! Pixels that remember: Maxwell elements under every one of them.
 
 use crate::material::Relaxation;
-use crate::numerics::exponential::{cubic_remainder, decay};
+use crate::numerics::exponential::{cubic_remainder, decay, square_remainder};
 use ndarray::{Array2, Zip};
 use std::sync::Arc;
+
+/// Most of the last step that one which goes on from it may be.
+const LONGER: f64 = 2.0;
 
 /// What the pixels have been through.
 ///
@@ -11,8 +14,10 @@ use std::sync::Arc;
 /// the pressure \[per Pa\] that would move that one as far; the pressure itself is p(t) = ∫E*(t−s) dP(s), on every pixel
 /// by itself (Lee & Radok 1960, for a constant Poisson's ratio). With E*(t) = E∞ + ΣEᵢ e^(−t/τᵢ) that is
 /// p = E∞P + Σqᵢ + ηṖ with Maxwell's q̇ᵢ = EᵢṖ − qᵢ/τᵢ. In a step P is straight, and everything else is exact: a depth
-/// that is held relaxes without error however long the step. What G makes of each part is known from the displacements of
-/// the contacts and goes through the same sums.
+/// that is held relaxes without error however long the step. Where a step goes on as the last one did, P is bent by as much
+/// as its rates have changed from one to the other, so that what follows the rate at the end of a step, as a dashpot does, is
+/// known to the second order (as in the backward differences of Curtiss & Hirschfelder 1952). What G makes of each part is
+/// known from the displacements of the contacts and goes through the same sums.
 #[derive(Debug, Clone)]
 pub(super) struct Memory {
     relaxation: Arc<Relaxation>,
@@ -21,6 +26,8 @@ pub(super) struct Memory {
     /// G P, the displacement \[m\].
     moved: Array2<f64>,
     elements: Vec<Element>,
+    /// What the last step changed, if the next goes on as it did, and how long it took \[s\].
+    before: Option<(Change, f64)>,
     /// Modulus \[Pa\] in no time of bodies that are dashpots alone, which do not move then.
     rigid: f64,
     /// Energy lost so far \[J\].
@@ -56,13 +63,23 @@ impl Step {
 }
 
 /// What a step changed: P, and G P \[m\].
+#[derive(Debug, Clone)]
 struct Change {
     strain: Array2<f64>,
     moved: Array2<f64>,
 }
 
-/// Shares of a Maxwell element in a step: what is kept of its pressure, what is lost of it, and the modulus Eᵢ(1−e)/y
-/// against a straight change.
+/// How a step goes on from the last one: of its end the rate is (1+b)m − bm′, where m and m′ are the mean rates of both.
+#[derive(Debug, Clone, Copy, Default)]
+struct Bend {
+    /// b = ω/(1+ω), where ω is this step over the last.
+    part: f64,
+    /// ω.
+    longer: f64,
+}
+
+/// Shares of a Maxwell element in a step: what is kept of its pressure, what is lost of it, the modulus it has against the
+/// change of the step, Eᵢ(1−e)/y where that is straight, and against the change of the last step.
 #[derive(Debug, Clone, Copy)]
 struct Shares {
     kept: f64,
@@ -70,13 +87,20 @@ struct Shares {
     /// Step over relaxation time.
     part: f64,
     modulus: f64,
+    before: f64,
 }
 
 impl Shares {
-    fn of(&(modulus, time): &(f64, f64), over: f64) -> Self {
+    fn of(&(modulus, time): &(f64, f64), over: f64, bend: Bend) -> Self {
         let part = over / time;
         let (kept, lost) = decay(part);
-        Self { kept, lost, part, modulus: if part > 0.0 { modulus * lost / part } else { modulus } }
+        if part <= 0.0 {
+            return Self { kept, lost, part, modulus, before: 0.0 };
+        }
+        // y − a − ay/2 with a = 1 − e^(−y), over y: what a rate that rises by one over the step adds.
+        let rising = (cubic_remainder(part, lost) - 0.5 * lost * square_remainder(part, lost)) / part;
+        let bent = 2.0 * bend.part * rising * modulus / part;
+        Self { kept, lost, part, modulus: modulus * lost / part + bent, before: -bent * bend.longer }
     }
 
     /// ∫(q·Gq) over the step, over τ, from q·Gq, c·Gq and c·Gc, where c is what was added to q: q(s) goes from q as
@@ -93,16 +117,28 @@ impl Memory {
     pub(super) fn new(relaxation: Arc<Relaxation>, pixels: (usize, usize), rigid: f64) -> Self {
         let nothing = || Array2::zeros(pixels);
         let elements = relaxation.terms.iter().map(|_| Element { pressure: nothing(), moved: nothing() }).collect();
-        Self { relaxation, strain: nothing(), moved: nothing(), elements, rigid, dissipated: 0.0 }
+        Self { relaxation, strain: nothing(), moved: nothing(), elements, before: None, rigid, dissipated: 0.0 }
     }
 
     /// Numbers kept on each pixel.
     pub(super) fn fields(&self) -> usize {
-        2 + 2 * self.elements.len()
+        4 + 2 * self.elements.len()
+    }
+
+    /// The motion turns, and the next step does not go on as the last one.
+    pub(super) fn turn(&mut self) {
+        self.before = None;
+    }
+
+    /// How a step goes on from the last one, which it may be twice as long as.
+    fn bend(&self, over: f64) -> Bend {
+        let longer = self.before.as_ref().map_or(0.0, |(_, took)| over / took);
+        if longer > LONGER { Bend::default() } else { Bend { part: longer / (1.0 + longer), longer } }
     }
 
     fn shares(&self, over: f64) -> impl Iterator<Item = Shares> {
-        self.relaxation.terms.iter().map(move |term| Shares::of(term, over))
+        let bend = self.bend(over);
+        self.relaxation.terms.iter().map(move |term| Shares::of(term, over, bend))
     }
 
     /// Modulus of the parallel dashpot in a step \[Pa\].
@@ -112,8 +148,14 @@ impl Memory {
 
     /// What the next `over` \[s\] answer with.
     pub(super) fn step(&self, over: f64) -> Step {
-        let changing = self.shares(over).map(|shares| shares.modulus).sum::<f64>() + self.drag(over);
+        let (bend, drag) = (self.bend(over), self.drag(over));
+        let changing = self.shares(over).map(|shares| shares.modulus).sum::<f64>() + drag * (1.0 + bend.part);
         let (mut kept, mut moved) = (&self.strain * -changing, &self.moved * -changing);
+        if let Some((before, _)) = self.before.as_ref().filter(|_| bend.part > 0.0) {
+            let from = self.shares(over).map(|shares| shares.before).sum::<f64>() - drag * bend.part * bend.longer;
+            kept.scaled_add(from, &before.strain);
+            moved.scaled_add(from, &before.moved);
+        }
         for (element, shares) in self.elements.iter().zip(self.shares(over)) {
             kept.scaled_add(shares.kept, &element.pressure);
             moved.scaled_add(shares.kept, &element.moved);
@@ -128,7 +170,7 @@ impl Memory {
         let change = Change { strain: &strain - &self.strain, moved: &moved - &self.moved };
         let steps: Vec<Shares> = self.shares(step.over).collect();
         for ((element, shares), (modulus, _)) in self.elements.iter_mut().zip(steps).zip(&self.relaxation.terms) {
-            let lost = element.take(shares, &change);
+            let lost = element.take(shares, &change, self.before.as_ref().map(|(before, _)| before));
             self.dissipated += if *modulus > 0.0 { lost / modulus } else { 0.0 };
         }
         let drag = self.drag(step.over);
@@ -136,6 +178,7 @@ impl Memory {
             self.dissipated += drag * dot(&change.strain, &change.moved);
         }
         (self.strain, self.moved) = (strain, moved);
+        self.before = (step.over > 0.0).then_some((change, step.over));
     }
 
     /// Energy stored \[J per m² of a pixel\], where the surface is displaced by `displacement` \[m\].
@@ -158,14 +201,19 @@ impl Memory {
 }
 
 impl Element {
-    /// Ends a step with its change; Eᵢ times the energy lost in it.
-    fn take(&mut self, shares: Shares, change: &Change) -> f64 {
-        let (own, mixed) = (dot(&self.pressure, &self.moved), dot(&change.strain, &self.moved));
-        let added = dot(&change.strain, &change.moved);
-        for (kept, change) in [(&mut self.pressure, &change.strain), (&mut self.moved, &change.moved)] {
-            Zip::from(kept).and(change).for_each(|kept, change| *kept = shares.kept * *kept + shares.modulus * change);
+    /// Ends a step with its change after that of the last; Eᵢ times the energy lost in it.
+    fn take(&mut self, shares: Shares, change: &Change, before: Option<&Change>) -> f64 {
+        let mut added = Change { strain: &change.strain * shares.modulus, moved: &change.moved * shares.modulus };
+        if let Some(before) = before.filter(|_| shares.before.abs() > 0.0) {
+            added.strain.scaled_add(shares.before, &before.strain);
+            added.moved.scaled_add(shares.before, &before.moved);
         }
-        shares.integral([own, shares.modulus * mixed, shares.modulus * shares.modulus * added])
+        let (own, mixed) = (dot(&self.pressure, &self.moved), dot(&added.strain, &self.moved));
+        let lost = shares.integral([own, mixed, dot(&added.strain, &added.moved)]);
+        for (kept, added) in [(&mut self.pressure, &added.strain), (&mut self.moved, &added.moved)] {
+            Zip::from(kept).and(added).for_each(|kept, added| *kept = shares.kept * *kept + added);
+        }
+        lost
     }
 }
 

@@ -4,7 +4,7 @@ use super::memory::dot;
 use ndarray::Array2;
 
 /// Change of the attraction, as part of its stress, below which the rounds are mixed: before, they find their branch.
-const MIXED: f64 = 0.2;
+const MIXED: f64 = 0.05;
 /// Most steps of the last round that one guess may go.
 const FAR: f64 = 20.0;
 

@@ -41,7 +41,9 @@ mod within;
 pub use heights::{Heights, ellipsoid, material};
 pub use state::radius_of;
 
+use super::named::Named;
 use super::record::{ContactMap, Outcome, PixelContact};
+use super::unit::Unit;
 use super::{SimulationError, Wanted};
 use crate::contact::state::Normal;
 use crate::halfspace::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
@@ -86,8 +88,10 @@ fn led(plan: &HalfSpacePlan, wanted: Wanted, done: &(dyn Fn(f64) + Sync)) -> Res
     let glides = steady::steady(plan, &pressing, &records)?;
     let map = if wanted.fields { map(&pressing, &series, &glides)? } else { None };
     let estimate = rehearsed.estimate(plan, &records, &series);
+    let mut results = told::results(plan, &records, &series, &glides);
+    results.extend(rehearsed.of_time().map(|of| Named::number("error_of_steps", Unit::ONE, of)));
     Ok(Outcome {
-        results: told::results(plan, &records, &series, &glides),
+        results,
         fields: Vec::new(),
         tables: distribution::table(&series.distributions).into_iter().chain(glides.table(plan)).collect(),
         error_estimate: glides.at_least(estimate),

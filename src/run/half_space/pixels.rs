@@ -9,7 +9,7 @@ use super::pressed::{Pressed, area};
 use super::rounds::Rounds;
 use super::state::Pressing;
 use crate::contact::adhesion::line::Energy;
-use crate::halfspace::{HalfSpaceError, Prescribed, PressedMap, Solution, Start, SurfaceResponse, solve_on};
+use crate::halfspace::{Boundary, HalfSpaceError, Prescribed, PressedMap, Solution, Start, SurfaceResponse, solve_on};
 use crate::scene::plan::HalfSpacePlan;
 use ndarray::{Array2, Zip};
 
@@ -97,9 +97,17 @@ impl<'p> Pixels<'p> {
     }
 
     /// Whether the end of a step is the same on whatever steps it is come to, as long as they lead one way: a contact that
-    /// approaches or is withdrawn stays on its branch as far as that goes.
+    /// approaches or is withdrawn stays on its branch as far as that goes. On a surface that repeats what pulls in one place
+    /// lifts the others, whose mean stays where it is, and two that would join at once may do so one after the other.
     pub(super) fn keeps_its_branch(&self) -> bool {
-        self.memory.is_none() && self.dent.is_none()
+        self.memory.is_none() && self.dent.is_none() && self.pressing.boundary == Boundary::Free
+    }
+
+    /// The motion turns.
+    pub(super) fn turn(&mut self) {
+        if let Some(memory) = &mut self.memory {
+            memory.turn();
+        }
     }
 
     /// Goes back to a state.
@@ -160,6 +168,9 @@ impl<'p> Pixels<'p> {
         let pressure = pressed.pressure();
         if let (Some(memory), Some(step)) = (&mut self.memory, &step) {
             memory.take(step, &pressure, pressed.contact.displacement.clone());
+            if self.attraction.is_some() {
+                memory.turn();
+            }
         }
         self.tell(&mut pressed, &pressure);
         Ok(Some(pressed))

@@ -83,7 +83,7 @@ impl Rehearsed {
         let mut before = 0.0;
         for doubling in 1..=DOUBLINGS {
             let (Ok(coarse), Ok(finer)) = (&self.records, follow(1 << doubling)) else { break };
-            let apart = apart(coarse, &finer);
+            let apart = apart(coarse, &finer).max(energy_apart(coarse, &finer));
             let of_time = apart.max(KEPT * before);
             before = apart;
             if of_time + apart <= aimed {
@@ -98,10 +98,14 @@ impl Rehearsed {
         self
     }
 
+    /// Error that the steps of the time leave, relative.
+    pub(super) fn of_time(&self) -> Option<f64> {
+        self.of_time
+    }
+
     /// The largest energy \[J\] of its records.
     pub(super) fn energy(&self) -> f64 {
-        let of = |normal: &Normal| normal.stored.stored().abs().max(normal.dissipated);
-        self.records.iter().flatten().map(|record| of(&record.normal)).fold(0.0, f64::max)
+        self.records.as_deref().map_or(0.0, energy)
     }
 
     /// The error of the records on all of the pixels, which `series` has led to.
@@ -163,34 +167,43 @@ impl Rehearsed {
             ),
             None => (0.0, String::new()),
         };
+        // Pixels that neighbours do nothing to are held or let go whole, and two counts of few of them may agree by chance.
+        let of_held = if series.pixels().knows_losses() { counted(series).unwrap_or(0.0) } else { 0.0 };
+        if of_held > 0.0 {
+            edge = format!("{edge}; what is held is counted in pixels, {of_held:.1e} of its area");
+        }
         let (of_touch, first) = touch_apart(plan, records, series);
         let basis = format!(
             "the whole history again on every second of {columns} × {rows} pixels: force or indentation {of_pixels:.1e} of the largest apart{ranged}{rubbed}{in_words}{first}{touching}{edge}; residual of the solver {tolerance:.0e}"
         );
-        let relative = (parts * of_pixels + of_time + of_touch).max(of_edge).max(of_area).max(tolerance);
+        let relative = (parts * of_pixels + of_time + of_touch).max(of_edge).max(of_area).max(of_held).max(tolerance);
         ErrorEstimate { relative, basis }
     }
 }
 
 /// What it is worth that the highest peak of a rough surface may lie between its pixels, and the same in words: depths are told
-/// from first touch. A force that leads finds the same contact.
+/// from first touch, with which bodies that attract each other begin. A force that leads finds the same contact.
 fn touch_apart(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) -> (f64, String) {
     let below = series.below_touch();
     if plan.surface().is_none() || below <= 0.0 {
         return (0.0, String::new());
     }
     let largest = |of: fn(&Record) -> f64| records.iter().map(of).filter(|of| of.is_finite()).fold(0.0, f64::max);
-    let part = |of: f64, whole: f64| if whole > 0.0 { of / whole } else { 0.0 };
+    let of_whole = |of: f64, whole: f64| if whole > 0.0 { of / whole } else { 0.0 };
     let told = "; between its pixels the surface may touch earlier, ";
-    if plan.stages.iter().filter_map(|stage| stage.control).all(|control| control == Control::Force) {
-        let depth = part(below, largest(|record| record.normal.indentation.map_or(0.0, f64::abs)));
+    let attracts = series.pixels().attraction().is_some();
+    let is_forced = plan.stages.iter().filter_map(|stage| stage.control).all(|control| control == Control::Force);
+    if is_forced && !attracts {
+        let depth = of_whole(below, largest(|record| record.normal.indentation.map_or(0.0, f64::abs)));
         return (0.0, format!("{told}which adds {depth:.1e} of the largest to the depths alone"));
     }
     // Under a given force a stiffness moves no force, however large it is: in full contact of what repeats it has no end.
     let by_force = |entry| plan.stages.iter().any(|it| it.entry == entry && it.control == Some(Control::Force));
-    let by_depth = records.iter().filter(|record| !by_force(record.entry));
+    let begins = usize::from(attracts);
+    let by_depth =
+        records[..begins.min(records.len())].iter().chain(records.iter().filter(|record| !by_force(record.entry)));
     let stiffness = by_depth.map(|record| record.normal.stiffness).filter(|of| of.is_finite()).fold(0.0, f64::max);
-    let force = part(below * stiffness, largest(|record| record.normal.force.abs()));
+    let force = of_whole(below * stiffness, largest(|record| record.normal.force.abs()));
     (force, format!("{told}{force:.1e} of the largest force"))
 }
 
@@ -199,13 +212,22 @@ fn touch_apart(plan: &HalfSpacePlan, records: &[Record], series: &Series<'_>) ->
 /// Areas are of first order at best and scatter: their error is what counting whole pixels adds along the edges, although
 /// that is taken off, or the difference if that is more.
 fn area_apart((coarse, records): (&[Record], &[Record]), series: &Series<'_>) -> Option<(f64, f64)> {
-    let contact = &series.largest.as_ref()?.1.contact;
+    let edges = counted(series)?;
     let both =
         shared(coarse, records).filter_map(|(one, other)| Some((other.normal.force, one.pixels?, other.pixels?)));
     let (_, coarse, fine) = both.max_by(|one, other| one.0.total_cmp(&other.0))?;
-    let part = |of: f64, other: f64| if of > 0.0 { (other / of - 1.0).abs() } else { 1.0 };
-    let edges = part(contact.contact_area(), contact.corrected_area());
     Some((part(fine.area, coarse.area).max(edges), part(fine.peak_pressure, coarse.peak_pressure)))
+}
+
+/// How far two numbers are apart, of the first.
+fn part(of: f64, other: f64) -> f64 {
+    if of > 0.0 { (other / of - 1.0).abs() } else { 1.0 }
+}
+
+/// Part of the largest contact that counting whole pixels adds along its edges.
+fn counted(series: &Series<'_>) -> Option<f64> {
+    let contact = &series.largest.as_ref()?.1.contact;
+    Some(part(contact.contact_area(), contact.corrected_area()))
 }
 
 /// Half a pixel, of the largest of the radii of contact \[m\]: what is known of an edge that is found by counting pixels.
@@ -225,6 +247,19 @@ fn apart(one: &[Record], other: &[Record]) -> f64 {
     let of = |value| apart_in(value, one, other);
     let normal = of(|record| Some(record.normal.force)).max(of(|record| record.normal.indentation));
     normal.max(of(Record::tangential_force))
+}
+
+/// How far they are apart in what they have lost, of the largest energy of both.
+fn energy_apart(one: &[Record], other: &[Record]) -> f64 {
+    let (lost, largest) = (|record: &Record| record.normal.dissipated, energy(one).max(energy(other)));
+    let apart = shared(one, other).map(|(one, other)| (lost(one) - lost(other)).abs()).fold(0.0, f64::max);
+    if largest > 0.0 { apart / largest } else { 0.0 }
+}
+
+/// The largest energy \[J\] of records.
+fn energy(records: &[Record]) -> f64 {
+    let of = |normal: &Normal| normal.stored.stored().abs().max(normal.dissipated);
+    records.iter().map(|record| of(&record.normal)).fold(0.0, f64::max)
 }
 
 /// The same in one quantity.

@@ -19,7 +19,8 @@ const LOOSE: f64 = 1e-7;
 /// The same of rounds that have gone on for long: of a range that is short beside the displacements what is left over changes
 /// the attraction.
 const TIGHT: f64 = 1e-10;
-/// Change of the attraction, as part of its stress, at which they have.
+/// Change of the attraction, as part of what it pulls most with, at which they have: of pixels that are wide beside the ring
+/// in which it acts that may be a small part of its stress.
 const SETTLED: f64 = 1e-5;
 /// Pixels kept around those that press or pull.
 const MARGIN: usize = 4;
@@ -110,10 +111,11 @@ impl Rounds<'_> {
     /// Rounds until neither contact nor attraction changes the other, from the pressures `last` and the attraction `pull`;
     /// `None` where the force pulls more than the bodies do. The displacement is what both make.
     ///
-    /// A stronger attraction narrows every gap, and a narrower gap is attracted no less: from an attraction that is too
-    /// weak the rounds go up to the weakest equilibrium above it, from one too strong down to the strongest below. So a
-    /// contact that approaches snaps in where its own branch ends, and one that is withdrawn snaps off where its does. Rounds
-    /// that are guessed ahead ([`Mixed`]) may do so a little before, where next to nothing is left of the branch.
+    /// A stronger attraction narrows every gap, but far away where the surface repeats, and a narrower gap is attracted no
+    /// less: from an attraction that is too weak the rounds go up to the weakest equilibrium above it, from one too strong
+    /// down to the strongest below. So a contact that approaches snaps in where its own branch ends, and one that is
+    /// withdrawn snaps off where its does. Rounds that are guessed ahead ([`Mixed`]) may do so a little before, where next to
+    /// nothing is left of the branch.
     pub(super) fn settled(
         &self,
         last: Option<&Array2<f64>>,
@@ -195,10 +197,8 @@ impl Rounds<'_> {
                     .map_collect(|height, &pull| lone.pull(height - contact.indentation, pull)),
                 None => attraction.pull(&gap, map.boundary),
             };
-            change = most_apart(&pull, &after) / attraction.stress;
-            // What is left of a pull is none where nothing is within reach any more.
-            let lets_go = after.iter().all(|&pull| pull <= 0.0) && pull.iter().any(|&pull| pull > 0.0);
-            if change <= SETTLED && !lets_go {
+            change = most_apart(&pull, &after) / largest(&pull).max(largest(&after)).max(f64::MIN_POSITIVE);
+            if change <= SETTLED {
                 return Ok(Reached::Settled(Settled { contact, pull }));
             }
             pull = mixed.next(&pull, after, change, attraction.stress);
@@ -234,6 +234,10 @@ impl Rounds<'_> {
             depth @ Prescribed::Indentation(_) => Some(depth),
         }
     }
+}
+
+fn largest(values: &Array2<f64>) -> f64 {
+    values.fold(0.0, |largest, &value| f64::max(largest, value))
 }
 
 fn most_apart(one: &Array2<f64>, other: &Array2<f64>) -> f64 {

@@ -9,11 +9,8 @@ use crate::contact::adhesion::equilibrium::Control;
 use crate::halfspace::Prescribed;
 use crate::run::SimulationError;
 
-/// Most times a step is halved, and fewest around what seems a jump.
-const MOST_HALVINGS: u32 = 12;
-/// Most around a jump that each of them narrows by this part, as a step may reach far beyond the range of what attracts.
-const MOST_NARROWINGS: u32 = 24;
-const NARROWS: f64 = 0.6;
+/// Most times a step is halved, as it may reach far beyond the range of what attracts, and fewest around what seems a jump.
+const MOST_HALVINGS: u32 = 24;
 /// Most of a step in which bodies are torn apart, by far less, it may be, than the force that is asked for.
 const MOST_TEARINGS: u32 = 48;
 const LEAST_HALVINGS: u32 = 3;
@@ -36,9 +33,8 @@ struct Part<'s> {
     /// Whether it ends where the step does.
     is_last: bool,
     halvings: u32,
-    /// What the trapezoid missed over both halves, if it is one, and what that left open [J].
+    /// What the trapezoid missed over both halves, if it is one and no jump is seen in them [J].
     missed: f64,
-    open: f64,
 }
 
 /// The contact at the end of a step, and what it leaves to the next.
@@ -75,7 +71,7 @@ impl Series<'_> {
 
     /// The contact at the end of a step; `None` where the force pulls more than the bodies do.
     pub(super) fn led(&mut self, goal: Goal) -> Result<Option<Pressed>, SimulationError> {
-        self.part(Part { goal, start: None, is_last: true, halvings: 0, missed: 0.0, open: 0.0 }, None)
+        self.part(Part { goal, start: None, is_last: true, halvings: 0, missed: 0.0 }, None)
     }
 
     /// A step that leaves more open than is asked for is gone in two, for a jump in it loses what the force does between
@@ -103,21 +99,20 @@ impl Series<'_> {
         let is_short = !self.ledger.counts(open, SHORT * limit);
         let is_smooth = is_short && missing <= open && missing.abs() < SMOOTH * part.missed;
         // Slopes before and in a step may agree by chance.
-        let is_seen_once = missing > open && part.halvings < LEAST_HALVINGS && self.ledger.counts(missing, limit);
+        let is_seen_once =
+            missing.abs() > open && part.halvings < LEAST_HALVINGS && self.ledger.counts(missing.abs(), limit);
         // The force that tears the bodies apart lies between the last they held and this one.
         let step = (part.goal.value - part.goal.from).abs();
         let is_torn = pressed.is_none() && before.1.is_together() && step > TORN * part.goal.value.abs();
         let is_open = is_seen_once || is_torn || self.ledger.counts(open, limit) && !is_smooth;
-        let most = match is_torn {
-            true => MOST_TEARINGS,
-            false if open < NARROWS * part.open => MOST_NARROWINGS,
-            false => MOST_HALVINGS,
-        };
+        let most = if is_torn { MOST_TEARINGS } else { MOST_HALVINGS };
         if is_open && part.halvings < most {
             let (end, after) = (Reached { pressed: pressed.clone(), past: self.pixels.past() }, self.ledger);
             let (told, known) = (self.jumps.len(), self.pixels.keeps_its_branch().then(|| end.clone()));
             self.go_back(before);
-            if let Ok(pressed) = self.in_two(Part { missed: missing.abs(), open, ..part }, known) {
+            // What a jump loses is nothing that the trapezoid misses.
+            let missed = if missing > open { 0.0 } else { missing.abs() };
+            if let Ok(pressed) = self.in_two(Part { missed, ..part }, known) {
                 return Ok(pressed);
             }
             // Nearest to a jump pixels may not settle: then the step is known as far as it was before.

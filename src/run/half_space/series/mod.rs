@@ -159,6 +159,7 @@ impl<'p> Series<'p> {
                 continue;
             }
             let (mut reached, from) = (0.0, self.slide);
+            self.pixels.turn();
             for part in stage.parts() {
                 let state = self.stretch((stage, control, time), (&way, from), [reached, part])?;
                 asked = (control == Control::Force && state.parted).then(|| way.at(part));
@@ -185,12 +186,14 @@ impl<'p> Series<'p> {
         let over = (part[1] - part[0]) * way.over;
         let slide = |part: f64| stage.tangential.at(from, part, way.over);
         let steps = f64::from(self.steps);
-        let after = |step: u32| part[0] + (part[1] - part[0]) * f64::from(step) / steps;
+        // Where a way begins what remembers moves fastest.
+        let share = |step: u32| (f64::from(step) / steps).powi(if part[0] > 0.0 { 1 } else { 2 });
+        let after = |step: u32| part[0] + (part[1] - part[0]) * share(step);
         let goal = |[start, end]: [f64; 2]| Goal {
             control,
             from: way.at(start),
             value: way.at(end),
-            over: over / steps,
+            over: (end - start) * way.over,
             time: began + end * way.over,
             slide: slide(end),
             entry: stage.entry,
