@@ -50,6 +50,12 @@ impl Wave {
     pub fn at(self, t: f64) -> f64 {
         self.amplitude * (TAU * (t * self.frequency).fract()).sin()
     }
+
+    /// Its speed at the time `t` [s].
+    #[must_use]
+    pub fn speed_at(self, t: f64) -> f64 {
+        TAU * self.frequency * self.amplitude * (TAU * (t * self.frequency).fract()).cos()
+    }
 }
 
 impl Path {

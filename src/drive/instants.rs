@@ -36,6 +36,10 @@ const NOISE: f64 = 1e-12;
 const BEGINNING: f64 = 1e-12;
 /// Parts of a time, and multiples of a doubt, within which a parting may lie from where it was found.
 const NEAR: [(f64, f64); 4] = [(1e-15, 1.0), (1e-13, 8.0), (1e-10, 64.0), (1e-7, 512.0)];
+/// Part of what is left of the way behind a turn at which the search for the next one begins.
+const BESIDE: f64 = 1e-6;
+/// Most turns of the force before bodies part.
+const MOST_TURNS: usize = 4;
 /// Looks at the pull before bodies part, each half as far from there as the last and, in the first half, each twice as far
 /// from the beginning, and how often a look beyond is drawn back half the way to where they still touch.
 const FIRST_LOOKS: i32 = 6;
@@ -170,20 +174,19 @@ impl Watch {
             && let Some(edge) = self.edge_of_contact(contact, here, next)?
         {
             let end = edge.just_before.unwrap_or(edge.time);
-            self.found.extend(self.turn_before_parting(contact, here, end)?);
+            self.find_turns_before_parting(contact, here, end)?;
             self.found.push_back(edge);
         }
         if let Some(last) = self.seen.get(2).copied()
             && here.joined()
             && next.joined()
         {
-            let turn = if last.joined() {
-                self.turn(contact, [here, next, last])?
+            if last.joined() {
+                self.found.extend(self.turn(contact, [here, next, last])?);
             } else {
                 let end = self.still_joined(contact, next, last)?;
-                self.turn_before_parting(contact, here, end)?
-            };
-            self.found.extend(turn);
+                self.find_turns_before_parting(contact, here, end)?;
+            }
         }
         self.found.make_contiguous().sort_by(|one, other| one.time.total_cmp(&other.time));
         Ok(())
@@ -207,14 +210,40 @@ impl Watch {
         Ok(joined.time)
     }
 
-    /// The turn of the force between the look `here` and the last time `end` [s] at which the bodies still touch.
+    /// Finds the turns of the force between the look `here` and the last time `end` [s] at which the bodies still touch.
+    fn find_turns_before_parting(
+        &mut self,
+        contact: &mut dyn ContactModel,
+        here: Glimpse,
+        end: f64,
+    ) -> Result<(), ContactError> {
+        for _ in 0..MOST_TURNS {
+            let here = self.past_found(contact, here, end)?;
+            let Some(turn) = self.turn_before_parting(contact, here, end)? else { break };
+            self.found.push_back(turn);
+        }
+        Ok(())
+    }
+
+    /// A look at the bodies beside the last turn found between the look `here` and the time `end` [s], if there is one: a dashpot
+    /// that is turned round has the force turn three times.
+    fn past_found(&self, contact: &mut dyn ContactModel, here: Glimpse, end: f64) -> Result<Glimpse, ContactError> {
+        let between = |time: &f64| here.time < *time && *time < end;
+        let Some(turn) = self.found.iter().map(|instant| instant.time).filter(between).reduce(f64::max) else {
+            return Ok(here);
+        };
+        let time = turn + BESIDE * (end - turn);
+        Ok(Glimpse { time, seen: self.see(contact, time)? })
+    }
+
+    /// The first turn of the force between the look `here` and the last time `end` [s] at which the bodies still touch.
     fn turn_before_parting(
         &self,
         contact: &mut dyn ContactModel,
         here: Glimpse,
         end: f64,
     ) -> Result<Option<NotableInstant>, ContactError> {
-        if !here.joined() || self.found.iter().any(|instant| instant.time > here.time) {
+        if !here.joined() {
             return Ok(None);
         }
         let early = (2..=FIRST_LOOKS).rev().map(|k| 0.5f64.powi(k));

@@ -132,7 +132,10 @@ impl Driver {
                     None => None,
                 };
                 let time = self.move_past(contact, leg, &instant, stop)?;
+                let turns = instant.touching.is_none() && before.is_none();
+                self.stage.at_speed = if turns { self.at_speed(contact, time)? } else { None };
                 let after = self.state(contact);
+                self.stage.at_speed = None;
                 let before = before.unwrap_or(after);
                 occurrences.push(Occurrence { time, before, after, tangential: contact.tangential() });
             }

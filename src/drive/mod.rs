@@ -103,6 +103,8 @@ struct ActiveStage {
     leg: Option<Leg>,
     /// Force at the beginning of the last chord [N].
     behind: Option<f64>,
+    /// Force at the speed of the sine itself [N], at which no chord goes.
+    at_speed: Option<f64>,
 }
 
 /// Part of the amplitude within which a slide that is a sine is followed: less than friction tells by a thousand springs.
@@ -165,6 +167,7 @@ impl Driver {
             remainder: Remainder::Done,
             leg: None,
             behind: None,
+            at_speed: None,
         };
         Self {
             accuracy,
@@ -193,7 +196,17 @@ impl Driver {
         self.pull = if course.control == Control::Force { course.normal.at(from, 1.0, course.over) } else { 0.0 };
         let remainder = Remainder::Records;
         let idled = matches!(self.stage.remainder, Remainder::Idle);
-        self.stage = ActiveStage { course, from, slide, shaken: None, now: 0.0, remainder, leg: None, behind: None };
+        self.stage = ActiveStage {
+            course,
+            from,
+            slide,
+            shaken: None,
+            now: 0.0,
+            remainder,
+            leg: None,
+            behind: None,
+            at_speed: None,
+        };
         if contact.memory().is_none() {
             return Ok(());
         }
@@ -281,6 +294,7 @@ impl Driver {
     /// The contact cannot follow.
     pub fn advance(&mut self, contact: &mut dyn ContactModel, part: f64) -> Result<Vec<Occurrence>, ContactError> {
         let mut occurrences = Vec::new();
+        self.stage.at_speed = None;
         let until = part * self.stage.course.over;
         match self.stage.remainder {
             Remainder::Records => self.step(contact, part, &mut occurrences)?,
@@ -296,7 +310,8 @@ impl Driver {
     }
 
     /// At the time `until` [s], to the speed at which a damped contact carries what is prescribed.
-    fn meet(&self, contact: &mut dyn ContactModel, until: f64) -> Result<(), ContactError> {
+    fn meet(&mut self, contact: &mut dyn ContactModel, until: f64) -> Result<(), ContactError> {
+        self.stage.at_speed = self.at_speed(contact, until)?;
         let Remainder::Force(force) = &self.stage.remainder else { return Ok(()) };
         if let Some(instant) = force.met(contact, until)? {
             let shaken = self.stage.shaken.as_ref().map(|shaken| shaken.speed_until(until));
@@ -304,6 +319,17 @@ impl Driver {
             contact.follow(&Straight { slide: self.stage.slide_at(until), sliding_speed, ..instant })?;
         }
         Ok(())
+    }
+
+    /// Force [N] of a damped contact at the speed that a sine has at the time `t` [s]: that of a chord differs from it by as
+    /// much as the root of the accuracy.
+    fn at_speed(&self, contact: &mut dyn ContactModel, t: f64) -> Result<Option<f64>, ContactError> {
+        let Path::Wave(wave) = self.stage.course.normal else { return Ok(None) };
+        if !force::is_damped(contact) {
+            return Ok(None);
+        }
+        let instant = contact.memory().map_or(0.0, |spectrum| spectrum.instant());
+        contact.look(&ahead(contact, wave.speed_at(t), instant)).map(|seen| Some(seen.force))
     }
 
     /// One straight piece to the next record.
@@ -373,6 +399,7 @@ impl Driver {
         if self.parted {
             return Normal { indentation: None, ..state };
         }
+        let state = Normal { force: self.stage.at_speed.unwrap_or(state.force), ..state };
         let (Remainder::Force(force), Some(spectrum)) = (&self.stage.remainder, contact.memory()) else { return state };
         let creep = force.exact(self.stage.now);
         let told = |creep: Creep| Some((creep.indented()?, creep));

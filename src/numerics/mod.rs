@@ -18,6 +18,7 @@ pub mod extrapolation;
 pub mod extremum;
 pub mod isotonic;
 pub mod legendre;
+pub mod monotone;
 pub mod normal;
 pub mod panelled;
 pub mod quadrature;

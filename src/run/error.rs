@@ -51,7 +51,7 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
             Some(edge) => rate_error(plan, run, relaxation, edge),
             None if plan.is_curved() => {
                 let pieces = CHORDS * plan.accuracy() * in_balance(run);
-                let coarser = edge.as_ref().and_then(|_| coarser_pieces(plan, run)).unwrap_or(0.0);
+                let coarser = CHANCE * edge.as_ref().and_then(|_| coarser_pieces(plan, run)).unwrap_or(0.0);
                 of(
                     sums(run) + pieces.max(coarser),
                     "continuous bed: straight pieces of the depth to the accuracy asked for, of the forces in balance where the bodies attract each other, or what ten times coarser ones change, and what the polynomials of its panels miss",
@@ -176,6 +176,10 @@ fn led(run: &Run) -> Vec<Record> {
 /// How much coarser the pieces are that tell the error of fine ones: no less than it, should it fall with the root of the
 /// accuracy alone, or should one of the two lose a contact that the other keeps.
 const COARSER: f64 = 10.0;
+/// How much finer the pieces of a depth that is not prescribed are that tell the error of an edge with a rate.
+const FINER_PIECES: f64 = 4.0;
+/// What errors that fall with the root of the accuracy, and by chance not at all, may be beside the change they make.
+const CHANCE: f64 = 1.5;
 /// The largest accuracy that a scene may ask for.
 const COARSEST: f64 = 0.1;
 
@@ -199,7 +203,7 @@ fn to_accuracy(plan: &RoundPlan, accuracy: f64) -> Option<RoundPlan> {
 /// not prescribed.
 fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
     let refined = compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge));
-    let finer = plan.is_curved().then(|| to_accuracy(plan, plan.accuracy() / viscoelastic::FINER)).flatten();
+    let finer = plan.is_curved().then(|| to_accuracy(plan, plan.accuracy() / FINER_PIECES)).flatten();
     let again = follow(finer.as_ref().unwrap_or(plan), refined, Wanted::NOTHING);
     let off = again.map_or(f64::NAN, |again| apart(&led(run), &again.records));
     let pieces = if plan.is_curved() { CHORDS * plan.accuracy() * in_balance(run) } else { 0.0 };

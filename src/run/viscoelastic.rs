@@ -41,7 +41,7 @@ pub fn springs(plan: &RoundPlan, relaxation: &Relaxation, count: usize) -> Box<d
 /// The contact of an adhesive scene whose edge obeys a rate law, followed [`FINER`] times as well.
 pub fn refined(plan: &RoundPlan, relaxation: &Relaxation, edge: &HeldEdge) -> Box<dyn ContactModel> {
     let spectrum = Arc::new(Spectrum::new(relaxation));
-    let attraction = edge.attraction(&spectrum).to_accuracy(plan.accuracy() / FINER).in_steps(FINER.recip());
+    let attraction = edge.attraction(&spectrum).to_accuracy(plan.accuracy() / FINER).in_steps(STEPS.recip());
     bed(plan, spectrum, Some(attraction))
 }
 
@@ -51,7 +51,10 @@ fn bed(plan: &RoundPlan, spectrum: Arc<Spectrum>, attraction: Option<Attraction>
 }
 
 /// How much better the edge is followed to tell the error.
-pub(super) const FINER: f64 = 4.0;
+const FINER: f64 = 16.0;
+
+/// Fewest steps of a motion in which it is followed then.
+const STEPS: f64 = 4.0;
 
 /// A radius [m] the contact of a scene does not outgrow: of its largest depth, or of the creep under its
 /// largest force over all its time.

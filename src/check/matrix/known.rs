@@ -41,7 +41,11 @@ fn apart(whole: &Outcome, fine: &Outcome) -> Option<[f64; 2]> {
     if whole.records.len() != fine.records.len() {
         return None;
     }
-    let pairs = || whole.records.iter().zip(&fine.records).filter(|(one, two)| at_once(one, two));
+    // What changes within the rounding of its time, as a pull-off that no sound would follow, is told by chance.
+    let close = |pair: &[Record]| at_once(&pair[0], &pair[1]) && (pair[0].time - pair[1].time).abs() > 0.0;
+    let by_chance = |at: usize| fine.records[at.saturating_sub(1)..].windows(2).take(2).any(close);
+    let numbered = || whole.records.iter().zip(&fine.records).enumerate();
+    let pairs = || numbered().filter(|(at, (one, two))| at_once(one, two) && !by_chance(*at)).map(|(_, pair)| pair);
     let force = pairs().map(|(one, two)| one.normal.force - two.normal.force);
     // Where bodies have just met, upon a dent it may be, rounding decides how far they touch.
     let apart = |record: &Record| record.normal.contact_radius.is_none_or(|radius| radius <= 0.0);

@@ -1,6 +1,6 @@
 //! Abel's integral over a piecewise cubic, in a time that grows with the logarithm of its length.
 
-use super::interpolant::{Cubic, Interpolant};
+use crate::numerics::monotone::{Cubic, Interpolant};
 use crate::numerics::quadrature;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
@@ -118,8 +118,8 @@ pub(super) struct Abel {
 impl Abel {
     /// Blocks for the pieces of an interpolant.
     pub(super) fn new(interpolant: &Interpolant) -> Self {
-        let mut blocks = Vec::with_capacity(4 * interpolant.len() / LEAF + 1);
-        build(&mut blocks, interpolant, (0, interpolant.len()));
+        let mut blocks = Vec::with_capacity(4 * interpolant.pieces() / LEAF + 1);
+        build(&mut blocks, interpolant, (0, interpolant.pieces()));
         Self { blocks }
     }
 
@@ -206,7 +206,7 @@ fn arc_between(x: f64, start: f64, end: f64) -> f64 {
 #[cfg(test)]
 pub(super) fn plain(interpolant: &Interpolant, x: f64) -> Sums {
     let mut sums = Sums::default();
-    let pieces = (0..interpolant.len()).map(|i| interpolant.piece(i));
+    let pieces = (0..interpolant.pieces()).map(|i| interpolant.piece(i));
     pieces.take_while(|piece| piece.start < x).for_each(|piece| add_piece(&mut sums, &piece, x));
     sums
 }

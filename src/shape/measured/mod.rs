@@ -1,14 +1,13 @@
 //! Profile measured as a table of radius and height.
 
 mod abel;
-mod interpolant;
 mod samples;
 mod smoothed;
 
 use super::{Moved, Profile, Rim};
 use crate::input::table::{Columns, TableError, Tables};
+use crate::numerics::monotone::{FEWEST as FEWEST_ROWS, Interpolant};
 use crate::numerics::root;
-use interpolant::{FEWEST as FEWEST_ROWS, Interpolant};
 use samples::Samples;
 use std::path::Path;
 

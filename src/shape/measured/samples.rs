@@ -1,7 +1,7 @@
 //! The reduced profile on panels, for integrals over it.
 
 use super::abel::{Abel, Sums};
-use super::interpolant::Interpolant;
+use crate::numerics::monotone::Interpolant;
 use crate::numerics::quadrature;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 use std::sync::LazyLock;
@@ -79,9 +79,9 @@ impl Samples {
 
     fn panel_ends(&self) -> Vec<f64> {
         let radii = self.interpolant.radii();
-        let stride = self.interpolant.len().div_ceil(MOST_PANELS);
+        let stride = self.interpolant.pieces().div_ceil(MOST_PANELS);
         let mut ends: Vec<f64> = radii.iter().step_by(stride).copied().collect();
-        if !self.interpolant.len().is_multiple_of(stride) {
+        if !self.interpolant.pieces().is_multiple_of(stride) {
             ends.push(self.end());
         }
         ends
@@ -107,7 +107,7 @@ impl Samples {
 
     /// The last measured radius.
     pub(super) fn end(&self) -> f64 {
-        self.interpolant.radii()[self.interpolant.len()]
+        self.interpolant.radii()[self.interpolant.pieces()]
     }
 
     /// The three integrals at `x`.

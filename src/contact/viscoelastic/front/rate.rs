@@ -4,51 +4,150 @@ use super::super::attraction::Attraction;
 use super::{Front, Way};
 use crate::numerics::{extremum, root};
 
+/// Part of the error of a step that its roots may be off.
+const UNFELT: f64 = 1e-3;
+/// Part of the time to a collapse that a step goes.
+const SHORT_OF: f64 = 0.5;
+/// Parts of a step at which the edge is known on the way.
+const ON_THE_WAY: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
+
+/// A step of an edge that opens, of the third order.
+struct OpeningStep {
+    /// Where it ends [m].
+    to: f64,
+    /// Where the edge is on the way [m].
+    between: [f64; 3],
+    /// How far the contact radius may be off, as a part of that of the edge from which the motion began.
+    error: f64,
+}
+
+/// How long the steps of an edge that opens are [s].
+struct Pace {
+    accuracy: f64,
+    /// The shortest and the longest.
+    limits: (f64, f64),
+    wanted: f64,
+    /// The step before, and whether the one after it was too long.
+    before: Option<f64>,
+    refused: bool,
+    /// A time by which a step has found that the edge holds nowhere.
+    collapsed: f64,
+}
+
+impl Pace {
+    fn new(accuracy: f64, limits: (f64, f64)) -> Self {
+        Self { accuracy, limits, wanted: limits.1, before: None, refused: false, collapsed: f64::INFINITY }
+    }
+
+    /// The next step from the time `now`: not up to a collapse.
+    fn next(&self, now: f64) -> f64 {
+        self.wanted.min((SHORT_OF * (self.collapsed - now)).max(self.limits.0))
+    }
+
+    /// Part of a step of that error which has the one allowed: the error of steps of the third order goes with their cube.
+    fn allowed(&self, error: f64) -> f64 {
+        0.9 * (self.accuracy / error.max(1e-3 * self.accuracy)).cbrt()
+    }
+
+    /// A step that was too long.
+    fn refuse(&mut self, step: f64, error: f64) {
+        (self.wanted, self.refused) = (step * self.allowed(error).clamp(0.1, 0.8), true);
+    }
+
+    /// A step that was made. On the way to a collapse steps get shorter and shorter.
+    fn accept(&mut self, step: f64, error: f64) {
+        let shrinks = self.before.map_or(1.0, |before| (step / before).min(1.0));
+        let most = if self.refused { 1.0 } else { 3.0 };
+        let wanted = step * (shrinks * self.allowed(error)).clamp(0.5, most);
+        self.wanted = wanted.max(self.limits.0).min(self.limits.1);
+        (self.before, self.refused) = (Some(step), false);
+        if self.wanted > step {
+            self.collapsed = f64::INFINITY;
+        }
+    }
+}
+
 impl Front<'_> {
     /// The way of an edge that opens by the rate law, until it stands still: radii and times.
     ///
-    /// Implicit steps, halves and whole extrapolated, as short as the difference of their contact radii asks for, but no shorter
-    /// than tells when an edge that holds nowhere any more has collapsed.
+    /// Extrapolated implicit steps, as short as their error asks for, but no shorter than tells when an edge that holds nowhere
+    /// any more has collapsed.
     pub(super) fn path(&self) -> Vec<(f64, f64)> {
         let duration = self.motion.duration;
         let (shortest, accuracy) = (self.instantly * duration, self.attraction.map_or(0.0, Attraction::accuracy));
         let longest = duration * self.attraction.map_or(1.0, Attraction::longest);
-        let (mut now, mut a, mut step, mut stride) = (0.0, self.edge, longest, 0.0);
+        let mut pace = Pace::new(accuracy, (shortest, longest));
+        let (mut now, mut a, mut stride) = (0.0, self.edge, 0.0);
         let mut path = vec![(a, 0.0)];
         while now < duration && a > 0.0 && !(self.fails)() {
+            let step = pace.next(now);
             let until = if duration - now <= 1.01 * step { duration } else { now + step };
-            let half = 0.5 * (now + until);
-            let radius = |place: f64| self.profile.contact_radius(place);
-            let may_be_shorter = until - now > shortest;
-            let shorter = |error: f64| (until - now) * (0.9 * (accuracy / error).sqrt()).clamp(0.1, 0.5);
+            let may_be_shorter = until - now > 2.0 * shortest;
             let whole = self.opened(a, now, until, stride);
             // An edge that holds nowhere by then has collapsed on the way: when is known as well as it has been left behind.
-            let left = radius(a) / radius(self.edge);
+            let left = self.profile.contact_radius(a) / self.profile.contact_radius(self.edge);
             if whole <= 0.0 && left > accuracy && may_be_shorter {
-                step = shorter(left);
+                pace.collapsed = until;
                 continue;
             }
-            let middle = self.opened(a, now, half, 0.5 * (a - whole));
-            let halves = self.opened(middle, half, until, a - middle);
+            let made = self.extrapolated(a, (now, until), whole);
+            let error = made.as_ref().map_or(left, |made| made.error);
             stride = a - whole;
-            let error = if halves > 0.0 { (radius(whole) - radius(halves)).abs() / radius(self.edge) } else { left };
             if error > accuracy && may_be_shorter {
-                step = shorter(error);
+                pace.refuse(until - now, error);
                 continue;
             }
-            let next = if halves > 0.0 { (2.0 * halves - whole).clamp(0.0, middle) } else { 0.0 };
+            let next = made.as_ref().map_or(0.0, |made| made.to);
             if next >= a {
                 break;
             }
-            if middle < a && next < middle {
-                path.push((middle, half));
+            for (part, at) in made.iter().flat_map(|made| ON_THE_WAY.into_iter().zip(made.between)) {
+                if next < at && path.last().is_some_and(|&(last, _)| at < last) {
+                    path.push((at, now + part * (until - now)));
+                }
             }
             path.push((next, until));
-            step = (until - now) * (0.9 * (accuracy / error.max(1e-3 * accuracy)).sqrt()).clamp(0.5, 2.0);
-            step = step.min(longest);
+            pace.accept(until - now, error);
             (now, a) = (until, next);
         }
         path
+    }
+
+    /// A step from the edge `a` that ends at `whole` [m] when made at once: made in two and in three parts as well, and
+    /// extrapolated; `None` where it holds nowhere at its end.
+    ///
+    /// The error is what the third order changes, or what the place in the middle is off the cubic through the others.
+    fn extrapolated(&self, a: f64, (now, until): (f64, f64), whole: f64) -> Option<OpeningStep> {
+        let times = |count: u32| (0..=count).map(move |k| now + f64::from(k) / f64::from(count) * (until - now));
+        let made_in = |count: u32| {
+            let ends: Vec<f64> = times(count).take(count as usize).chain([until]).collect();
+            let (mut at, mut stride) = (a, (a - whole) / f64::from(count));
+            ends.windows(2)
+                .map(|time| {
+                    let next = self.opened(at, time[0], time[1], stride);
+                    (at, stride) = (next, at - next);
+                    next
+                })
+                .collect::<Vec<f64>>()
+        };
+        let (halves, thirds) = (made_in(2), made_in(3));
+        let (second, better) = (2.0 * halves[1] - whole, 3.0 * thirds[2] - 2.0 * halves[1]);
+        let to = better + 0.5 * (better - second);
+        if thirds[2] <= 0.0 || to <= 0.0 {
+            return None;
+        }
+        // On the way implicit steps err by what they do at the end, as far as they have come.
+        let off = 2.0 * (halves[1] - whole);
+        let between = [thirds[0] + off / 9.0, halves[0] + off / 4.0, thirds[1] + 2.0 * off / 9.0];
+        let cubic = (9.0 * (between[0] + between[2]) - a - to) / 16.0;
+        let radius = |place: f64| self.profile.contact_radius(place.max(0.0));
+        let apart = |one: f64, two: f64| (radius(one) - radius(two)).abs() / radius(self.edge);
+        Some(OpeningStep { to, between, error: apart(to, better).max(apart(between[1], cubic)) })
+    }
+
+    /// Part of a radius that an extrapolated step does not feel.
+    fn exact_enough(&self) -> f64 {
+        UNFELT * self.attraction.map_or(0.0, Attraction::accuracy)
     }
 
     /// The largest radius not above `a` that holds at the time `until` (implicit in the speed of the edge); it is
@@ -62,10 +161,15 @@ impl Front<'_> {
             strength - candidate.limit - candidate.urge(self.spectrum, until)
         };
         let near = a - 1.5 * stride;
-        if stride > 0.0 && near > 0.0 && margin(a) < 0.0 && margin(near) >= 0.0 {
-            return root::within(|x| -margin(x), near, a);
+        if stride > 0.0 && near > 0.0 {
+            let ends = [(near, margin(near)), (a, margin(a))];
+            if ends[1].1 < 0.0 && ends[0].1 >= 0.0 {
+                let known = |x: f64| ends.iter().find(|end| end.0.to_bits() == x.to_bits()).map(|end| end.1);
+                let found = root::brent_to(|x| known(x).unwrap_or_else(|| margin(x)), (near, a), self.exact_enough());
+                return found.unwrap_or(near);
+            }
         }
-        if a > 0.0 { last_hold(&margin, a).unwrap_or(0.0) } else { 0.0 }
+        if a > 0.0 { last_hold(&margin, a, 1.5 * stride, self.exact_enough()).unwrap_or(0.0) } else { 0.0 }
     }
 }
 
@@ -76,18 +180,18 @@ const LONGEST_REACH: f64 = 1.0 / 64.0;
 /// The largest place not above `from` at which the margin of an edge is not negative; `None` if there is none.
 ///
 /// A place is a radius, or the time at which the spring there was touched.
-fn last_hold(margin: &dyn Fn(f64) -> f64, from: f64) -> Option<f64> {
+fn last_hold(margin: &dyn Fn(f64) -> f64, from: f64, reach: f64, exact: f64) -> Option<f64> {
     let here = margin(from);
     if here >= 0.0 {
         return Some(from);
     }
-    let (mut outer, mut reach) = (from, FIRST_REACH * from);
+    let (mut outer, mut reach) = (from, reach.clamp(FIRST_REACH * from, LONGEST_REACH * from));
     let (mut best, mut around) = (here, (from, from));
     while outer > 0.0 {
         let inner = (outer - reach).max(0.0);
         let found = margin(inner);
         if found >= 0.0 && inner > 0.0 {
-            return Some(root::brent(margin, inner, outer).unwrap_or(inner));
+            return Some(root::brent_to(margin, (inner, outer), exact).unwrap_or(inner));
         }
         if found > best {
             (best, around) = (found, (inner, outer));
@@ -97,5 +201,5 @@ fn last_hold(margin: &dyn Fn(f64) -> f64, from: f64) -> Option<f64> {
     // Just before the edge gives way, the stretch that holds is narrower than any step.
     let low = around.0 - (around.1 - around.0).max(FIRST_REACH * from);
     let holds = extremum::reaches_zero(margin, low, around.1)?;
-    Some(root::brent(margin, holds, around.1).unwrap_or(holds))
+    Some(root::brent_to(margin, (holds, around.1), exact).unwrap_or(holds))
 }

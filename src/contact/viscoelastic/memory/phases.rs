@@ -6,6 +6,7 @@ use crate::contact::viscoelastic::alike::Alike;
 use crate::contact::viscoelastic::front::{EdgePhase, Front, SightedSpring, Way, instants};
 use crate::contact::viscoelastic::panel::{Grain, Lived, Panel, panels};
 use crate::contact::viscoelastic::spring::{Motion, Piece, Spring};
+use crate::numerics::monotone::{FEWEST, Interpolant};
 use crate::shape::Rim;
 
 /// What polynomials may miss of the springs where nothing else errs, relative to their loads.
@@ -61,12 +62,33 @@ struct Change {
     work: f64,
 }
 
-/// When an edge that moves inwards along a path of radii and times is at the radius `x` [s].
-fn instant_of(path: &[(f64, f64)], x: f64) -> f64 {
-    let k = path.partition_point(|&(a, _)| a > x).clamp(1, path.len().max(2) - 1);
-    let (Some(&(far, early)), Some(&(near, late))) = (path.get(k - 1), path.get(k)) else { return 0.0 };
-    let part = if far > near { ((far - x) / (far - near)).clamp(0.0, 1.0) } else { 1.0 };
-    early + part * (late - early)
+/// An edge that moves inwards along a path of falling radii [m] and times [s].
+struct Opening {
+    /// Time left [s] over the radius.
+    left: Option<Interpolant>,
+    path: [(f64, f64); 2],
+}
+
+impl Opening {
+    fn new(path: &[(f64, f64)]) -> Self {
+        let ends = [path.first(), path.last()].map(|end| end.copied().unwrap_or((0.0, 0.0)));
+        let rising = || path.iter().rev();
+        let of_three = || {
+            Interpolant::new(rising().map(|knot| knot.0).collect(), rising().map(|knot| ends[1].1 - knot.1).collect())
+        };
+        Self { left: (path.len() >= FEWEST).then(of_three), path: ends }
+    }
+
+    /// When it is at the radius `x` [s].
+    fn instant(&self, x: f64) -> f64 {
+        let [(far, early), (near, late)] = self.path;
+        let x = x.clamp(near, far);
+        match &self.left {
+            Some(left) => (late - left.height(x)).clamp(early, late),
+            None if far > near => early + (far - x) / (far - near) * (late - early),
+            None => late,
+        }
+    }
 }
 
 impl Memory {
@@ -113,7 +135,8 @@ impl Memory {
             }
             EdgePhase::Creeps(path) => {
                 let &(to, duration) = path.last().unwrap_or(&(front.edge, 0.0));
-                (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| instant_of(&path, x))))
+                let opening = Opening::new(&path);
+                (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| opening.instant(x))))
             }
             EdgePhase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
         };
@@ -226,7 +249,7 @@ impl Memory {
     /// What the polynomials of the panels may miss: no more than the way of an edge that obeys a rate law.
     fn tolerance(&self) -> f64 {
         let followed = self.attraction.as_ref().filter(|attraction| attraction.has_rate());
-        followed.map_or(SMOOTH, |attraction| SMOOTH.max(0.1 * attraction.accuracy()))
+        followed.map_or(SMOOTH, |attraction| SMOOTH.max(0.01 * attraction.accuracy()))
     }
 
     /// The spring at `x` after a motion in which it joins or leaves at the time `at`.

@@ -1,4 +1,4 @@
-//! Monotone piecewise cubic through measured points.
+//! Monotone piecewise cubic through points, measured or computed.
 
 /// Piecewise cubic with a continuous slope, which rises nowhere where the points do not.
 ///
@@ -6,18 +6,18 @@
 /// cone and for a paraboloid, whatever the spacing), limited to three times the smaller of the
 /// neighbouring secants (Fritsch & Carlson 1980, sufficient condition for monotony).
 #[derive(Debug, Clone)]
-pub(super) struct Interpolant {
+pub struct Interpolant {
     radii: Vec<f64>,
     heights: Vec<f64>,
     slopes: Vec<f64>,
 }
 
 /// Fewest points that give a slope and its change.
-pub(super) const FEWEST: usize = 3;
+pub const FEWEST: usize = 3;
 
 /// One piece: f′(u) = m₀ + u(2c₂ + 3c₃u) with u = (r−r₀)/h in [0, 1].
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cubic {
+pub struct Cubic {
     /// Radius at its start [m].
     pub start: f64,
     /// Radius at its end [m].
@@ -29,13 +29,13 @@ pub(super) struct Cubic {
 
 impl Cubic {
     /// f′ at the radius `r`, held inside the piece.
-    pub(super) fn slope(&self, r: f64) -> f64 {
+    pub fn slope(&self, r: f64) -> f64 {
         let u = self.fraction(r);
         self.first + u * (2.0 * self.second + 3.0 * self.third * u)
     }
 
     /// (r f′)′ = f′ + r f″ at the radius `r`.
-    pub(super) fn growth(&self, r: f64) -> f64 {
+    pub fn growth(&self, r: f64) -> f64 {
         let u = self.fraction(r);
         self.slope(r) + r * (2.0 * self.second + 6.0 * self.third * u) / (self.end - self.start)
     }
@@ -52,7 +52,7 @@ impl Cubic {
 
 impl Interpolant {
     /// The interpolant through every other point and the last; `None` where fewer than three are left.
-    pub(super) fn coarser(&self) -> Option<Self> {
+    pub fn coarser(&self) -> Option<Self> {
         let last = self.radii.len() - 1;
         let every_other = |values: &[f64]| -> Vec<f64> {
             let kept = values.iter().enumerate().filter(|(at, _)| at % 2 == 0 || *at == last);
@@ -63,7 +63,7 @@ impl Interpolant {
     }
 
     /// The interpolant through at least three points of rising radii.
-    pub(super) fn new(radii: Vec<f64>, heights: Vec<f64>) -> Self {
+    pub fn new(radii: Vec<f64>, heights: Vec<f64>) -> Self {
         let steps: Vec<f64> = radii.windows(2).map(|r| r[1] - r[0]).collect();
         let secants: Vec<f64> = heights.windows(2).zip(&steps).map(|(f, h)| (f[1] - f[0]) / h).collect();
         let last = secants.len() - 1;
@@ -76,28 +76,28 @@ impl Interpolant {
     }
 
     /// Number of pieces.
-    pub(super) fn len(&self) -> usize {
+    pub fn pieces(&self) -> usize {
         self.radii.len() - 1
     }
 
-    /// The measured radii.
-    pub(super) fn radii(&self) -> &[f64] {
+    /// The radii of the points.
+    pub fn radii(&self) -> &[f64] {
         &self.radii
     }
 
     /// Radius up to which the height is zero.
-    pub(super) fn flat(&self) -> f64 {
+    pub fn flat(&self) -> f64 {
         let risen = self.heights.partition_point(|&height| height <= self.heights[0]);
         self.radii[risen.max(1) - 1]
     }
 
     /// Slope f′ at the apex.
-    pub(super) fn apex_slope(&self) -> f64 {
+    pub fn apex_slope(&self) -> f64 {
         self.slopes[0]
     }
 
     /// The piece of index `i`.
-    pub(super) fn piece(&self, i: usize) -> Cubic {
+    pub fn piece(&self, i: usize) -> Cubic {
         let (start, end) = (self.radii[i], self.radii[i + 1]);
         let (step, first, last) = (end - start, self.slopes[i], self.slopes[i + 1]);
         let secant = (self.heights[i + 1] - self.heights[i]) / step;
@@ -105,11 +105,11 @@ impl Interpolant {
     }
 
     /// Height f(r) above the apex; beyond the last point infinite.
-    pub(super) fn height(&self, r: f64) -> f64 {
-        if r > self.radii[self.len()] {
+    pub fn height(&self, r: f64) -> f64 {
+        if r > self.radii[self.pieces()] {
             return f64::INFINITY;
         }
-        let i = self.radii.partition_point(|&at| at <= r).clamp(1, self.len()) - 1;
+        let i = self.radii.partition_point(|&at| at <= r).clamp(1, self.pieces()) - 1;
         self.heights[i] - self.heights[0] + self.piece(i).rise(r)
     }
 }
