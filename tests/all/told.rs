@@ -205,6 +205,61 @@ fn a_pull_that_turns_late_in_a_row_is_told() {
     }
 }
 
+/// Turned round, a dashpot has the force turn twice before the pull of an edge with a rate does, all in one row: the pull is told.
+/// Bound: the accuracy.
+#[test]
+fn a_pull_behind_other_turns_is_told() {
+    let scene = |history: &str| {
+        format!(
+            "(shape: Paraboloid(radius: 1.1e-3), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e6, viscosity: 6e7)), \
+             Rigid), adhesion: Jkr(work: 1.1e-6, edge: Rate(speed: 5.6e-8, exponent: 0.5)), steps: 40, accuracy: 1e-3, \
+             history: [{history}])"
+        )
+    };
+    let rows: [(&str, &[f64]); 2] =
+        [("time_s", &[0.0, 56.0, 66.0, 122.0]), ("indentation_m", &[0.0, 1e-8, 1e-8, -5.3e-9])];
+    let pulled = |history: &str| {
+        let tables = InMemory::default().with("way.csv", &rows);
+        let plan = Scene::from_ron(&scene(history)).unwrap().resolve(&tables).unwrap();
+        let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
+        (outcome.number("pull_off_force_n").unwrap(), outcome.number("largest_force_n").unwrap())
+    };
+    let (told, largest) = pulled("Table(\"way.csv\")");
+    let (exact, _) = pulled("Indent(to: 1e-8, over: 56), Hold(over: 10), Indent(to: -5.3e-9, over: 56)");
+    assert!(exact < -1e-3 * largest, "{exact:e} {largest:e}");
+    assert!((told - exact).abs() < 1e-3 * exact.abs(), "{told:e} {exact:e}");
+}
+
+/// An edge with a rate is as good as the accuracy asked for up to where it gives way, and says what it misses.
+#[test]
+fn an_edge_with_a_rate_keeps_its_accuracy() {
+    let followed = |accuracy: f64| {
+        let text = format!(
+            "(shape: Paraboloid(radius: 5e-3), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e5, \
+             terms: [(modulus: 5e5, time: 0.1), (modulus: 2e5, time: 3)])), Rigid), \
+             adhesion: Jkr(work: 0.05, edge: Rate(speed: 1e-5, exponent: 0.5)), steps: 20, accuracy: {accuracy:e}, \
+             history: [Indent(to: 1e-5, over: 1), Hold(over: 3), Indent(to: -4e-6, over: 0.2), Indent(to: 5e-6, over: 0.5), \
+             Indent(to: -4e-6, over: 1)])"
+        );
+        tried(&text).unwrap()
+    };
+    let fine = followed(1e-7);
+    let largest = fine.records.iter().map(|record| record.normal.force.abs()).fold(0.0, f64::max);
+    for accuracy in [1e-2, 1e-3, 1e-4] {
+        let usual = followed(accuracy);
+        let at = |time: f64| fine.records.iter().find(|record| (record.time - time).abs() <= 1e-12);
+        let pairs: Vec<_> = usual.records.iter().filter_map(|one| at(one.time).map(|two| (one, two))).collect();
+        assert!(pairs.len() > 100, "{}", pairs.len());
+        let offs = pairs.iter().map(|(one, two)| (one.normal.force - two.normal.force).abs());
+        let off = offs.fold(0.0, f64::max) / largest;
+        assert!(
+            off < accuracy && off < usual.error_estimate.relative,
+            "{accuracy:e}: {off:e} {:?}",
+            usual.error_estimate
+        );
+    }
+}
+
 /// A mass that lies on a liquid which relaxes before the next spring is met tells what its force is off by: that of a part of
 /// a spring, which no shorter step would show.
 #[test]

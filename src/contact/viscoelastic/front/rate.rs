@@ -4,6 +4,8 @@ use super::super::attraction::Attraction;
 use super::{Front, Way};
 use crate::numerics::{extremum, root};
 
+/// Part of the accuracy that a step may miss: before a collapse what has been missed grows.
+const OF_ACCURACY: f64 = 0.25;
 /// Part of the error of a step that its roots may be off.
 const UNFELT: f64 = 1e-3;
 /// Part of the time to a collapse that a step goes.
@@ -74,7 +76,8 @@ impl Front<'_> {
     /// any more has collapsed.
     pub(super) fn path(&self) -> Vec<(f64, f64)> {
         let duration = self.motion.duration;
-        let (shortest, accuracy) = (self.instantly * duration, self.attraction.map_or(0.0, Attraction::accuracy));
+        let accuracy = OF_ACCURACY * self.attraction.map_or(0.0, Attraction::accuracy);
+        let shortest = self.instantly * duration;
         let longest = duration * self.attraction.map_or(1.0, Attraction::longest);
         let mut pace = Pace::new(accuracy, (shortest, longest));
         let (mut now, mut a, mut stride) = (0.0, self.edge, 0.0);
