@@ -178,6 +178,10 @@ impl ContactModel for MappedContact {
         self.bed.last_depth()
     }
 
+    fn doubt(&self) -> f64 {
+        self.bed.doubt()
+    }
+
     fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
         self.bed.parting(piece)
     }

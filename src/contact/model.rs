@@ -341,6 +341,11 @@ pub trait ContactModel: Send {
         None
     }
 
+    /// Part of its force by which two looks may differ that are as good as at one time: of an edge that is followed in steps.
+    fn doubt(&self) -> f64 {
+        0.0
+    }
+
     /// When in a piece the bodies part, of a contact that knows it.
     ///
     /// # Errors

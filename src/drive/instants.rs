@@ -291,10 +291,11 @@ impl Watch {
         three: [Glimpse; 3],
     ) -> Result<Option<NotableInstant>, ContactError> {
         let [first, middle, last] = three.map(|glimpse| glimpse.seen.force);
-        let noise = NOISE * middle.abs().max(first.abs()).max(last.abs());
+        let most = middle.abs().max(first.abs()).max(last.abs());
+        let (noise, doubt) = (NOISE * most, contact.doubt() * most);
         let sign = if middle > first { 1.0 } else { -1.0 };
         let over = [first, last].map(|other| sign * (middle - other));
-        if over[0].min(over[1]) < 0.0 || over[0].max(over[1]) <= noise {
+        if over[0].min(over[1]) < doubt || over[0].max(over[1]) <= noise {
             return Ok(None);
         }
         let force = |time: f64| Ok::<_, ContactError>(sign * self.see(contact, time)?.force);

@@ -71,6 +71,9 @@ pub(in crate::contact) fn in_time(
     Ok(Some(Straight { slide: piece.slide, ..instant }))
 }
 
+/// Part of the error of a step of an edge with a rate by which its looks differ.
+const UNTOLD: f64 = 0.1;
+
 impl ContactModel for ContinuousContact {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
         if let Some(piece) = in_time(&self.bed.spectrum(), self.bed.indentation(), piece)? {
@@ -125,6 +128,10 @@ impl ContactModel for ContinuousContact {
 
     fn effort(&self) -> Effort {
         Effort { springs: 0, bytes: self.bed.bytes(), force_error: Some(self.bed.force_error()), radius_error: None }
+    }
+
+    fn doubt(&self) -> f64 {
+        self.bed.attraction().and_then(Attraction::step_error).map_or(0.0, |error| UNTOLD * error)
     }
 
     fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {

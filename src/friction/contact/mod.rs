@@ -334,6 +334,10 @@ impl ContactModel for FrictionalContact {
         self.normal.last_depth()
     }
 
+    fn doubt(&self) -> f64 {
+        self.normal.doubt()
+    }
+
     fn parting(&self, piece: &Straight) -> Result<Option<Parting>, ContactError> {
         self.normal.parting(piece)
     }

@@ -10,15 +10,13 @@ const OF_ACCURACY: f64 = 0.25;
 const UNFELT: f64 = 1e-3;
 /// Part of the time to a collapse that a step goes.
 const SHORT_OF: f64 = 0.5;
-/// Parts of a step at which the edge is known on the way.
-const ON_THE_WAY: [f64; 3] = [1.0 / 3.0, 0.5, 2.0 / 3.0];
 
-/// A step of an edge that opens, of the third order.
+/// A step of an edge that opens.
 struct OpeningStep {
     /// Where it ends [m].
     to: f64,
-    /// Where the edge is on the way [m].
-    between: [f64; 3],
+    /// Where the edge is on the way [m], at parts of the step.
+    between: Vec<(f64, f64)>,
     /// How far the contact radius may be off, as a part of that of the edge from which the motion began.
     error: f64,
 }
@@ -93,7 +91,7 @@ impl Front<'_> {
                 pace.collapsed = until;
                 continue;
             }
-            let made = self.extrapolated(a, (now, until), whole);
+            let made = self.extrapolated(a, (now, until), (whole, accuracy));
             let error = made.as_ref().map_or(left, |made| made.error);
             stride = a - whole;
             if error > accuracy && may_be_shorter {
@@ -104,7 +102,7 @@ impl Front<'_> {
             if next >= a {
                 break;
             }
-            for (part, at) in made.iter().flat_map(|made| ON_THE_WAY.into_iter().zip(made.between)) {
+            for (part, at) in made.iter().flat_map(|made| made.between.iter().copied()) {
                 if next < at && path.last().is_some_and(|&(last, _)| at < last) {
                     path.push((at, now + part * (until - now)));
                 }
@@ -116,11 +114,12 @@ impl Front<'_> {
         path
     }
 
-    /// A step from the edge `a` that ends at `whole` [m] when made at once: made in two and in three parts as well, and
-    /// extrapolated; `None` where it holds nowhere at its end.
+    /// A step from the edge `a` that ends at `whole` [m] when made at once: made in two and, where that changes more than it
+    /// may, in three parts as well, and extrapolated; `None` where it holds nowhere at its end.
     ///
-    /// The error is what the third order changes, or what the place in the middle is off the cubic through the others.
-    fn extrapolated(&self, a: f64, (now, until): (f64, f64), whole: f64) -> Option<OpeningStep> {
+    /// The error is what the second order changes, or the third, or what the place in the middle is off the cubic through the
+    /// others.
+    fn extrapolated(&self, a: f64, (now, until): (f64, f64), (whole, allowed): (f64, f64)) -> Option<OpeningStep> {
         let times = |count: u32| (0..=count).map(move |k| now + f64::from(k) / f64::from(count) * (until - now));
         let made_in = |count: u32| {
             let ends: Vec<f64> = times(count).take(count as usize).chain([until]).collect();
@@ -133,19 +132,26 @@ impl Front<'_> {
                 })
                 .collect::<Vec<f64>>()
         };
-        let (halves, thirds) = (made_in(2), made_in(3));
-        let (second, better) = (2.0 * halves[1] - whole, 3.0 * thirds[2] - 2.0 * halves[1]);
+        let radius = |place: f64| self.profile.contact_radius(place.max(0.0));
+        let apart = |one: f64, two: f64| (radius(one) - radius(two)).abs() / radius(self.edge);
+        let halves = made_in(2);
+        // On the way implicit steps err by what they do at the end, as far as they have come.
+        let (second, off) = (2.0 * halves[1] - whole, 2.0 * (halves[1] - whole));
+        let middle = halves[0] + off / 4.0;
+        let error = apart(halves[1], whole);
+        if second > 0.0 && error <= allowed {
+            return Some(OpeningStep { to: second, between: vec![(0.5, middle)], error });
+        }
+        let thirds = made_in(3);
+        let better = 3.0 * thirds[2] - 2.0 * halves[1];
         let to = better + 0.5 * (better - second);
         if thirds[2] <= 0.0 || to <= 0.0 {
             return None;
         }
-        // On the way implicit steps err by what they do at the end, as far as they have come.
-        let off = 2.0 * (halves[1] - whole);
-        let between = [thirds[0] + off / 9.0, halves[0] + off / 4.0, thirds[1] + 2.0 * off / 9.0];
-        let cubic = (9.0 * (between[0] + between[2]) - a - to) / 16.0;
-        let radius = |place: f64| self.profile.contact_radius(place.max(0.0));
-        let apart = |one: f64, two: f64| (radius(one) - radius(two)).abs() / radius(self.edge);
-        Some(OpeningStep { to, between, error: apart(to, better).max(apart(between[1], cubic)) })
+        let (early, late) = (thirds[0] + off / 9.0, thirds[1] + 2.0 * off / 9.0);
+        let cubic = (9.0 * (early + late) - a - to) / 16.0;
+        let between = vec![(1.0 / 3.0, early), (0.5, middle), (2.0 / 3.0, late)];
+        Some(OpeningStep { to, between, error: apart(to, better).max(apart(middle, cubic)) })
     }
 
     /// Part of a radius that an extrapolated step does not feel.

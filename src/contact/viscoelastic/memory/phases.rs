@@ -249,7 +249,7 @@ impl Memory {
     /// What the polynomials of the panels may miss: no more than the way of an edge that obeys a rate law.
     fn tolerance(&self) -> f64 {
         let followed = self.attraction.as_ref().filter(|attraction| attraction.has_rate());
-        followed.map_or(SMOOTH, |attraction| SMOOTH.max(0.01 * attraction.accuracy()))
+        followed.map_or(SMOOTH, |attraction| SMOOTH.max(0.1 * attraction.accuracy()))
     }
 
     /// The spring at `x` after a motion in which it joins or leaves at the time `at`.
