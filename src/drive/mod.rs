@@ -128,6 +128,11 @@ enum Remainder {
 }
 
 impl ActiveStage {
+    /// A stage at its beginning.
+    fn new(course: Course, from: f64, slide: f64, remainder: Remainder) -> Self {
+        Self { course, from, slide, shaken: None, now: 0.0, remainder, leg: None, behind: None, at_speed: None }
+    }
+
     /// Tangential displacement [m] at the time `t` [s].
     fn slide_at(&self, t: f64) -> f64 {
         if let Some(shaken) = &self.shaken {
@@ -158,17 +163,7 @@ impl Driver {
             over: 0.0,
             extent: Extent::Entry,
         };
-        let stage = ActiveStage {
-            course,
-            from: 0.0,
-            slide: 0.0,
-            shaken: None,
-            now: 0.0,
-            remainder: Remainder::Done,
-            leg: None,
-            behind: None,
-            at_speed: None,
-        };
+        let stage = ActiveStage::new(course, 0.0, 0.0, Remainder::Done);
         Self {
             accuracy,
             creep: contact.creep(),
@@ -194,19 +189,8 @@ impl Driver {
         let pulled = course.control == Control::Force && present.indentation.is_none();
         let from = if pulled { self.pull } else { prescribed(contact, &present, course.control) };
         self.pull = if course.control == Control::Force { course.normal.at(from, 1.0, course.over) } else { 0.0 };
-        let remainder = Remainder::Records;
         let idled = matches!(self.stage.remainder, Remainder::Idle);
-        self.stage = ActiveStage {
-            course,
-            from,
-            slide,
-            shaken: None,
-            now: 0.0,
-            remainder,
-            leg: None,
-            behind: None,
-            at_speed: None,
-        };
+        self.stage = ActiveStage::new(course, from, slide, Remainder::Records);
         if contact.memory().is_none() {
             return Ok(());
         }
