@@ -32,7 +32,8 @@ impl Glimpse {
 
 /// Relative change of the force below which a turn is rounding.
 const NOISE: f64 = 1e-12;
-/// What happens before this part of a look is the beginning, where there is a record already.
+/// What happens before this part of a look is the beginning, where there is a record already; a turn behind all but this part
+/// of a pull is its end.
 const BEGINNING: f64 = 1e-12;
 /// Parts of a time, and multiples of a doubt, within which a parting may lie from where it was found.
 const NEAR: [(f64, f64); 4] = [(1e-15, 1.0), (1e-13, 8.0), (1e-10, 64.0), (1e-7, 512.0)];
@@ -220,6 +221,10 @@ impl Watch {
         for _ in 0..MOST_TURNS {
             let here = self.past_found(contact, here, end)?;
             let Some(turn) = self.turn_before_parting(contact, here, end)? else { break };
+            // A pull that is greatest at its end parts the bodies there.
+            if turn.time >= end * (1.0 - BEGINNING) {
+                break;
+            }
             self.found.push_back(turn);
         }
         Ok(())

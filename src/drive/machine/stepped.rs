@@ -14,6 +14,7 @@ use crate::numerics::extrapolation::Stepper;
 /// of energies, to the error of that rule however long the steps; of second order in h. Steps begin short where the bodies
 /// touch, part or the mass turns. A mass that falls on bodies that remember comes to creep, if they are asked about
 /// ([`until_it_creeps`](Self::until_it_creeps)): its inertia is next to nothing then, and what it weighs leads the depth.
+/// Where bodies that attract each other part, the force goes as the root of the depth that is left: steps halve what is left.
 pub struct SteppedMachine<'c> {
     contact: &'c mut dyn ContactModel,
     suspension: Suspension,
@@ -67,6 +68,10 @@ const GROWTH: f64 = 0.2;
 const SETTLED: f64 = 1e-11;
 /// Speed by rounding, relative to that which the push gives in the longest step.
 const STILL: f64 = 1e-10;
+/// Time before bodies that attract each other part, relative to the longest step, that is gone in one step, and the halvings
+/// that tell it from none.
+const NEAR: f64 = 1e-4;
+const ROUGHLY: usize = 14;
 /// Most iterations of a step, halvings of one that parts the bodies, corrections of one that ends where the mass turns.
 const MOST: usize = 40;
 const HALVINGS: usize = 48;
@@ -146,7 +151,14 @@ impl MovedMass for SteppedMachine<'_> {
         let left = until - self.state.time;
         let (step, ends) = if short < left { (short, None) } else { (left, Some(until)) };
         let mean = self.mean_speed(step)?;
-        let touches = self.joined_after(mean, step)?;
+        let end = self.contact.look(&ahead(self.contact, mean, step))?;
+        let touches = end.contact_radius > 0.0;
+        if joined && mean < 0.0 && (end.force < 0.0 || !touches) {
+            if let Some(half) = self.halfway(mean, 2.0 * step)?.filter(|&half| half < step) {
+                let mean = self.mean_speed(half)?;
+                return self.go_on(mean, half, None);
+            }
+        }
         if joined == touches {
             return self.go_on(mean, step, ends);
         }
@@ -155,9 +167,20 @@ impl MovedMass for SteppedMachine<'_> {
 }
 
 impl SteppedMachine<'_> {
+    /// Half of the time [s] after which bodies that pull at each other part, if that is within `step` and not near yet.
+    fn halfway(&mut self, mean: f64, step: f64) -> Result<Option<f64>, MachineError> {
+        if self.joined_after(mean, step)? {
+            return Ok(None);
+        }
+        let (left, _) = self.change(mean, step, true, ROUGHLY)?;
+        let is_far = left > NEAR * self.longest;
+        let pulls = is_far && self.contact.look(&ahead(self.contact, mean, left))?.force < 0.0;
+        Ok(pulls.then_some(0.5 * left))
+    }
+
     /// The bodies touch or part in a step, which ends there.
     fn turn_over(&mut self, mean: f64, step: f64, joined: bool) -> Result<Option<MassMoment>, MachineError> {
-        let (low, high) = self.change(mean, step, joined)?;
+        let (low, high) = self.change(mean, step, joined, HALVINGS)?;
         let mean = if low > 0.0 { self.mean_speed(low)? } else { mean };
         self.go(mean, low, None)?;
         // Over the last bit, in which nothing acts; bodies that by rounding do not touch yet where a look at them did go on.
@@ -335,9 +358,9 @@ impl SteppedMachine<'_> {
     }
 
     /// The last time in a step at which the bodies are `joined` as they are now, and the first at which they are not.
-    fn change(&mut self, mean: f64, step: f64, joined: bool) -> Result<(f64, f64), MachineError> {
+    fn change(&mut self, mean: f64, step: f64, joined: bool, halvings: usize) -> Result<(f64, f64), MachineError> {
         let (mut low, mut high) = (0.0, step);
-        for _ in 0..HALVINGS {
+        for _ in 0..halvings {
             let middle = 0.5 * (low + high);
             *(if self.joined_after(mean, middle)? == joined { &mut low } else { &mut high }) = middle;
         }

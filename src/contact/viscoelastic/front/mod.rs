@@ -86,6 +86,8 @@ pub(super) struct Front<'b> {
 const NEAR_THE_END: f64 = 1.0 / 64.0;
 /// Part of what rounding may be that hides a gap.
 const HIDDEN: f64 = 0.5;
+/// Parts of the rounding of a limit by which a spring is surely beyond it.
+const BEYOND: f64 = 4.0;
 /// Part of a radius that does not count: nearer to the edge no spring is looked at.
 const BESIDE: f64 = 8.0 * f64::EPSILON;
 
@@ -162,10 +164,11 @@ impl Front<'_> {
         }
         let next = self.candidate(way, self.beside(way));
         let (urge, rounding) = (next.urge(self.spectrum, 0.0), next.rounding(self.spectrum));
-        if urge > rounding {
+        let rate = next.urge_rate(self.spectrum, 0.0);
+        // What falls again may be what the polynomials miss of the spring: only one that is beyond its limit goes.
+        if urge > rounding && (rate >= 0.0 || urge > BEYOND * rounding) {
             return true;
         }
-        let rate = next.urge_rate(self.spectrum, 0.0);
         // An edge that waited would be past a limit that is reached within the shortest wait.
         if urge + rate.max(0.0) * self.least < -rounding {
             return false;
@@ -251,6 +254,6 @@ impl Front<'_> {
     /// Whether the spring at `x` is beyond its limit as the motion begins, by more than rounding.
     fn is_beyond(&self, way: Way, x: f64) -> bool {
         let candidate = self.candidate(way, x);
-        candidate.urge(self.spectrum, 0.0) > 4.0 * candidate.rounding(self.spectrum)
+        candidate.urge(self.spectrum, 0.0) > BEYOND * candidate.rounding(self.spectrum)
     }
 }
