@@ -33,9 +33,14 @@ pub fn cubic_remainder(y: f64, a: f64) -> f64 {
     if a > 0.3 { y - a - 0.5 * a * a } else { tail(a, 3) }
 }
 
-/// Σ aᵏ/k from k = `first`; 32 terms leave 0.3³² < 1e-16, six 0.003⁶.
+/// Σ aᵏ/k from k = `first`; 32 terms leave 0.3³² < 1e-16, sixteen 0.08¹⁶, ten 0.018¹⁰, six 0.001⁶.
 fn tail(a: f64, first: u8) -> f64 {
-    let terms = if a > 0.003 { 32 } else { 6 };
+    let terms = match a {
+        ..=0.001 => 6,
+        ..=0.018 => 10,
+        ..=0.08 => 16,
+        _ => 32,
+    };
     let sum = (first..first + terms).rev().fold(0.0, |sum, k| sum * a + f64::from(k).recip());
     sum * a.powi(i32::from(first))
 }

@@ -75,6 +75,15 @@ impl Spectrum {
     }
 }
 
+/// Load s [N/m] of a Maxwell element that was at rest and has moved at the speed `v` for the time `t`, and what ∫ s dt
+/// is then.
+pub(super) fn first_load(term: &Element, v: f64, t: f64) -> (f64, impl FnOnce() -> f64) {
+    let y = t / term.time;
+    let lost = decay(y).1;
+    let (time, steady) = (term.time, term.modulus * v * term.time);
+    (steady * lost, move || steady * (time * square_remainder(y, lost)))
+}
+
 /// ∫ s dt of a Maxwell element that starts at the load `s` and moves at the speed `v` for the time `t`.
 pub(in crate::contact) fn impulse(term: &Element, s: f64, v: f64, t: f64) -> f64 {
     let y = t / term.time;

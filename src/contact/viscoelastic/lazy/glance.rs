@@ -10,9 +10,11 @@ impl Lazy {
     /// edge is found: the others, and what was done and stored, are not to be asked for.
     pub(super) fn end_at(&mut self, speed: f64, duration: f64) {
         let motion = Motion { start: self.now.depth, speed, duration };
-        let (pressed, count) = (self.now.pressed, self.layout.len());
-        let touches = pressed < count && self.touched_in(pressed, &motion).is_some();
-        if speed >= 0.0 || touches {
+        let pressed = self.now.pressed;
+        if speed >= 0.0 {
+            return self.reach_out(&motion);
+        }
+        if pressed < self.now.touched && self.touched_in(pressed, &motion).is_some() {
             return self.advance(speed, duration);
         }
         let kept = self.kept(&motion);
@@ -21,6 +23,21 @@ impl Lazy {
         self.let_go_beyond(kept);
         self.evolve(&motion);
         released.into_iter().for_each(|event| self.replace(event, duration));
+    }
+
+    /// A motion inwards; of the springs touched for the first time those alone are kept by which the edge is found.
+    fn reach_out(&mut self, motion: &Motion) {
+        let touched = self.touched_again(motion);
+        let first = self.touched_first(touched.len(), motion);
+        self.evolve(motion);
+        touched.into_iter().for_each(|event| self.replace(event, motion.duration));
+        let beside_edge = first.end.saturating_sub(NODES);
+        for j in first {
+            let touch = self.touch_first(j, motion);
+            if j >= beside_edge {
+                self.keep(&touch);
+            }
+        }
     }
 
     /// How many springs are still pressed at the end of a motion outwards: from the edge inwards all are let go up to there.

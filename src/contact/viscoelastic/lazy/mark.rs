@@ -1,6 +1,6 @@
 //! Motions that are taken back, and a state to be gone back to.
 
-use super::{Instant, Lazy, Now};
+use super::{Instant, Lazy, Now, Numbers};
 
 /// A state to be gone back to, and what springs have changed since.
 #[derive(Debug, Clone)]
@@ -15,7 +15,7 @@ pub(super) struct Undo {
     spring: usize,
     since: Instant,
     rest: f64,
-    constants: Vec<f64>,
+    constants: Numbers,
 }
 
 impl Lazy {
@@ -25,7 +25,7 @@ impl Lazy {
         let mark = self.marked.as_mut().map(|mark| &mut mark.changed);
         // What is tried is taken back, and nothing of it is to be taken back later.
         if let Some(journal) = self.journal.as_mut().or(mark) {
-            let constants = self.constants[row].to_vec();
+            let constants = Numbers::from_slice(&self.constants[row]);
             journal.push(Undo { spring: j, since: self.since[j], rest: self.rest[j], constants });
         }
     }

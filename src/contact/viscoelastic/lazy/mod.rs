@@ -28,6 +28,7 @@
 mod edge;
 mod glance;
 mod mark;
+mod touch;
 
 use mark::{Mark, Undo};
 
@@ -39,6 +40,7 @@ use super::spring::{Free, Motion, Piece, Spring};
 use super::totals::{Numbers, Totals};
 use crate::contact::model::{Effort, Straight};
 use crate::shape::Profile;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Bed whose cost per motion does not grow with the number of springs.
@@ -170,8 +172,9 @@ impl Lazy {
     pub fn advance(&mut self, speed: f64, duration: f64) {
         let motion = Motion { start: self.now.depth, speed, duration };
         let pressed = self.now.pressed;
-        let touched: Vec<Event> = (pressed..self.layout.len()).map_while(|j| self.touched_in(j, &motion)).collect();
-        let held = touched.iter().any(|event| matches!(event.after, Spring::Pressed(_)));
+        let touched = self.touched_again(&motion);
+        let first = self.touched_first(touched.len(), &motion);
+        let held = !first.is_empty() || touched.iter().any(|event| matches!(event.after, Spring::Pressed(_)));
         let inwards = (0..if held { 0 } else { pressed }).rev();
         let released: Vec<Event> = inwards.map_while(|j| self.released_in(j, &motion)).collect();
         for event in &released {
@@ -180,6 +183,10 @@ impl Lazy {
         }
         self.evolve(&motion);
         touched.into_iter().chain(released).for_each(|event| self.replace(event, duration));
+        for j in first {
+            let touch = self.touch_first(j, &motion);
+            self.keep(&touch);
+        }
         self.now.work += speed * self.now.impulse;
         self.refresh();
     }
@@ -236,13 +243,6 @@ impl Lazy {
         }
     }
 
-    fn touched_in(&self, spring: usize, motion: &Motion) -> Option<Event> {
-        let (before, seen) = (self.spring(spring), self.seen(spring, motion));
-        let Spring::Free(free) = &before else { return None };
-        self.spectrum.touch(free, &seen)?;
-        Some(self.event(spring, before, &seen))
-    }
-
     fn released_in(&self, spring: usize, motion: &Motion) -> Option<Event> {
         let event = self.event(spring, self.spring(spring), &self.seen(spring, motion));
         matches!(event.after, Spring::Free(_)).then_some(event)
@@ -260,7 +260,7 @@ impl Lazy {
         Motion { start: motion.start - self.layout.height[j], ..*motion }
     }
 
-    fn row(&self, j: usize) -> std::ops::Range<usize> {
+    fn row(&self, j: usize) -> Range<usize> {
         let rows = self.constants.len() / self.layout.len().max(1);
         j * rows..(j + 1) * rows
     }
