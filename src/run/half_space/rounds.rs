@@ -16,6 +16,9 @@ const ROUNDS: usize = 2000;
 /// Residual to which a contact is solved that an attraction changes again, whatever accuracy is asked for: less would be
 /// worked off in the next round, and more keeps gap and attraction from finding each other.
 const LOOSE: f64 = 1e-7;
+/// The same while they are far from each other, as part of what the last round has changed, and at most.
+const OF_CHANGE: f64 = 1e-3;
+const LOOSEST: f64 = 1e-4;
 /// The same of rounds that have gone on for long: of a range that is short beside the displacements what is left over changes
 /// the attraction.
 const TIGHT: f64 = 1e-10;
@@ -173,7 +176,7 @@ impl Rounds<'_> {
         let mut change = f64::INFINITY;
         while *left > 0 {
             *left -= 1;
-            let tolerance = if 4 * *left > 3 * ROUNDS { LOOSE } else { TIGHT };
+            let tolerance = residual_after(change, *left);
             let settings = Settings { tolerance, ..self.settings };
             let Some(control) = self.control(&pull) else {
                 // A guess may pull less than what holds the bodies.
@@ -233,6 +236,15 @@ impl Rounds<'_> {
             Prescribed::Force(force) => Some(Prescribed::Force(force + pulls)),
             depth @ Prescribed::Indentation(_) => Some(depth),
         }
+    }
+}
+
+/// Residual to which a contact is solved after a round that has changed the attraction by `change`, with `left` rounds to go.
+fn residual_after(change: f64, left: usize) -> f64 {
+    match change {
+        _ if 4 * left <= 3 * ROUNDS => TIGHT,
+        change if change.is_finite() => (OF_CHANGE * change).clamp(LOOSE, LOOSEST),
+        _ => LOOSE,
     }
 }
 
