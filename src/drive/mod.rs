@@ -47,7 +47,7 @@ pub use cycle::Loop;
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::creep::Creep;
 use crate::contact::error::ContactError;
-use crate::contact::model::{ContactModel, Pull, Straight};
+use crate::contact::model::{ContactModel, Event, Pull, Straight};
 use crate::contact::state::{Normal, Tangential};
 use chords::Chords;
 use course::{Course, Extent, Path};
@@ -350,9 +350,17 @@ impl Driver {
                 contact.press(&pull).unwrap_or_else(|| Ok(Vec::new()))?
             }
         };
-        let time = |at: f64| if (to - from).abs() > 0.0 { ((at - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 };
+        let part = |from: f64, to: f64, at: f64| {
+            if (to - from).abs() > 0.0 { ((at - from) / (to - from)).clamp(0.0, 1.0) } else { 0.0 }
+        };
+        // Where nothing moves but along the surface, it is the slide that tells.
+        let slid = |there: Tangential| part(before.map_or(0.0, |before| before.slide), slide, there.slide);
+        let time = |event: &Event| match event.tangential.filter(|_| (to - from).abs() <= 0.0) {
+            Some(there) => slid(there),
+            None => part(from, to, event.at),
+        };
         occurrences.extend(events.iter().map(|event| Occurrence {
-            time: stage.now + time(event.at) * duration,
+            time: stage.now + time(event) * duration,
             before: event.before,
             after: event.after,
             tangential: event.tangential.or(before),

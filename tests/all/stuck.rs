@@ -43,6 +43,38 @@ fn kept(record: &Record) -> f64 {
         + tangential.dissipated.unwrap()
 }
 
+/// Where the edge gives way is told, whatever the records: as it is about to, under more than any other, and afterwards, with
+/// what was lost between.
+#[test]
+fn the_edge_is_told_as_it_gives_way() {
+    for (led, deep) in [("Indent", 0.1), ("Press", 0.3)] {
+        let text = format!(
+            "(shape: {}, bodies: (Elastic(young: 1, poisson: 0.5), Rigid), adhesion: Jkr(work: 0.05), friction: Stuck, steps: 3, history: [{led}(to: {deep}, over: 1), Slide(to: -7, over: 1)])",
+            SHAPES[0]
+        );
+        let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap();
+        let told = run::run(&plan, Wanted { instants: true, ..Wanted::NOTHING }).unwrap().records;
+        let slid: Vec<(&Record, f64)> = told
+            .iter()
+            .filter(|record| record.entry == 1)
+            .map(|record| (record, record.tangential_force().unwrap()))
+            .collect();
+        let at = slid.windows(2).position(|pair| (pair[0].0.time - pair[1].0.time).abs() <= 0.0).unwrap();
+        let [(before, most), (after, left)] = [slid[at], slid[at + 1]];
+        assert!(slid.iter().all(|&(_, force)| most <= force) && most < 0.0 && left.abs() <= 0.0, "{slid:?}");
+        let slides = [before, after].map(|record| record.tangential.unwrap().slide);
+        assert!(
+            (slides[0] - slides[1]).abs() <= 0.0 && (slides[0] / -7.0 - (before.time - 1.0)).abs() < 1e-12,
+            "{slides:?}"
+        );
+        // Beyond rounding what is stored and lost is the same; under a force the weight gives of itself.
+        let sunk = after.normal.indentation.unwrap() - before.normal.indentation.unwrap();
+        let given = if led == "Press" { deep * sunk } else { 0.0 };
+        assert!((kept(after) - kept(before) - given).abs() < 1e-12 * kept(after), "{led}: {before:?} {after:?}");
+        assert!(after.tangential.unwrap().dissipated > before.tangential.unwrap().dissipated);
+    }
+}
+
 /// At d = 0 X = 2πaw/E* − a⁴/R² is greatest at a³ = πwR²/2E*, where αu² = (3/2)πaw/E*.
 #[test]
 fn a_ball_at_no_depth_gives_way_where_theory_says() {

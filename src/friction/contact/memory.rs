@@ -1,6 +1,6 @@
 //! Coulomb friction by the memory of turning points.
 
-use super::{Step, TangentialContact};
+use super::{Step, Sudden, TangentialContact};
 use crate::contact::model::{Effort, Loading, Pose};
 use crate::contact::state::Tangential;
 use crate::friction::{FrictionError, Grip, TangentialMemory};
@@ -30,12 +30,12 @@ impl CoulombMemory {
 }
 
 impl TangentialContact for CoulombMemory {
-    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
+    fn follow(&mut self, step: &Step<'_>) -> Result<Vec<Sudden>, FrictionError> {
         for to in step.positions(self.memory.position(), self.accuracy) {
             self.memory.advance(to)?;
             self.kept.iter_mut().for_each(|path| path.push(to));
         }
-        Ok(None)
+        Ok(Vec::new())
     }
 
     fn state(&self) -> Tangential {

@@ -72,13 +72,28 @@ pub struct Step<'c> {
     pub over: f64,
 }
 
+/// A sudden change on a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sudden {
+    /// The tangential contact where it happens.
+    pub tangential: Tangential,
+    /// The normal contact under shear there, where it is another one afterwards.
+    pub normal: Option<Normal>,
+}
+
+impl From<Tangential> for Sudden {
+    fn from(tangential: Tangential) -> Self {
+        Self { tangential, normal: None }
+    }
+}
+
 /// What slides, sticks and rubs while a normal contact moves.
 pub trait TangentialContact: Send {
-    /// Follows a step; returns the state at its beginning if that has changed suddenly.
+    /// Follows a step; what changes suddenly, at its beginning or on it.
     ///
     /// # Errors
     /// There is no state of the contact at its end.
-    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError>;
+    fn follow(&mut self, step: &Step<'_>) -> Result<Vec<Sudden>, FrictionError>;
 
     /// Present state.
     fn state(&self) -> Tangential;
@@ -189,7 +204,7 @@ impl FrictionalContact {
     }
 
     /// Takes the tangential contact along a piece that the normal one has followed from `start`.
-    fn drag(&mut self, start: Pose, piece: &Straight) -> Result<Option<Event>, ContactError> {
+    fn drag(&mut self, start: Pose, piece: &Straight) -> Result<Vec<Event>, ContactError> {
         let step = Step {
             contact: self.normal.as_ref(),
             control: Control::Indentation,
@@ -199,8 +214,9 @@ impl FrictionalContact {
             sinking: piece.speed,
             over: piece.duration,
         };
-        let onset = self.friction.follow(&step)?;
-        Ok(onset.map(|onset| self.onset(start.indentation, onset)))
+        let sudden = self.friction.follow(&step)?;
+        let prescribed = [start.indentation, piece.to];
+        Ok(sudden.into_iter().map(|sudden| self.event(prescribed, [start.slide, piece.slide], sudden)).collect())
     }
 
     /// What is left of the tangential contact where the bodies part with no area left: it has slipped everywhere.
@@ -213,10 +229,13 @@ impl FrictionalContact {
         }
     }
 
-    /// A sudden change of the tangential contact at the beginning of a step.
-    fn onset(&self, at: f64, onset: Tangential) -> Event {
-        let normal = self.sheared();
-        Event { at, before: normal, after: normal, tangential: Some(onset) }
+    /// A sudden change of the tangential contact on a step.
+    fn event(&self, prescribed: [f64; 2], slides: [f64; 2], Sudden { tangential, normal }: Sudden) -> Event {
+        let way = slides[1] - slides[0];
+        let part = if way.abs() > 0.0 { (tangential.slide - slides[0]) / way } else { 0.0 };
+        let at = prescribed[0] + part * (prescribed[1] - prescribed[0]);
+        let normal = normal.unwrap_or_else(|| self.sheared());
+        Event { at, before: normal, after: normal, tangential: Some(tangential) }
     }
 }
 
@@ -321,11 +340,11 @@ impl ContactModel for FrictionalContact {
             sinking: 0.0,
             over: pull.duration,
         };
-        let onset = self.friction.follow(&step);
+        let sudden = self.friction.follow(&step);
         let slides = [std::mem::replace(&mut self.slide, pull.slide), pull.slide];
         self.parts(&mut events, [from, pull.force], slides);
-        Some(onset.map_err(ContactError::from).map(|onset| {
-            events.extend(onset.map(|onset| self.onset(from, onset)));
+        Some(sudden.map_err(ContactError::from).map(|sudden| {
+            events.extend(sudden.into_iter().map(|sudden| self.event([from, pull.force], slides, sudden)));
             events
         }))
     }

@@ -2,7 +2,7 @@
 
 use super::held::{HeldShear, ShearedEdge};
 use super::sliding::Interface;
-use super::{Step, TangentialContact};
+use super::{Step, Sudden, TangentialContact};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::model::Loading;
 use crate::contact::state::{Normal, Tangential};
@@ -49,15 +49,15 @@ impl Peeling {
 }
 
 impl TangentialContact for Peeling {
-    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
-        let Some(way) = self.edge.way(step) else { return Ok(None) };
+    fn follow(&mut self, step: &Step<'_>) -> Result<Vec<Sudden>, FrictionError> {
+        let Some(way) = self.edge.way(step) else { return Ok(Vec::new()) };
         let before = self.state().force;
         let present = self.peeled(step)?;
         self.edge.hold(present, 0.0);
         let onset = self.state();
         self.edge.moved_to(step.slide[1]);
         self.edge.dissipated += present.state.tangential_force * way.abs();
-        Ok(((onset.force - before).abs() > 0.0).then_some(onset))
+        Ok(((onset.force - before).abs() > 0.0).then(|| onset.into()).into_iter().collect())
     }
 
     fn let_go(&mut self) {

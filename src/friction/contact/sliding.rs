@@ -1,6 +1,6 @@
 //! Gross sliding under laws that act on the pressure.
 
-use super::{Step, TangentialContact};
+use super::{Step, Sudden, TangentialContact};
 use crate::contact::error::OutsideTable;
 use crate::contact::foundation::Foundation;
 use crate::contact::loaded::Loaded;
@@ -130,13 +130,13 @@ impl SlidingContact {
 }
 
 impl TangentialContact for SlidingContact {
-    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
+    fn follow(&mut self, step: &Step<'_>) -> Result<Vec<Sudden>, FrictionError> {
         let normal = step.contact.state();
         let mut slip = self.slip.clone();
         let radius = normal.contact_radius.unwrap_or(0.0);
         let onset = slip.follow((step.slide, step.speed.abs()), radius, |law| self.limit_of(law, &normal))?;
         self.slip = slip;
-        Ok(onset)
+        Ok(onset.into_iter().map(Sudden::from).collect())
     }
 
     fn state(&self) -> Tangential {

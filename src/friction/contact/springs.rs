@@ -1,6 +1,6 @@
 //! Coulomb friction by the plain bed of springs.
 
-use super::{Step, TangentialContact};
+use super::{Step, Sudden, TangentialContact};
 use crate::contact::model::{Effort, Pose};
 use crate::contact::state::Tangential;
 use crate::friction::{CoulombBed, FrettingMap, FrictionError, Grip};
@@ -60,14 +60,14 @@ impl CoulombSprings {
 }
 
 impl TangentialContact for CoulombSprings {
-    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
+    fn follow(&mut self, step: &Step<'_>) -> Result<Vec<Sudden>, FrictionError> {
         let path = step.positions(self.at, self.accuracy);
         for &to in &path {
             self.map.advance(to);
         }
         self.force = self.bed.advance(&path).last().copied().unwrap_or(self.force);
         self.at = path.last().copied().unwrap_or(self.at);
-        Ok(None)
+        Ok(Vec::new())
     }
 
     fn state(&self) -> Tangential {

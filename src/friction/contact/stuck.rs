@@ -1,7 +1,7 @@
 //! An adhesive contact that sticks everywhere until shear peels it.
 
 use super::held::{HeldShear, ShearedEdge};
-use super::{Step, TangentialContact};
+use super::{Step, Sudden, TangentialContact};
 use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::error::FrictionError;
 use crate::contact::model::Loading;
@@ -58,6 +58,18 @@ impl StuckEdge {
         stored + 0.5 * state.tangential_force * state.slide - load
     }
 
+    /// The contact as it would be held, with the far end of the slide at `slide` [m], on the contact `normal` without shear.
+    fn with(&self, held: HeldShear<HeldFast>, normal: Normal, slide: f64) -> Sudden {
+        let mut with = self.clone();
+        with.hold(held, slide);
+        Sudden { normal: Some(with.sheared(normal)), tangential: with.state() }
+    }
+
+    fn hold(&mut self, held: HeldShear<HeldFast>, slide: f64) {
+        self.edge.hold(held, if held.rule.gone { 0.0 } else { held.state.contact_radius });
+        self.edge.moved_to(slide);
+    }
+
     /// The contact without adhesion that is left where the edge gives way in the state `last`.
     fn given_way(&mut self, held: HeldShear<HeldFast>, last: &Sheared) -> Result<HeldShear<HeldFast>, FrictionError> {
         let plain = self.edge.contact.without_edge(held.under)?;
@@ -67,23 +79,29 @@ impl StuckEdge {
 }
 
 impl TangentialContact for StuckEdge {
-    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
+    fn follow(&mut self, step: &Step<'_>) -> Result<Vec<Sudden>, FrictionError> {
         if self.edge.way(step).is_none() {
-            return Ok(None);
+            return Ok(Vec::new());
         }
         let mut held = self.outset(step);
+        let mut sudden = Vec::new();
         if !held.rule.gone {
             let (slide, contact) = (step.slide[1] - held.rule.origin, &self.edge.contact);
             let last = contact.last_stuck(held.under, held.rest);
             held = if slide.abs() > last.slide {
-                self.given_way(held, &last)?
+                let (normal, way) = (step.contact.state(), slide.signum() * last.slide);
+                let end = held.rule.origin + way;
+                let last = contact.at_radius(last.contact_radius, held.under, way);
+                sudden.push(self.with(HeldShear { state: last, ..held }, normal, end));
+                let gone = self.given_way(held, &last)?;
+                sudden.push(self.with(gone, normal, end));
+                gone
             } else {
                 HeldShear { state: contact.stuck(held.under, (last, held.rest), slide), ..held }
             };
         }
-        self.edge.hold(held, if held.rule.gone { 0.0 } else { held.state.contact_radius });
-        self.edge.moved_to(step.slide[1]);
-        Ok(None)
+        self.hold(held, step.slide[1]);
+        Ok(sudden)
     }
 
     fn let_go(&mut self) {

@@ -1,6 +1,6 @@
 //! Coulomb friction of viscoelastic bodies: a bed beside the normal contact.
 
-use super::{Step, TangentialContact};
+use super::{Step, Sudden, TangentialContact};
 use crate::contact::model::{Effort, TangentialBed};
 use crate::contact::state::Tangential;
 use crate::friction::{FrictionError, ViscoelasticBed};
@@ -69,7 +69,7 @@ impl TangentialBed for ViscoelasticFriction {
 }
 
 impl TangentialContact for ViscoelasticFriction {
-    fn follow(&mut self, step: &Step<'_>) -> Result<Option<Tangential>, FrictionError> {
+    fn follow(&mut self, step: &Step<'_>) -> Result<Vec<Sudden>, FrictionError> {
         let depth = step.prescribed[1];
         let (down, way) = (depth - self.bed.depth(), step.slide[1] - self.slide);
         self.slide = step.slide[1];
@@ -80,7 +80,7 @@ impl TangentialContact for ViscoelasticFriction {
         if step.over > 0.0 || down.abs() > 0.0 || way.abs() > 0.0 {
             self.bed.advance(speeds, over);
         }
-        Ok(None)
+        Ok(Vec::new())
     }
 
     fn state(&self) -> Tangential {
