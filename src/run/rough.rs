@@ -102,7 +102,9 @@ impl Pulls {
     fn of(jumps: &[(Normal, Normal)]) -> Self {
         let apart = |normal: &Normal| normal.stiffness <= 0.0;
         let joined = jumps.iter().find(|(before, after)| apart(before) && !apart(after));
-        let least = jumps.iter().map(|(before, _)| before.force).reduce(f64::min);
+        // Patches that join pull more afterwards, those that let go less.
+        let let_go = jumps.iter().filter(|(before, after)| before.force < after.force);
+        let least = let_go.map(|(before, _)| before.force).reduce(f64::min);
         let pull = |force: &f64| *force < 0.0;
         Self { jump_in: joined.map(|(_, after)| after.force).filter(pull), pull_off: least.filter(pull) }
     }

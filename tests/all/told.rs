@@ -41,6 +41,20 @@ fn a_pull_off_is_told_only_where_something_is_pulled_off() {
     }
 }
 
+/// Patches of a rough line that join one after the other pull as they do; that is no pull-off until some let go.
+#[test]
+fn patches_that_join_pull_nothing_off() {
+    let told = |entries: &str| {
+        let text = format!(
+            "(shape: RoughLine(spectrum: SelfAffine(hurst: 0.8, rms: 3.2e-8, long: 3.2e-6, short: 6.4e-8), length: 3.2e-6,              points: 512), bodies: (Elastic(young: 1e11, poisson: 0.5), Rigid), adhesion: Jkr(work: 11), steps: 4,              history: [{entries}])"
+        );
+        tried(&text).unwrap().number("pull_off_force_n")
+    };
+    let inwards = "Indent(to: 5e-9, over: 1), Indent(to: 1.2e-8, over: 1)";
+    assert_eq!(told(inwards), None);
+    assert!(told(&format!("{inwards}, Indent(to: -2e-8, over: 1)")).is_some_and(|force| force < -1e-5));
+}
+
 /// A liquid drawn out at a speed pulls as hard all the way, to rounding, whatever its records: nothing is pulled off.
 #[test]
 fn a_pull_that_stays_is_no_pull_off() {
