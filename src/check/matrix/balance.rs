@@ -30,7 +30,8 @@ pub(super) fn ledger(whole: &Outcome, exact: f64, finds: bool) -> Option<String>
     let off = (every - accounted(last) + accounted(first)).abs();
     // Of a force that changes between two records nobody knows the work: then every second record tells another, and one
     // that jumps may do so at either of them.
-    let bound = (TRAPEZOIDS + exact) * energy + (every - second).abs() + jump(led);
+    let seldom = if told.abs() > shown { passed(led, told.abs()) } else { 0.0 };
+    let bound = (TRAPEZOIDS + exact) * energy + (every - second).abs() + jump(led) + seldom;
     (off > bound || off.is_nan()).then(|| format!("the ledger is open by {:e} of the energies", off / energy))
 }
 
@@ -88,6 +89,16 @@ fn jump(records: &[Record]) -> f64 {
         |one: &Record, two: &Record| 0.5 * ((two.normal.force - one.normal.force) * (depth(two) - depth(one))).abs();
     let between = records.windows(2).filter(|pair| pair.iter().all(|record| record.normal.indentation.is_some()));
     between.map(|pair| open(&pair[0], &pair[1])).fold(0.0, f64::max)
+}
+
+/// The most [J] that a pull `greatest` [N], above all that records show, may have done between two of them beyond their mean.
+fn passed(records: &[Record], greatest: f64) -> f64 {
+    let depth = |record: &Record| record.normal.indentation.filter(|_| record.normal.force < 0.0);
+    let beyond = |one: &Record, two: &Record| {
+        let mean = 0.5 * (one.normal.force + two.normal.force).abs();
+        Some((greatest - mean) * (depth(two)? - depth(one)?).abs())
+    };
+    records.windows(2).filter_map(|pair| beyond(&pair[0], &pair[1])).fold(0.0, f64::max)
 }
 
 /// Work between two records [J]; what a force does as it tears the bodies apart no record tells, but it is lost, not found.
