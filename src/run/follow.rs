@@ -137,7 +137,10 @@ impl Run {
         }
         self.slide = course.tangential.at(self.slide, 1.0, course.over);
         self.observe();
-        if let Path::UntilParted { speed } = stage.normal {
+        // By rounding they may have parted already.
+        if let Path::UntilParted { speed } = stage.normal
+            && self.contact.joined()
+        {
             let held = self.driver.state(self.contact.as_ref());
             let parted = self.driver.part(self.contact.as_mut(), speed)?;
             self.jumps.push((held, parted));
