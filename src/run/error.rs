@@ -21,7 +21,13 @@ const ROUNDING: f64 = 1e-11;
 /// The error of the normal contact or of the tangential one, whichever is larger.
 #[must_use]
 pub fn estimate(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
-    let normal = normal_error(plan, run);
+    beside(plan, run, again(plan).as_deref())
+}
+
+/// [`estimate`], by the records of the history gone through [`again`] already.
+#[must_use]
+pub fn beside(plan: &RoundPlan, run: &Run, again: Option<&[Record]>) -> ErrorEstimate {
+    let normal = normal_error(plan, run, again);
     let place = plan.profile.place(largest_radius(&run.records));
     let tangential = plan.friction.as_ref().and_then(|law| compose::friction_error(plan, law, place));
     tangential.filter(|tangential| tangential.relative > normal.relative).unwrap_or(normal)
@@ -34,7 +40,7 @@ fn of(relative: f64, basis: &str) -> ErrorEstimate {
     ErrorEstimate { relative, basis: basis.to_owned() }
 }
 
-fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
+fn normal_error(plan: &RoundPlan, run: &Run, again: Option<&[Record]>) -> ErrorEstimate {
     match &plan.contact {
         ContactLaw::Direct(ElasticAdhesion::Finite { .. }) => {
             of(1e-10, "direct path with roots within roots: rounding, against Maugis' equations over twelve decades")
@@ -47,11 +53,11 @@ fn normal_error(plan: &RoundPlan, run: &Run) -> ErrorEstimate {
         }
         ContactLaw::Direct(ElasticAdhesion::Vanishing { work }) => direct_error(plan, *work, &run.records),
         ContactLaw::Springs { count, work } => springs_error(plan, *count, work.unwrap_or(0.0), &run.records),
-        ContactLaw::Continuous { relaxation, edge } => match edge.as_ref().filter(|edge| edge.has_rate()) {
-            Some(edge) => rate_error(plan, run, relaxation, edge),
+        ContactLaw::Continuous { edge, .. } => match edge.as_ref().filter(|edge| edge.has_rate()) {
+            Some(_) => rate_error(plan, run, again),
             None if plan.is_curved() => {
                 let pieces = CHORDS * plan.accuracy() * in_balance(run);
-                let coarser = CHANCE * edge.as_ref().and_then(|_| coarser_pieces(plan, run)).unwrap_or(0.0);
+                let coarser = CHANCE * again.map_or(0.0, |again| apart(&led(run), again));
                 of(
                     sums(run) + pieces.max(coarser),
                     "continuous bed: straight pieces of the depth to the accuracy asked for, of the forces in balance where the bodies attract each other, or what ten times coarser ones change, and what the polynomials of its panels miss",
@@ -183,29 +189,45 @@ const CHANCE: f64 = 1.5;
 /// The largest accuracy that a scene may ask for.
 const COARSEST: f64 = 0.1;
 
-/// The error of pieces of a depth between bodies that attract each other, whose edge may turn on next to nothing: the whole
-/// history again in coarser ones.
-fn coarser_pieces(plan: &RoundPlan, run: &Run) -> Option<f64> {
-    let coarse = to_accuracy(plan, (COARSER * plan.accuracy()).min(COARSEST))?;
-    let contact = compose::contact(&coarse, Wanted::NOTHING).ok()?;
-    let again = follow(&coarse, contact, Wanted::NOTHING).ok()?;
-    Some(apart(&led(run), &again.records))
+/// How a history is gone through again to tell its error.
+enum Twice<'p> {
+    /// An edge that obeys a rate law: followed better, in finer pieces of a depth that is not prescribed.
+    Finer(&'p Relaxation, &'p HeldEdge),
+    /// Pieces of a depth between bodies that attract each other, whose edge may turn on next to nothing: in coarser ones.
+    Coarser,
 }
 
-/// The plan at another accuracy.
-fn to_accuracy(plan: &RoundPlan, accuracy: f64) -> Option<RoundPlan> {
+/// How it is, if it takes that.
+fn twice(plan: &RoundPlan) -> Option<Twice<'_>> {
+    let ContactLaw::Continuous { relaxation, edge: Some(edge) } = &plan.contact else { return None };
+    if edge.has_rate() { Some(Twice::Finer(relaxation, edge)) } else { plan.is_curved().then_some(Twice::Coarser) }
+}
+
+/// Whether the error of a history is told by going through it again.
+#[must_use]
+pub fn goes_twice(plan: &RoundPlan) -> bool {
+    twice(plan).is_some()
+}
+
+/// The records of the history gone through again, if its error is told by them and it can be.
+#[must_use]
+pub fn again(plan: &RoundPlan) -> Option<Vec<Record>> {
+    let (accuracy, refined) = match twice(plan)? {
+        Twice::Coarser => ((COARSER * plan.accuracy()).min(COARSEST), None),
+        Twice::Finer(relaxation, edge) => {
+            let accuracy = if plan.is_curved() { plan.accuracy() / FINER_PIECES } else { plan.accuracy() };
+            (accuracy, Some(compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge))))
+        }
+    };
     let mut plan = plan.clone();
     plan.shared.scene.accuracy = Some(Accuracy::new(accuracy).ok()?);
-    Some(plan)
+    let contact = refined.map_or_else(|| compose::contact(&plan, Wanted::NOTHING), Ok).ok()?;
+    Some(follow(&plan, contact, Wanted::NOTHING).ok()?.records)
 }
 
-/// An edge that obeys a rate law: the whole history again with the edge followed better, in finer pieces of a depth that is
-/// not prescribed.
-fn rate_error(plan: &RoundPlan, run: &Run, relaxation: &Relaxation, edge: &HeldEdge) -> ErrorEstimate {
-    let refined = compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge));
-    let finer = plan.is_curved().then(|| to_accuracy(plan, plan.accuracy() / FINER_PIECES)).flatten();
-    let again = follow(finer.as_ref().unwrap_or(plan), refined, Wanted::NOTHING);
-    let off = again.map_or(f64::NAN, |again| apart(&led(run), &again.records));
+/// The error of an edge that obeys a rate law.
+fn rate_error(plan: &RoundPlan, run: &Run, again: Option<&[Record]>) -> ErrorEstimate {
+    let off = again.map_or(f64::NAN, |again| apart(&led(run), again));
     let pieces = if plan.is_curved() { CHORDS * plan.accuracy() * in_balance(run) } else { 0.0 };
     of(
         sums(run) + pieces + 2.0 * off,

@@ -236,7 +236,10 @@ fn run_round(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError
 
 /// Leads a round contact through its history; the profile stays as it is.
 fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationError> {
-    let mut run = follow(plan, compose::contact(plan, wanted)?, wanted)?;
+    let contact = compose::contact(plan, wanted)?;
+    let led = || follow(plan, contact, wanted);
+    let (run, again) = if error::goes_twice(plan) { rayon::join(led, || error::again(plan)) } else { (led(), None) };
+    let mut run = run?;
     if let Some(stiffness) = plan.spring {
         run.records.iter_mut().for_each(|record| record.spring = spring(record, stiffness));
     }
@@ -249,7 +252,7 @@ fn run_unworn(plan: &RoundPlan, wanted: Wanted) -> Result<Solved, SimulationErro
     results.extend(gliding::results(plan.travel.as_ref(), &run.records, &glides));
     results.extend(rolled.iter().flat_map(Rolled::results));
     let warnings = own_warnings(plan, &run).chain(rolled.iter().filter_map(Rolled::remark)).collect();
-    let estimate = gliding::at_least(error::estimate(plan, &run), &glides, gliding::OF_CHORDS);
+    let estimate = gliding::at_least(error::beside(plan, &run, again.as_deref()), &glides, gliding::OF_CHORDS);
     let outcome = Outcome {
         map: None,
         error_estimate: match &rolled {

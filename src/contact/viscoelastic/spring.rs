@@ -147,9 +147,19 @@ impl Spring {
     }
 }
 
-fn pressed(spectrum: &Spectrum, mut s: Vec<f64>, motion: &Motion, watch: &mut impl FnMut(&Piece<'_>)) -> Spring {
+fn pressed(spectrum: &Spectrum, s: Vec<f64>, motion: &Motion, watch: &mut impl FnMut(&Piece<'_>)) -> Spring {
+    let release = spectrum.release(motion.start, &s, motion.speed, motion.duration);
+    pressed_until(spectrum, s, (motion, release), watch)
+}
+
+/// A pressed spring after a motion in which it lets go at the time `release` [s], if it does.
+pub(super) fn pressed_until(
+    spectrum: &Spectrum,
+    mut s: Vec<f64>,
+    (motion, release): (&Motion, Option<f64>),
+    watch: &mut impl FnMut(&Piece<'_>),
+) -> Spring {
     let (u, speed) = (motion.start, motion.speed);
-    let release = spectrum.release(u, &s, speed, motion.duration);
     let duration = release.unwrap_or(motion.duration);
     watch(&Piece::Pressed { u, s: &s, speed, duration });
     spectrum.press(&mut s, speed, duration);
@@ -215,12 +225,17 @@ impl Spectrum {
 
     /// When a pressed spring at the displacement `u` lets go within `duration`; `None` if it does not.
     pub fn release(&self, u: f64, s: &[f64], v: f64, duration: f64) -> Option<f64> {
+        self.release_near((u, s, v), duration, 0.0)
+    }
+
+    /// [`release`](Self::release), which is looked for from the time `near` [s] on: that of a neighbour is not far.
+    pub(super) fn release_near(&self, (u, s, v): (f64, &[f64], f64), duration: f64, near: f64) -> Option<f64> {
         let load = |t: f64| self.load_after(u, s, v, t);
         let end = if v < 0.0 { load(duration) } else { 0.0 };
         if end >= 0.0 {
             return None;
         }
-        let crossing = |low: f64| Some(self.crossing(u, s, v, (low, duration)));
+        let crossing = |low: f64| Some(self.crossing((u, s, v), (low, duration), near));
         if self.load(u, s, v) > 0.0 {
             return crossing(0.0);
         }
@@ -232,9 +247,9 @@ impl Spectrum {
     }
 
     /// The only root of q between a time when it is positive and one when it is negative: Newton's
-    /// method, halving the bracket whenever it would leave it or is slow.
-    fn crossing(&self, u: f64, s: &[f64], v: f64, (mut low, mut high): (f64, f64)) -> f64 {
-        let mut t = low;
+    /// method from `near` on, halving the bracket whenever it would leave it or is slow.
+    fn crossing(&self, (u, s, v): (f64, &[f64], f64), (mut low, mut high): (f64, f64), near: f64) -> f64 {
+        let mut t = if low < near && near < high { near } else { low };
         let mut narrow = high - low;
         for trial in 0..200 {
             let q = self.load_after(u, s, v, t);

@@ -67,9 +67,7 @@ impl Lazy {
         } else {
             (self.now.totals.clone(), kept..pressed, -1.0)
         };
-        for j in fewer {
-            totals.add(&self.spring(j), sign * self.layout.weight[j]);
-        }
+        self.add_pressed(&mut totals, fewer, sign);
         (self.now.totals, self.now.pressed) = (totals, kept);
     }
 }

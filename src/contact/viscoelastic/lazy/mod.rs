@@ -36,7 +36,7 @@ use super::Spectrum;
 use super::alike::Alike;
 use super::layout::Layout;
 use super::ledger::Ledger;
-use super::spring::{Free, Motion, Piece, Spring};
+use super::spring::{Free, Motion, Piece, Spring, pressed_until};
 use super::totals::{Numbers, Totals};
 use crate::contact::model::{Effort, Straight};
 use crate::shape::Profile;
@@ -77,7 +77,7 @@ struct Now {
 }
 
 /// A time as the sum of two numbers: short steps late in a long history are not lost.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Instant {
     whole: f64,
     part: f64,
@@ -176,7 +176,8 @@ impl Lazy {
         let first = self.touched_first(touched.len(), &motion);
         let held = !first.is_empty() || touched.iter().any(|event| matches!(event.after, Spring::Pressed(_)));
         let inwards = (0..if held { 0 } else { pressed }).rev();
-        let released: Vec<Event> = inwards.map_while(|j| self.released_in(j, &motion)).collect();
+        let mut near = 0.0;
+        let released: Vec<Event> = inwards.map_while(|j| self.released_in(j, &motion, &mut near)).collect();
         for event in &released {
             self.now.pressed = event.spring;
             self.now.totals.add(&event.before, -self.layout.weight[event.spring]);
@@ -243,9 +244,15 @@ impl Lazy {
         }
     }
 
-    fn released_in(&self, spring: usize, motion: &Motion) -> Option<Event> {
-        let event = self.event(spring, self.spring(spring), &self.seen(spring, motion));
-        matches!(event.after, Spring::Free(_)).then_some(event)
+    /// The spring, if it is let go in a motion, `near` the time [s] at which its neighbour was, and then its own.
+    fn released_in(&self, spring: usize, motion: &Motion, near: &mut f64) -> Option<Event> {
+        let (seen, loads): (_, Vec<f64>) = (self.seen(spring, motion), self.loads(spring).collect());
+        let release = self.spectrum.release_near((seen.start, &loads, seen.speed), seen.duration, *near)?;
+        *near = release;
+        let mut impulse = 0.0;
+        let watch = &mut |piece: &Piece<'_>| impulse += self.spectrum.impulse(piece);
+        let after = pressed_until(&self.spectrum, loads.clone(), (&seen, Some(release)), watch);
+        Some(Event { spring, before: Spring::Pressed(loads), after, impulse })
     }
 
     fn event(&self, spring: usize, before: Spring, seen: &Motion) -> Event {
@@ -342,11 +349,30 @@ impl Lazy {
         }
         self.now.refreshed = self.now.pressed;
         let mut totals = Totals::new(&self.spectrum);
-        for j in 0..self.now.pressed {
-            totals.add(&self.spring(j), self.layout.weight[j]);
-        }
+        self.add_pressed(&mut totals, 0..self.now.pressed, 1.0);
         totals.modes.clone_from(&self.now.totals.modes);
         self.now.totals = totals;
+    }
+
+    /// Adds pressed springs, as often as `times`, to sums: those that changed at the same instant have faded alike since.
+    fn add_pressed(&self, totals: &mut Totals, springs: Range<usize>, times: f64) {
+        let mut faded: Option<(Instant, Numbers)> = None;
+        for j in springs {
+            let since = self.since[j];
+            if faded.as_ref().is_none_or(|(instant, _)| *instant != since) {
+                let age = self.now.instant.since(since);
+                faded = Some((since, self.spectrum.terms().iter().map(|term| (-age / term.time).exp()).collect()));
+            }
+            let Some((_, left)) = &faded else { continue };
+            let weight = times * self.layout.weight[j];
+            let sums = totals.loads.iter_mut().zip(&mut totals.squares);
+            let parts = self.constants[self.row(j)].iter().zip(left).zip(&self.now.memory);
+            for ((load, square), ((constant, left), memory)) in sums.zip(parts) {
+                let s = memory + left * constant;
+                *load += weight * s;
+                *square += weight * s * s;
+            }
+        }
     }
 
     /// Normal force F = Σ 2Δx q [N].
