@@ -153,11 +153,10 @@ impl MovedMass for SteppedMachine<'_> {
         let mean = self.mean_speed(step)?;
         let end = self.contact.look(&ahead(self.contact, mean, step))?;
         let touches = end.contact_radius > 0.0;
-        if joined && mean < 0.0 && (end.force < 0.0 || !touches) {
-            if let Some(half) = self.halfway(mean, 2.0 * step)?.filter(|&half| half < step) {
-                let mean = self.mean_speed(half)?;
-                return self.go_on(mean, half, None);
-            }
+        let may_part = joined && mean < 0.0 && (end.force < 0.0 || !touches);
+        if may_part && let Some(half) = self.halfway(mean, 2.0 * step)?.filter(|&half| half < step) {
+            let mean = self.mean_speed(half)?;
+            return self.go_on(mean, half, None);
         }
         if joined == touches {
             return self.go_on(mean, step, ends);
