@@ -76,6 +76,7 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, before: &Run) -> Result<Mo
         moments: Vec::new(),
         errors: Errors::default(),
         error,
+        least: None,
     })
 }
 

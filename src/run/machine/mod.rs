@@ -36,6 +36,8 @@ struct Moved {
     errors: Errors,
     /// How far it is from another run, if there was one, and what that was.
     error: Option<(f64, &'static str)>,
+    /// The least force [N] that a mass along the normal has passed on the way out.
+    least: Option<f64>,
 }
 
 /// Largest errors of the contact at the records of a motion: of its force [N] and of its radius [m].
@@ -76,6 +78,11 @@ pub(super) fn run(plan: &RoundPlan, law: &MachineLaw, wanted: Wanted) -> Result<
     let records = before.records;
     let mut results =
         results::named(Some(&plan.contact), &records, &Pressures { fields: &before.fields, at_greatest_force: None });
+    if let Some((told, least)) = results::pull_off(&records).zip(moved.least)
+        && least < told
+    {
+        results.iter_mut().for_each(|named| named.scale("pull_off_force", least / told));
+    }
     results.extend(results::of_friction(plan, &records));
     results.extend(moved.results);
     results.push(Named::number("energy_error", Unit::ONE, energy_error));

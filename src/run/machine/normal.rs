@@ -39,6 +39,38 @@ pub(super) struct Motion<'r> {
     moments: Vec<MassMoment>,
     bounces: Vec<Bounce>,
     errors: Errors,
+    pull: StrongestPull,
+}
+
+/// The strongest pull on the way out, which records pass by.
+#[derive(Debug, Clone, Default)]
+struct StrongestPull {
+    /// Time [s] and force [N] at the ends of the last steps on the way out.
+    steps: Vec<(f64, f64)>,
+    /// The least force so far [N].
+    least: Option<f64>,
+}
+
+impl StrongestPull {
+    /// A step has ended at the time `time` [s] under the force `force` [N], on the way `out` or not.
+    fn note(&mut self, time: f64, force: f64, out: bool) {
+        if !out {
+            self.steps.clear();
+            return;
+        }
+        self.steps.push((time, force));
+        let [.., first, second, third] = self.steps[..] else { return };
+        if first.1 > second.1 && second.1 < third.1.min(0.0) {
+            let slope = |one: (f64, f64), two: (f64, f64)| (two.1 - one.1) / (two.0 - one.0);
+            let falling = slope(first, second);
+            let bend = (slope(second, third) - falling) / (third.0 - first.0);
+            // Where the parabola through the three is level.
+            let tilt = falling + bend * (second.0 - first.0);
+            let least = second.1 - 0.25 * tilt * tilt / bend;
+            self.least = Some(self.least.map_or(least, |before| before.min(least)));
+        }
+        self.steps.drain(..self.steps.len().saturating_sub(2));
+    }
 }
 
 /// Moves the mass of a machine along the normal.
@@ -76,8 +108,8 @@ impl Motion<'_> {
             results.push(Named::number("small_frequency", Unit::HERTZ, frequency));
         }
         let tables = if self.bounces.is_empty() { Vec::new() } else { vec![bounces::table(&self.bounces)] };
-        let Self { records, moments, errors, .. } = self;
-        Ok(Moved { records, tables, results, warnings: Vec::new(), moments, errors, error: None })
+        let Self { records, moments, errors, pull: StrongestPull { least, .. }, .. } = self;
+        Ok(Moved { records, tables, results, warnings: Vec::new(), moments, errors, error: None, least })
     }
 }
 
@@ -108,8 +140,22 @@ impl<'r> Motion<'r> {
             }
         };
         let (records, moments, bounces) = (Vec::new(), Vec::new(), Vec::new());
-        let (begin, initial, errors) = (before.time, 0.0, Errors::default());
-        Ok(Self { entry, suspension, held, begin, from, fall, initial, before, records, moments, bounces, errors })
+        let (begin, initial, errors, pull) = (before.time, 0.0, Errors::default(), StrongestPull::default());
+        Ok(Self {
+            entry,
+            suspension,
+            held,
+            begin,
+            from,
+            fall,
+            initial,
+            before,
+            records,
+            moments,
+            bounces,
+            errors,
+            pull,
+        })
     }
 
     /// Whether it can be followed to its end.
@@ -150,7 +196,9 @@ impl<'r> Motion<'r> {
         for k in 1..=self.entry.records {
             let until = self.entry.over * k as f64 / self.entry.records as f64;
             while mass.state().time < until {
-                let Some(moment) = mass.step(until).map_err(&fault)? else { continue };
+                let moment = mass.step(until).map_err(&fault)?;
+                self.pulls(mass)?;
+                let Some(moment) = moment else { continue };
                 let normal = self.normal(mass)?;
                 self.happens(moment, &normal);
                 if self.moments.len() < MOST_MOMENTS {
@@ -170,6 +218,15 @@ impl<'r> Motion<'r> {
         let contact = mass.contact().map_err(|source| failed(self.entry.entry)(source.into()))?;
         self.errors.note(&contact.effort());
         Ok(contact.state())
+    }
+
+    /// Notes how the contact pulls at the end of a step.
+    fn pulls(&mut self, mass: &mut dyn MovedMass) -> Result<(), SimulationError> {
+        let MassState { time, speed, .. } = mass.state();
+        let contact = mass.contact().map_err(|source| failed(self.entry.entry)(source.into()))?;
+        let out = speed < 0.0 && contact.joined();
+        self.pull.note(time, if out { contact.state().force } else { 0.0 }, out);
+        Ok(())
     }
 
     fn happens(&mut self, moment: MassMoment, normal: &Normal) {
