@@ -25,6 +25,23 @@ impl Peak {
     }
 }
 
+/// The top of the parabola through three places of growing argument, if the middle one is the greatest of them.
+///
+/// With the divided differences s = [x₁, x₂] and b = [x₁, x₂, x₃] its slope at x₂ is t = s + b (x₂ − x₁), and its top y₂ − t²/4b.
+/// Check: through (0, 0), (1, 3) and (4, 0) it is 4, at 2.
+#[must_use]
+pub fn top_through([first, second, third]: [Peak; 3]) -> Option<Peak> {
+    if !(second.value > first.value && second.value > third.value) {
+        return None;
+    }
+    let slope = |one: Peak, two: Peak| (two.value - one.value) / (two.place - one.place);
+    let rising = slope(first, second);
+    let bend = (slope(second, third) - rising) / (third.place - first.place);
+    let tilt = rising + bend * (second.place - first.place);
+    let beyond = -0.5 * tilt / bend;
+    Some(Peak { place: second.place + beyond, value: second.value + 0.5 * tilt * beyond })
+}
+
 /// The greatest value of a function with one hump between `low` and `high`.
 ///
 /// Brent's method (Brent 1973, ch. 5): the top of a parabola through the three best places, guarded by the
@@ -150,6 +167,15 @@ impl Seen {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn the_top_lies_between_three_places() {
+        let three = |values: [f64; 3]| [0, 1, 2].map(|i| Peak { place: [0.0, 1.0, 4.0][i], value: values[i] });
+        assert_eq!(top_through(three([0.0, 3.0, 0.0])), Some(Peak { place: 2.0, value: 4.0 }));
+        for outside in [[0.0, 3.0, 3.0], [3.0, 3.0, 0.0], [1.0, 0.0, 1.0], [0.0; 3]] {
+            assert_eq!(top_through(three(outside)), None);
+        }
+    }
 
     #[test]
     fn a_parabola_takes_few_evaluations() {

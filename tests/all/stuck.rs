@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use springbed::input::table::InMemory;
+use springbed::run::curves::between::filled;
 use springbed::run::record::{Outcome, Record};
 use springbed::run::{self, Wanted};
 use springbed::text::Notation;
@@ -73,6 +74,24 @@ fn the_edge_is_told_as_it_gives_way() {
         assert!((kept(after) - kept(before) - given).abs() < 1e-12 * kept(after), "{led}: {before:?} {after:?}");
         assert!(after.tangential.unwrap().dissipated > before.tangential.unwrap().dissipated);
     }
+}
+
+/// A figure puts states of the contact at rest only between records of it: none of an edge that shear has pulled in.
+#[test]
+fn nothing_at_rest_is_drawn_of_an_edge_pulled_in() {
+    let text = format!(
+        "(shape: {}, bodies: (Elastic(young: 1, poisson: 0.5), Rigid), adhesion: Jkr(work: 0.05), friction: Stuck, steps: 4, history: [Press(to: 0.3, over: 1), Slide(to: -7, over: 1)])",
+        SHAPES[0]
+    );
+    let plan = Notation::Ron.plan(&text, &InMemory::default()).unwrap();
+    let told = run::run(&plan, Wanted { instants: true, ..Wanted::NOTHING }).unwrap().records;
+    let (pressed, slid): (Vec<Record>, Vec<Record>) = told.into_iter().partition(|record| record.entry == 0);
+    assert!(filled(&plan, &pressed).len() > 2 * pressed.len());
+    let ends = |records: &[Record]| {
+        let depths = records.iter().filter_map(|record| record.normal.indentation);
+        depths.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), depth| (least.min(depth), most.max(depth)))
+    };
+    assert_eq!(ends(&filled(&plan, &slid)), ends(&slid), "{slid:?}");
 }
 
 /// At d = 0 X = 2πaw/E* − a⁴/R² is greatest at a³ = πwR²/2E*, where αu² = (3/2)πaw/E*.

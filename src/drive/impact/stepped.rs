@@ -4,7 +4,7 @@ use super::{ImpactState, Projectile, Rebound};
 use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::drive::force::{ahead, depth_of, is_damped};
-use crate::numerics::extremum::{self, Peak};
+use crate::numerics::extremum::{self, Peak, top_through};
 use std::f64::consts::PI;
 
 /// A mass that drives any contact in straight pieces of its depth.
@@ -76,7 +76,7 @@ struct MovingMass<'c> {
     speed: f64,
     time: f64,
     /// Time and force at the ends of the last two steps.
-    before: [(f64, f64); 2],
+    before: [Peak; 2],
     /// Middle and mean speed of the last three.
     means: [(f64, f64); 3],
     /// Half the force [N] more per speed and mass, as in the last step [1/s].
@@ -106,7 +106,7 @@ impl SteppedMass {
     pub fn watched(&self, contact: &mut dyn ContactModel, watcher: &mut Watcher<'_>) -> Result<Rebound, ContactError> {
         let most = Rebound { lost: self.impact.energy(), ..Rebound::default() };
         let (impact, speed) = (self.impact, self.impact.speed);
-        let (before, means) = ([(0.0, 0.0); 2], [(0.0, speed); 3]);
+        let (before, means) = ([Peak { place: 0.0, value: 0.0 }; 2], [(0.0, speed); 3]);
         let mut way = MovingMass {
             contact,
             impact,
@@ -249,18 +249,10 @@ impl MovingMass<'_> {
     /// `force` [N], that at the end of a step, or that of the parabola through it and those before, where that has its top
     /// between them.
     fn greatest_force(&mut self, force: f64) -> f64 {
-        let now = (self.time, force);
+        let now = Peak { place: self.time, value: force };
         let [first, second] = self.before;
         self.before = [second, now];
-        let slope = |one: (f64, f64), two: (f64, f64)| (two.1 - one.1) / (two.0 - one.0);
-        let (rising, falling) = (slope(first, second), slope(second, now));
-        let bend = (falling - rising) / (now.0 - first.0);
-        if !(rising > 0.0 && falling < 0.0 && bend < 0.0) {
-            return now.1;
-        }
-        // Slope of the parabola in the middle place.
-        let tilt = rising + bend * (second.0 - first.0);
-        second.1 - 0.25 * tilt * tilt / bend
+        top_through([first, second, now]).map_or(force, |top| top.value)
     }
 
     /// ∫F dt [N s] over a piece at the speed `mean` [m/s].

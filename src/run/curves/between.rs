@@ -32,6 +32,8 @@ use crate::scene::plan::{Plan, PlanePlan};
 
 /// Change of the contact radius, over the largest radius, from which a straight line is seen as one.
 const COARSE: f64 = 0.02;
+/// Relative difference of depths that are the same.
+const SAME: f64 = 1e-6;
 /// The most states put between two records.
 const MOST: f64 = 50.0;
 
@@ -44,7 +46,10 @@ const MOST: f64 = 50.0;
 pub fn filled(plan: &Plan, records: &[Record]) -> Vec<Record> {
     let (line, ground) = (line(plan), plan.ground());
     let between = |pair: &[Record], radius: f64| match (&line, &ground, plan) {
-        (Some(line), Some(ground), _) => Some(at(&line(ground.profile().place(radius)), radius, &pair[0])),
+        (Some(line), Some(ground), _) => {
+            let at = |radius: f64| line(ground.profile().place(radius));
+            pair.iter().all(|record| lies_on(&at, record)).then(|| between_two(&at(radius), radius, &pair[0]))
+        }
         (None, Some(ground), _) => grown(ground, radius, pair),
         (None, None, Plan::Plane(plane)) => wavy(plane, radius, pair),
         (None, None, _) | (Some(_), None, _) => None,
@@ -84,9 +89,6 @@ fn wavy(plan: &PlanePlan, radius: f64, pair: &[Record]) -> Option<Record> {
     Some(Record { normal, time, ..pair[0] })
 }
 
-/// Relative difference of depths that are the same.
-const SAME: f64 = 1e-6;
-
 /// The state at `radius` between two records of a contact whose edge is where the undeformed profile meets the surface.
 fn grown(ground: &Foundation, radius: f64, pair: &[Record]) -> Option<Record> {
     let profile = ground.profile();
@@ -106,7 +108,17 @@ fn grown(ground: &Foundation, radius: f64, pair: &[Record]) -> Option<Record> {
     Some(Record { normal, time, ..pair[0] })
 }
 
-fn at(state: &Balance, radius: f64, like: &Record) -> Record {
+/// Whether a record is a state of the curve: one whose edge a shear pulls in is not.
+fn lies_on(curve: &impl Fn(f64) -> Balance, record: &Record) -> bool {
+    let (Some(depth), Some(radius)) = (record.normal.indentation, record.normal.contact_radius) else {
+        return false;
+    };
+    let state = curve(radius);
+    let scale = depth.abs().max(state.indentation.abs());
+    (state.indentation - depth).abs() <= SAME * scale
+}
+
+fn between_two(state: &Balance, radius: f64, like: &Record) -> Record {
     let normal = Normal {
         indentation: Some(state.indentation),
         force: state.force,

@@ -4,6 +4,7 @@ use super::bounces::{self, Bounce};
 use super::{Errors, Moved, failed};
 use crate::contact::state::Normal;
 use crate::drive::machine::{GRAVITY, Happening, Held, Mass, MassMoment, MassState, MovedMass, Suspension};
+use crate::numerics::extremum::{Peak, top_through};
 use crate::run::SimulationError;
 use crate::run::follow::Run;
 use crate::run::named::Named;
@@ -45,10 +46,10 @@ pub(super) struct Motion<'r> {
 /// The strongest pull on the way out, which records pass by.
 #[derive(Debug, Clone, Default)]
 struct StrongestPull {
-    /// Time [s] and force [N] at the ends of the last steps on the way out.
-    steps: Vec<(f64, f64)>,
-    /// The least force so far [N].
-    least: Option<f64>,
+    /// Time [s] and pull [N] at the ends of the last steps on the way out.
+    steps: Vec<Peak>,
+    /// The greatest so far [N].
+    greatest: Option<f64>,
 }
 
 impl StrongestPull {
@@ -58,16 +59,11 @@ impl StrongestPull {
             self.steps.clear();
             return;
         }
-        self.steps.push((time, force));
+        self.steps.push(Peak { place: time, value: -force });
         let [.., first, second, third] = self.steps[..] else { return };
-        if first.1 > second.1 && second.1 < third.1.min(0.0) {
-            let slope = |one: (f64, f64), two: (f64, f64)| (two.1 - one.1) / (two.0 - one.0);
-            let falling = slope(first, second);
-            let bend = (slope(second, third) - falling) / (third.0 - first.0);
-            // Where the parabola through the three is level.
-            let tilt = falling + bend * (second.0 - first.0);
-            let least = second.1 - 0.25 * tilt * tilt / bend;
-            self.least = Some(self.least.map_or(least, |before| before.min(least)));
+        if third.value > 0.0 {
+            let top = top_through([first, second, third]).map(|top| top.value);
+            self.greatest = [self.greatest, top].into_iter().flatten().reduce(f64::max);
         }
         self.steps.drain(..self.steps.len().saturating_sub(2));
     }
@@ -108,8 +104,17 @@ impl Motion<'_> {
             results.push(Named::number("small_frequency", Unit::HERTZ, frequency));
         }
         let tables = if self.bounces.is_empty() { Vec::new() } else { vec![bounces::table(&self.bounces)] };
-        let Self { records, moments, errors, pull: StrongestPull { least, .. }, .. } = self;
-        Ok(Moved { records, tables, results, warnings: Vec::new(), moments, errors, error: None, least })
+        let Self { records, moments, errors, pull: StrongestPull { greatest, .. }, .. } = self;
+        Ok(Moved {
+            records,
+            tables,
+            results,
+            warnings: Vec::new(),
+            moments,
+            errors,
+            error: None,
+            least: greatest.map(|pull| -pull),
+        })
     }
 }
 
