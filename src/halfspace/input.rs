@@ -8,7 +8,7 @@ use super::alone::LonePixels;
 use super::grid::{Grid, Law};
 use super::run::{Origin, ScaledLoad, ScaledSolution, Task};
 use super::transform::{Size, good_length};
-use super::vector::{self, each, fold, row_after_row, sum};
+use super::vector::{self, each, first, fold, row_after_row, sum};
 use super::{HalfSpaceError, Prescribed, Settings, Start, SurfaceResponse};
 
 /// Width over height of a pixel.
@@ -112,7 +112,7 @@ impl Input {
 
     fn range(&self, heights: &[f64]) -> Result<HeightBounds, HalfSpaceError> {
         let refused = |height: f64| height.is_nan() || height <= f64::NEG_INFINITY;
-        if let Some(index) = each(heights).position_first(|&height| refused(height)) {
+        if let Some(index) = first(heights, refused) {
             let (row, column) = (index / self.size.columns, index % self.size.columns);
             return Err(HalfSpaceError::Height { row, column, value: heights[index] });
         }
@@ -211,12 +211,12 @@ impl Input {
         }
         let refused = |value: f64| !value.is_finite() || value < 0.0;
         let pressure = row_after_row(&pressure);
-        if let Some(index) = each(&pressure).position_first(|&value| refused(value)) {
+        if let Some(index) = first(&pressure, refused) {
             let (row, column) = (index / columns, index % columns);
             return Err(HalfSpaceError::StartValue { row, column, value: pressure[index] });
         }
         let scaled: Vec<f64> = each(&pressure).map(|value| value / unit).collect();
-        Ok(if each(&scaled).any(|&value| value > 0.0) { Origin::Pressure(scaled) } else { Origin::Nothing })
+        Ok(if first(&scaled, |value| value > 0.0).is_some() { Origin::Pressure(scaled) } else { Origin::Nothing })
     }
 
     fn restore(&self, answer: ScaledSolution, [low, scale]: [f64; 2], pressure_unit: f64) -> Raw {

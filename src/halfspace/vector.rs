@@ -27,6 +27,13 @@ pub(super) fn rows_mut<T: Send>(values: &mut [T], columns: usize) -> impl Indexe
     values.par_chunks_mut(columns).with_min_len(rows_of_piece(columns))
 }
 
+/// The index of the first value chosen. A piece is looked through without asking the others at each value.
+pub(super) fn first<T: Copy + Sync>(values: &[T], chosen: impl Fn(T) -> bool + Sync) -> Option<usize> {
+    let piece = values.par_chunks(PIECE).position_first(|piece| piece.iter().any(|&value| chosen(value)))?;
+    let from = piece * PIECE;
+    values[from..].iter().position(|&value| chosen(value)).map(|index| from + index)
+}
+
 /// All of them `by` times.
 pub(super) fn scale(values: &mut [f64], by: f64) {
     each_mut(values).for_each(|value| *value *= by);

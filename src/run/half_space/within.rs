@@ -7,12 +7,9 @@
 use crate::halfspace::Boundary;
 use ndarray::Array2;
 
-/// A pixel: its row and its column.
-type Pixel = [usize; 2];
-
-/// Four pixels that meet, row by row, and the part of a pixel between their middles.
+/// Four pixels that meet, row by row, each as its place in the order of all, and the part of a pixel between their middles.
 struct Cell {
-    corners: [Pixel; 4],
+    corners: [usize; 4],
     area: f64,
 }
 
@@ -21,20 +18,28 @@ const TRIANGLES: [[usize; 3]; 4] = [[0, 1, 3], [0, 2, 3], [0, 1, 2], [3, 1, 2]];
 
 /// How much of each pixel is within the range `range` \[m\] of the other surface, `gap` \[m\] away.
 pub(super) fn shares(gap: &Array2<f64>, range: f64, boundary: Boundary) -> Array2<f64> {
-    let mut shares = Array2::zeros(gap.dim());
+    let near = nearness(gap, range);
+    let mut shares = vec![0.0; near.len()];
     for cell in cells(gap.dim(), boundary) {
-        let near = cell.corners.map(|at| range - gap[at]);
-        for (corner, share) in cell.corners.into_iter().zip(of_cell(near).shares) {
+        let Some(inside) = of_cell(cell.corners.map(|at| near[at])) else { continue };
+        for (corner, share) in cell.corners.into_iter().zip(inside.shares) {
             shares[corner] += cell.area * share;
         }
     }
-    shares
+    // There are as many shares as gaps, the only thing it can object to.
+    Array2::from_shape_vec(gap.dim(), shares).unwrap_or_else(|_| Array2::zeros(gap.dim()))
 }
 
 /// Σ ∫ max(0, δ − g) dA over the pixels \[m, times the area of a pixel\] within the range δ = `range` \[m\].
 pub(super) fn depth(gap: &Array2<f64>, range: f64, boundary: Boundary) -> f64 {
-    let of = |cell: Cell| cell.area * of_cell(cell.corners.map(|at| range - gap[at])).depth;
+    let near = nearness(gap, range);
+    let of = |cell: Cell| of_cell(cell.corners.map(|at| near[at])).map_or(0.0, |inside| cell.area * inside.depth);
     cells(gap.dim(), boundary).map(of).sum()
+}
+
+/// How far each pixel is within the range \[m\], row after row.
+fn nearness(gap: &Array2<f64>, range: f64) -> Vec<f64> {
+    gap.iter().map(|gap| range - gap).collect()
 }
 
 /// All cells; at a border that does not repeat the surface goes on level for half a pixel.
@@ -49,9 +54,10 @@ fn cells((rows, columns): (usize, usize), boundary: Boundary) -> impl Iterator<I
             Boundary::Free => ([k.saturating_sub(1), k.min(count - 1)], if k == 0 || k == count { 0.5 } else { 1.0 }),
         })
     };
-    pairs(rows).flat_map(move |([above, below], high)| {
+    pairs(rows).flat_map(move |(ends, high)| {
+        let [above, below] = ends.map(|row| row * columns);
         pairs(columns).map(move |([left, right], wide)| Cell {
-            corners: [[above, left], [above, right], [below, left], [below, right]],
+            corners: [above + left, above + right, below + left, below + right],
             area: high * wide,
         })
     })
@@ -64,15 +70,21 @@ struct Inside<const CORNERS: usize> {
     depth: f64,
 }
 
-/// A cell whose corners are `near` \[m\] within the range.
-fn of_cell(near: [f64; 4]) -> Inside<4> {
-    let mut inside = Inside { shares: [0.0; 4], depth: 0.0 };
+/// A cell whose corners are `near` \[m\] within the range, unless nothing of it is.
+#[inline]
+fn of_cell(near: [f64; 4]) -> Option<Inside<4>> {
     if near.iter().all(|&near| near <= 0.0) {
-        return inside;
+        return None;
     }
     if near.iter().all(|&near| near >= 0.0) {
-        return Inside { shares: [0.25; 4], depth: 0.25 * near.iter().sum::<f64>() };
+        return Some(Inside { shares: [0.25; 4], depth: 0.25 * near.iter().sum::<f64>() });
     }
+    Some(of_cut_cell(near))
+}
+
+/// A cell through which the range ends.
+fn of_cut_cell(near: [f64; 4]) -> Inside<4> {
+    let mut inside = Inside { shares: [0.0; 4], depth: 0.0 };
     for corners in TRIANGLES {
         let part = of_triangle(corners.map(|corner| near[corner]));
         inside.depth += 0.25 * part.depth;
