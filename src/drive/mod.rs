@@ -121,7 +121,7 @@ enum Remainder {
     /// Chords of a sine.
     Chords(Chords),
     /// Under a prescribed force.
-    Force(ForceDrive),
+    Force(Box<ForceDrive>),
     /// A damped contact at no force: the indenter rests on a surface that comes up by itself.
     Idle,
     /// Nothing is left.
@@ -251,7 +251,7 @@ impl Driver {
         }
         let along = self.creep.take();
         self.creep = along.as_ref().map(|creep| creep.after(to, course.over));
-        self.stage.remainder = Remainder::Force(ForceDrive::new(ramp, duration, along, self.parted));
+        self.stage.remainder = Remainder::Force(Box::new(ForceDrive::new(ramp, duration, along, self.parted)));
         if course.over <= 0.0 { self.leap(contact) } else { Ok(()) }
     }
 

@@ -37,21 +37,23 @@ pub enum RootError {
 ///
 /// # Errors
 /// The ends have the same sign, or the function gave NaN.
-pub fn brent(function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, RootError> {
-    brent_to(function, (low, high), 0.0)
+pub fn brent(mut function: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, RootError> {
+    let ends = [low, high].map(|x| (x, function(x)));
+    brent_from(function, ends, 0.0)
 }
 
-/// The same, to the part `relative` of the root where that is more than the last bits.
+/// The same between two ends `(argument, value)` that are known, to the part `relative` of the root where that is more than
+/// the last bits.
 ///
 /// # Errors
 /// As [`brent`].
-pub fn brent_to(
+pub fn brent_from(
     mut function: impl FnMut(f64) -> f64,
-    (low, high): (f64, f64),
+    [(low, at_low), (high, at_high)]: [(f64, f64); 2],
     relative: f64,
 ) -> Result<f64, RootError> {
-    let mut counter = Evaluation::at(low, &mut function)?;
-    let mut best = Evaluation::at(high, &mut function)?;
+    let mut counter = Evaluation::known(low, at_low)?;
+    let mut best = Evaluation::known(high, at_high)?;
     if counter.is_root() || best.is_root() {
         return Ok(if best.is_root() { best.x } else { counter.x });
     }
@@ -76,7 +78,8 @@ pub fn brent_to(
         (step, step_before) = next_step((last, best, counter), (step, step_before), tolerance);
         last = best;
         let moved = if step.abs() > tolerance { step } else { tolerance.copysign(half) };
-        best = Evaluation::at(best.x + moved, &mut function)?;
+        let x = best.x + moved;
+        best = Evaluation::known(x, function(x))?;
     }
     Ok(best.x)
 }
@@ -91,8 +94,7 @@ struct Evaluation {
 }
 
 impl Evaluation {
-    fn at(x: f64, function: &mut impl FnMut(f64) -> f64) -> Result<Self, RootError> {
-        let y = function(x);
+    fn known(x: f64, y: f64) -> Result<Self, RootError> {
         if y.is_nan() { Err(RootError::NotANumber { at: x }) } else { Ok(Self { x, y }) }
     }
 

@@ -4,8 +4,9 @@
 //! by less than the depth is known, and meet again at the end of the piece: what comes up in between does so freely, and
 //! errors of the depth do not add up.
 
+use super::apart::way_to_touch;
 use super::search::LEAST_DEPTH;
-use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of, way_to_touch};
+use super::{ForceDrive, SHORTEST, Stretch, ahead, depth_of};
 use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
 

@@ -20,17 +20,22 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod apart;
+mod error;
 mod lying;
+mod pace;
 mod search;
 #[cfg(test)]
 mod tests;
 
+use apart::draws;
 use lying::Lying;
+use pace::Pace;
 pub use search::speed_to;
-use search::{EDGES, Goal, LEAST_DEPTH, UNSEEN, damping};
+use search::{EDGES, Found};
 
 use crate::contact::creep::Creep;
-use crate::contact::error::{BedError, ContactError};
+use crate::contact::error::ContactError;
 use crate::contact::model::{ContactModel, Straight};
 use crate::contact::state::Normal;
 
@@ -87,6 +92,8 @@ pub struct ForceDrive {
     unmet: Option<Unmet>,
     /// By how much the last piece tried from here was too far off, in errors allowed.
     failed: Option<f64>,
+    /// How long the last piece was [s], and its error, in those allowed.
+    last: Option<(f64, f64)>,
     pace: Pace,
     /// The largest depth [m] so far.
     deepest: f64,
@@ -104,48 +111,11 @@ struct Unmet {
     duration: f64,
 }
 
-/// How the depth has followed the force lately: where the next piece is looked for.
-#[derive(Debug, Clone, Copy, Default)]
-struct Pace {
-    /// Speeds [m/s] of the last two pieces and the times [s] of their middles, the newest first.
-    speeds: [Option<(f64, f64)>; 2],
-    /// By what the force has grown with the way on the last piece [N/m].
-    stiffness: Option<f64>,
-}
-
-impl Pace {
-    /// The speed [m/s] of a piece whose middle is at the time `t` [s], if all goes on as before.
-    fn at(&self, t: f64) -> f64 {
-        match self.speeds {
-            [Some((now, at)), Some((before, then))] if at > then => now + (now - before) * (t - at) / (at - then),
-            [Some((now, _)), _] => now,
-            _ => 0.0,
-        }
-    }
-
-    /// Whether more than one piece has told it.
-    fn is_known(&self) -> bool {
-        self.speeds[1].is_some()
-    }
-
-    fn add(&mut self, speed: f64, middle: f64) {
-        self.speeds = [Some((speed, middle)), self.speeds[0]];
-    }
-}
-
 /// A contact that is looked at, and its state.
 type Watched<'c> = (&'c mut dyn ContactModel, &'c Normal);
 
-/// Part of the error allowed by which the force may be missed at the end of a piece.
-const NEAR: f64 = 1e-2;
-/// The same of the last piece, relative to the largest force.
-const NEAREST: f64 = 1e-12;
 /// Part of the accuracy to which the speed of a piece is found on which the force jumps: a shorter one follows.
 const CLOSE: f64 = 1e-3;
-/// Looks for a speed from the pace on, before it is searched for from rest.
-const MOST_LOOKS: u32 = 8;
-/// Part of what a look was off by that the next one may be off by, if the pace leads there.
-const CLOSER: f64 = 0.25;
 
 /// Piece, relative to the whole, at whose end no speed meets the force: the bodies part.
 const PARTED: f64 = 1e-12;
@@ -159,6 +129,8 @@ const FAR: f64 = 16.0;
 const AS_FAR: f64 = 0.9;
 /// The next piece, relative to the one that would just be allowed, and at the least that by which one is shortened.
 const SHORTER: f64 = 0.8;
+/// The most by which a piece may last longer than the one before.
+const LONGER: f64 = 5.0;
 /// The shortest time of a material over the instant in which nothing relaxes.
 const AT_ONCE: f64 = 1e20;
 /// Shortest piece, relative to the whole.
@@ -169,13 +141,6 @@ const BESIDE: [f64; 4] = [1e-14, 1e-12, 1e-10, 1e-8];
 const BEFORE_JUMP: f64 = 0.1;
 /// First piece tried after a jump, relative to the whole.
 const AFTER_JUMP: f64 = 1e-3;
-/// Parts of a gap by which what closes it stays before the touch: no look along it tells that better, and a contact that
-/// follows it may touch earlier by its rounding.
-const SHORT_OF: [f64; 4] = [1e-14, 1e-13, 1e-12, 1e-11];
-/// No gap is longer than this [m].
-const FARTHEST: f64 = 1e9;
-/// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
-const MEETING: f64 = 1e-9;
 /// Places on a leap at which the contact is looked at.
 const LOOKS: u32 = 64;
 /// Least force asked for without adhesion, relative to the scale.
@@ -197,6 +162,7 @@ impl ForceDrive {
             parted,
             unmet: None,
             failed: None,
+            last: None,
             pace,
             deepest: 0.0,
             lying,
@@ -266,15 +232,24 @@ impl ForceDrive {
             // Where the edge jumps a shorter piece tells when, and the shortest where to.
             let shortest = self.shortest(contact);
             let edges = if duration <= shortest.max(PARTED * self.end) { EDGES } else { 1 };
-            let Some(speed) = self.speed((contact, here), until, edges)? else {
-                self.parted = duration <= PARTED * self.end;
-                self.unmet = Some(Unmet { at: until, duration });
-                self.step = 0.03 * duration;
-                continue;
-            };
-            let error = self.error((contact, here), speed, duration)?;
             // Of a piece of two roundings there is none that is shorter by a little.
             let shortest = duration <= shortest || self.now + SHORTER * duration >= until;
+            let tells_jumps = joined && edges == 1 && !shortest && self.pace.is_known();
+            let speed = match self.speed((contact, here), until, (edges, tells_jumps))? {
+                Found::Speed(speed) => speed,
+                Found::Jump => {
+                    self.unmet = Some(Unmet { at: until, duration });
+                    self.step = BEFORE_JUMP * duration;
+                    continue;
+                }
+                Found::Parted => {
+                    self.parted = duration <= PARTED * self.end;
+                    self.unmet = Some(Unmet { at: until, duration });
+                    self.step = 0.03 * duration;
+                    continue;
+                }
+            };
+            let error = self.error((contact, here), speed, duration)?;
             if error > 1.0 && !shortest && !self.is_first_touch(contact, speed * duration) {
                 // No piece grows so much on the one before that it would be as far off without a jump, and without one a
                 // shorter piece is less off.
@@ -295,8 +270,8 @@ impl ForceDrive {
                 self.pace.add(speed, self.now + 0.5 * duration);
             }
             (self.now, self.failed) = (until, None);
-            self.step =
-                if jumped { AFTER_JUMP * self.end } else { duration * (SHORTER / error.sqrt()).clamp(0.2, 5.0) };
+            self.step = if jumped { AFTER_JUMP * self.end } else { duration * self.lengthened(duration, error) };
+            self.last = Some((duration, error)).filter(|_| !jumped);
             self.unmet = self.unmet.filter(|unmet| unmet.at - self.now > PASSED * unmet.duration);
             if let Some(unmet) = self.unmet {
                 self.step = self.step.min(TOWARDS * (unmet.at - self.now));
@@ -304,6 +279,13 @@ impl ForceDrive {
             return Ok(Some(Stretch { speed, until }));
         }
         Ok(None)
+    }
+
+    /// Part of a piece made with the error `error`, in those allowed, that the next one may last. Where a shorter one is as far
+    /// off as the one before, the contact stands before a jump, and no length is to blame.
+    fn lengthened(&self, duration: f64, error: f64) -> f64 {
+        let in_vain = self.last.is_some_and(|(longer, was)| duration < longer && error > AS_FAR * was);
+        if in_vain && error > SHORTER * SHORTER { LONGER } else { (SHORTER / error.sqrt()).clamp(0.2, LONGER) }
     }
 
     /// How short a piece [s] tells when the contact jumps: nothing relaxes in it that would count.
@@ -330,45 +312,6 @@ impl ForceDrive {
         Ok(speed)
     }
 
-    /// The rest of bodies apart, until the force pushes them together or ends; `None` where there is nothing to wait for.
-    fn wait(&mut self) -> Option<Stretch> {
-        let pushes = if self.ramp.rate > 0.0 { -self.ramp.from / self.ramp.rate } else { f64::INFINITY };
-        // A force that comes back to none at the end does not push by its rounding.
-        let pushes = if pushes < self.end * (1.0 - PARTED) { pushes } else { f64::INFINITY };
-        let until = pushes.min(self.end);
-        (self.parted, self.step, self.pace) = (pushes >= self.end, self.end, Pace::default());
-        (until > self.now).then(|| {
-            self.now = until;
-            Stretch { speed: 0.0, until }
-        })
-    }
-
-    /// The way of bodies apart to where they all but touch, in no time: a dashpot would feel how fast they come, and a search
-    /// that begins so far away would lead bodies that draw each other in beyond where they balance. A dent that is not yet
-    /// filled up is part of the way.
-    fn closes(&mut self, contact: &mut dyn ContactModel) -> Result<Option<Stretch>, ContactError> {
-        if contact.joined() || contact.memory().is_none() || self.parted || self.now >= self.end {
-            return Ok(None);
-        }
-        let until = (self.now + SHORTEST * self.end).max(self.now.next_up());
-        let duration = until - self.now;
-        let depth = depth_of(contact);
-        let meets = |way: f64| match contact.look(&ahead(contact, way / duration, duration)) {
-            Ok(seen) => seen.contact_radius > 0.0,
-            Err(_) => true,
-        };
-        let gap = way_to_touch(meets, (-depth).max(LEAST_DEPTH), 0.0);
-        let stays_apart = |way: &f64| {
-            let mut copy = contact.copy();
-            copy.follow(&ahead(contact, way / duration, duration)).is_ok() && !copy.joined()
-        };
-        let way = SHORT_OF.map(|part| (1.0 - part) * gap).into_iter().find(stays_apart).unwrap_or(0.0);
-        Ok((way > LEAST_DEPTH.max(UNSEEN * depth.abs())).then(|| {
-            self.now = until;
-            Stretch { speed: way / duration, until }
-        }))
-    }
-
     /// The one piece of a force that jumps, to be made by the caller: what lies between takes no time. `None` where
     /// the bodies part, or stay parted.
     ///
@@ -379,9 +322,9 @@ impl ForceDrive {
             return Ok(None);
         }
         let here = contact.state();
-        let speed = self.speed((contact, &here), self.end, EDGES)?;
-        self.parted = speed.is_none();
-        Ok(speed.map(|speed| Stretch { speed, until: self.end }))
+        let found = self.speed((contact, &here), self.end, (EDGES, false))?;
+        self.parted = found == Found::Parted;
+        Ok(if let Found::Speed(speed) = found { Some(Stretch { speed, until: self.end }) } else { None })
     }
 
     /// What the force does on its [`leap`](Self::leap) beyond what the contact takes [J]: where the contact would give
@@ -415,139 +358,6 @@ impl ForceDrive {
         let speed = speed_to(contact, force, instant)?;
         Ok(speed.map(|speed| ahead(contact, speed, instant)))
     }
-
-    /// Error of the force on a piece over the error allowed, in its middle and before it; of a damped contact that of its chord.
-    ///
-    /// Beside the exact creep it is that of the depth, F being about d^{3/2}: there the bed need not be asked.
-    fn error(&self, (contact, here): Watched<'_>, speed: f64, duration: f64) -> Result<f64, ContactError> {
-        let half = 0.5 * duration;
-        let middle = self.now + half;
-        let allowed = self.allowed((contact, here), middle);
-        let off = match self.exact(middle).and_then(|creep| creep.indentation()) {
-            // From the speed at its beginning on the depth bends by d″h²/8 away from the chord, d″h/2 = v − v₀; so much
-            // towards its end too, or more, where something is met on the way.
-            _ if self.meets_in_the_middle(contact) => {
-                let bend =
-                    (speed - self.pace.at(self.now)).abs().max(self.bend_at_end((contact, here), speed, duration)?);
-                0.5 * felt(here).max(self.ramp.stiffness) * bend * half
-            }
-            Some(depth) if depth > 0.0 => {
-                let chord = depth_of(contact) + speed * half;
-                1.5 * self.target(here, middle) * (1.0 - chord / depth)
-            }
-            _ => {
-                let mut missed = |part: f64| -> Result<f64, ContactError> {
-                    let seen = contact.look(&ahead(contact, speed, part * duration))?.force;
-                    Ok(seen - self.target(here, self.now + part * duration))
-                };
-                let middle = missed(0.5)?;
-                // What bends there and back again is nothing in the middle.
-                if middle.abs() > allowed { middle } else { middle.abs().max(missed(0.25)?.abs()) }
-            }
-        };
-        Ok(off.abs() / allowed)
-    }
-
-    /// By what the speed [m/s] of a damped contact would have to change at the end of a piece to meet the force there.
-    fn bend_at_end(&self, (contact, here): Watched<'_>, speed: f64, duration: f64) -> Result<f64, ContactError> {
-        let end = contact.look(&ahead(contact, speed, duration))?.force;
-        let missed = end - self.target(here, self.now + duration);
-        let stiffness = here.stiffness;
-        // A dashpot alone: its force is that of the speed.
-        let damping = if stiffness > 0.0 { damping(contact, stiffness) } else { (end / speed).abs() };
-        let bend = missed.abs() / (damping + 0.5 * stiffness * duration);
-        Ok(if bend.is_finite() { bend } else { 0.0 })
-    }
-
-    /// Error of the force [N] allowed at the time `t` [s]: the accuracy times the largest force, and of a contact that has
-    /// shrunk so much less that its radius is as well known as the largest, for a grows as ∛F.
-    ///
-    /// A dashpot keeps the depth of a contact whatever its force has become.
-    fn allowed(&self, (contact, here): (&dyn ContactModel, &Normal), t: f64) -> f64 {
-        let held = here.in_balance();
-        let scale = held.max(self.ramp.scale).max(f64::MIN_POSITIVE);
-        if self.exact(t).is_some() || is_damped(contact) {
-            return self.ramp.accuracy * scale;
-        }
-        let part = self.target(here, t).abs().max(held) / scale;
-        self.ramp.accuracy * scale * part.min(1.0).powf(2.0 / 3.0).max(self.ramp.accuracy.powi(2))
-    }
-
-    /// A first piece this short leaves no trace in what follows.
-    fn is_first_touch(&self, contact: &dyn ContactModel, rise: f64) -> bool {
-        let full = self.exact(self.end).and_then(|creep| creep.indentation());
-        !contact.joined() && full.is_some_and(|full| rise <= self.ramp.accuracy * full)
-    }
-
-    /// The force to be met at the time `t` [s]: without adhesion the bodies just touch where there is none.
-    fn target(&self, here: &Normal, t: f64) -> f64 {
-        let (force, least) = (self.ramp.force(t), TOUCH * self.ramp.scale);
-        if force.abs() < least && here.stored.surface >= 0.0 { least } else { force }
-    }
-
-    /// The speed that leads to the force at the time `until`, over no more than so many places of the edge; `None` if none
-    /// does.
-    fn speed(&mut self, (contact, here): Watched<'_>, until: f64, edges: u32) -> Result<Option<f64>, ContactError> {
-        let duration = until - self.now;
-        match self.exact(until) {
-            Some(creep) => {
-                let depth = creep.indentation().ok_or(BedError::Overloaded { force: creep.force() })?;
-                Ok(Some((depth - depth_of(contact)) / duration))
-            }
-            None => {
-                let until = if self.meets_in_the_middle(contact) { self.now + 0.5 * duration } else { until };
-                match self.paced((contact, here), until) {
-                    Some(speed) => Ok(Some(speed)),
-                    None => {
-                        let (force, within) = (self.target(here, until), self.within((contact, here), until));
-                        let relative =
-                            if until - self.now > PARTED * self.end { CLOSE * self.ramp.accuracy } else { 0.0 };
-                        Goal { force, within, relative, edges }.speed(contact, here, until - self.now)
-                    }
-                }
-            }
-        }
-    }
-
-    /// By how much the force [N] may be missed at the time `until` [s].
-    fn within(&self, (contact, here): (&dyn ContactModel, &Normal), until: f64) -> f64 {
-        let scale = self.ramp.scale.max(here.in_balance());
-        if until < self.end { NEAR * self.allowed((contact, here), until) } else { NEAREST * scale }
-    }
-
-    /// Whether pieces meet the force in their middles.
-    fn meets_in_the_middle(&self, contact: &dyn ContactModel) -> bool {
-        self.exact(self.now).is_none() && is_damped(contact)
-    }
-
-    /// The same by secants from the pace on; `None` where they lead nowhere soon.
-    fn paced(&mut self, (contact, here): Watched<'_>, until: f64) -> Option<f64> {
-        let (force, duration) = (self.target(here, until), until - self.now);
-        let within = self.within((contact, here), until);
-        let stiffness = self.pace.stiffness.unwrap_or(here.stiffness);
-        let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
-        let mut before: Option<(f64, f64)> = None;
-        for _ in 0..MOST_LOOKS {
-            let seen = contact.look(&ahead(contact, speed, duration)).ok()?;
-            let off = seen.force - force;
-            if let Some((then, was)) = before {
-                slope = (off - was) / (speed - then);
-            }
-            if seen.contact_radius <= 0.0 || slope.is_nan() || slope <= 0.0 {
-                return None;
-            }
-            if off.abs() <= within {
-                self.pace.stiffness = Some(slope / duration);
-                return Some(speed);
-            }
-            if before.is_some_and(|(_, was)| off.abs() > CLOSER * was.abs()) {
-                return None;
-            }
-            before = Some((speed, off));
-            speed -= off / slope;
-        }
-        None
-    }
 }
 
 /// Least force [N] asked for without adhesion, of forces up to `scale` [N]: where there is none the bodies just touch.
@@ -565,19 +375,6 @@ fn has_dashpot(contact: &dyn ContactModel) -> bool {
     contact.memory().is_some_and(|spectrum| spectrum.viscosity() > 0.0)
 }
 
-/// The longest way [m] on which bodies apart do not yet meet, about as long as `guess` [m], to `within` [m] at the best.
-fn way_to_touch(mut meets: impl FnMut(f64) -> bool, guess: f64, within: f64) -> f64 {
-    let (mut near, mut far) = (0.0, guess);
-    while far < FARTHEST && !meets(far) {
-        (near, far) = (far, 2.0 * far);
-    }
-    while far > LEAST_DEPTH && far - near > within.max(UNSEEN * far) {
-        let middle = 0.5 * (near + far);
-        *(if meets(middle) { &mut far } else { &mut near }) = middle;
-    }
-    near
-}
-
 /// Depth [m] of a contact.
 pub(super) fn depth_of(contact: &dyn ContactModel) -> f64 {
     contact.indentation().unwrap_or(0.0)
@@ -586,22 +383,6 @@ pub(super) fn depth_of(contact: &dyn ContactModel) -> f64 {
 /// The piece at the speed `speed` [m/s] that lasts `duration` [s] from the present on.
 pub(super) fn ahead(contact: &dyn ContactModel, speed: f64, duration: f64) -> Straight {
     Straight { to: depth_of(contact) + speed * duration, speed, slide: 0.0, sliding_speed: 0.0, duration }
-}
-
-/// Whether bodies apart jump into contact as they meet: no time is so short that it would not be within it.
-fn draws(contact: &mut dyn ContactModel, speed: f64, duration: f64) -> Result<bool, ContactError> {
-    Ok(!contact.joined() && contact.look(&ahead(contact, MEETING * speed, duration))?.force < 0.0)
-}
-
-/// How much force [N/m] a way is worth: by the stiffness, and where there is none, on a dashpot alone, as a part of the
-/// force what the way is of the depth. An edge that pulls is there at no depth too: then of the way on which the force does
-/// as much as the surfaces.
-fn felt(state: &Normal) -> f64 {
-    let force = state.force.abs();
-    let pulls = if force > 0.0 { (-state.stored.surface).max(0.0) / force } else { 0.0 };
-    let depth = state.indentation.filter(|&depth| depth > 0.0);
-    let as_part = depth.map_or(0.0, |depth| force / depth.max(pulls));
-    state.stiffness.max(as_part)
 }
 
 /// States at the times `records` [s] of a contact under a ramp of the force; the last one ends it.

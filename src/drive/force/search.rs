@@ -11,6 +11,8 @@ use std::cell::Cell;
 pub(super) const UNSEEN: f64 = 4.0 * f64::EPSILON;
 /// No speed is looked for beyond this [m/s].
 const FASTEST: f64 = 1e290;
+/// Times the pace and the first guess beyond which a speed leads over a jump.
+const MUCH_FASTER: f64 = 16.0;
 
 /// The speed at which a motion of the given duration ends with the force `force` [N]; `None` if the
 /// bodies part before.
@@ -19,7 +21,22 @@ const FASTEST: f64 = 1e290;
 /// The contact would outgrow the profile.
 pub fn speed_to(contact: &mut dyn ContactModel, force: f64, duration: f64) -> Result<Option<f64>, ContactError> {
     let here = contact.state();
-    Goal { force, within: 0.0, relative: 0.0, edges: EDGES }.speed(contact, &here, duration)
+    let goal = Goal { force, within: 0.0, relative: 0.0, edges: EDGES, pace: f64::INFINITY };
+    match goal.speed(contact, &here, duration)? {
+        Found::Speed(speed) => Ok(Some(speed)),
+        Found::Jump | Found::Parted => Ok(None),
+    }
+}
+
+/// What a search for a speed comes to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Found {
+    /// A speed [m/s] at which the force is met, or beside which it jumps.
+    Speed(f64),
+    /// None is nearly as slow as that: it leads over a jump.
+    Jump,
+    /// The bodies part before.
+    Parted,
 }
 
 /// What a piece of the depth is to meet.
@@ -33,18 +50,19 @@ pub(super) struct Goal {
     pub relative: f64,
     /// Places at which the edge may come to rest on the way.
     pub edges: u32,
+    /// A speed [m/s] of which many times as much leads over a jump.
+    pub pace: f64,
 }
 
 impl Goal {
-    /// The speed [m/s] of such a piece of the duration `duration` [s] of a contact in the state `state`; `None` if the bodies
-    /// part before.
+    /// The speed of such a piece of the duration `duration` [s] of a contact in the state `state`.
     pub(super) fn speed(
         self,
         contact: &mut dyn ContactModel,
         state: &Normal,
         duration: f64,
-    ) -> Result<Option<f64>, ContactError> {
-        let Self { force, within, relative, edges } = self;
+    ) -> Result<Found, ContactError> {
+        let Self { force, within, relative, edges, pace } = self;
         let depth = state.indentation.unwrap_or(0.0);
         let damping = damping(contact, state.stiffness);
         let failed = Cell::new(None);
@@ -59,18 +77,23 @@ impl Goal {
         // A guess, widened until it brackets the root: the force grows with the speed.
         let (still, joined) = look(0.0);
         if still.abs() <= UNSEEN * state.stiffness * depth.abs() {
-            return Ok(Some(0.0));
+            return Ok(Found::Speed(0.0));
         }
         if still > 0.0 && !joined {
             // At rest they have parted by then.
-            return failed.get().map_or(Ok(None), Err);
+            return failed.get().map_or(Ok(Found::Parted), Err);
         }
         let width = (first_way(state, still) / duration).min(still.abs() / damping).max(1e-300).copysign(-still);
-        let Some((inner, width)) = bracket(&mut look, still, width, edges) else {
-            return failed.get().map_or(Ok(None), Err);
+        let fastest = (MUCH_FASTER * pace.abs().max(width.abs())).min(FASTEST);
+        let ends = match bracket(&mut look, still, (width, fastest), edges) {
+            Bracket::Ends(ends) => ends,
+            Bracket::TooFast if fastest < FASTEST && failed.get().is_none() => return Ok(Found::Jump),
+            Bracket::TooFast | Bracket::Parted => return failed.get().map_or(Ok(Found::Parted), Err),
         };
-        let off = |speed| Some(look(speed).0).filter(|off| off.abs() > within).unwrap_or(0.0);
-        let speed = root::brent_to(off, (inner.min(width), inner.max(width)), relative).unwrap_or(width);
+        let mut ends = ends.map(|(speed, off)| (speed, met(off, within)));
+        ends.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let off = |speed| met(look(speed).0, within);
+        let speed = root::brent_from(off, ends, relative).unwrap_or(width);
         // At the end of a profile the search ends where the force is not met, and beyond there is no contact; beside a jump,
         // where it is not met either, there is one.
         let outgrown = failed.take();
@@ -79,9 +102,24 @@ impl Goal {
         }
         match outgrown.filter(|_| speed.abs() <= 0.0).or(failed.take()) {
             Some(error) => Err(error),
-            None => Ok(Some(speed)),
+            None => Ok(Found::Speed(speed)),
         }
     }
+}
+
+/// What a search for two speeds between which the force is met comes to.
+enum Bracket {
+    /// The speeds [m/s], and what the force is too great by there [N].
+    Ends([(f64, f64); 2]),
+    /// None is so slow.
+    TooFast,
+    /// The bodies part before.
+    Parted,
+}
+
+/// What the force is off by [N], nothing where that is within `within` [N].
+fn met(off: f64, within: f64) -> f64 {
+    if off.abs() > within { off } else { 0.0 }
 }
 
 /// By what the force of a contact of the stiffness `stiffness` [N/m] grows with its speed at once [N s/m], nearly: of its
@@ -118,30 +156,35 @@ const MET: f64 = 1e-9;
 /// Part of a speed by which the end of a profile may lie beyond it.
 const BEYOND: f64 = 1e-9;
 
-/// Two speeds between which the force is met, from zero on and widened from `width` [m/s]; `still` is what it is too
-/// great by at rest [N]. `None` if no speed meets it.
+/// Two speeds between which the force is met, and what it is too great by there [N], from zero on and widened from `width`
+/// [m/s] to `fastest`; `still` is what it is too great by at rest [N].
 ///
 /// A pull that has grown with the way and is smaller on the next has given way between: the edge has jumped, as over the
 /// crest of a wave. It may have been strong enough before.
-fn bracket(look: &mut impl FnMut(f64) -> (f64, bool), still: f64, mut width: f64, edges: u32) -> Option<(f64, f64)> {
+fn bracket(
+    look: &mut impl FnMut(f64) -> (f64, bool),
+    still: f64,
+    (mut width, fastest): (f64, f64),
+    edges: u32,
+) -> Bracket {
     let (mut inner, mut grows) = ((0.0, still), false);
-    while width.abs() < FASTEST {
+    while width.abs() < fastest {
         let (residual, joined) = look(width);
         let parted = residual >= 0.0 && !joined && still > 0.0;
         if parted || (edges > 1 && grows && residual > inner.1) {
             // Parted, which meets no force too: the pull must be found before, if anywhere.
             let pull = last_pull(look, inner, width, edges);
             if parted || pull.is_some() {
-                return pull.map(|pull| (inner.0, pull));
+                return pull.map_or(Bracket::Parted, |pull| Bracket::Ends([inner, pull]));
             }
         }
         if (residual > 0.0) != (still > 0.0) {
-            return Some((inner.0, width));
+            return Bracket::Ends([inner, (width, residual)]);
         }
         grows = still > 0.0 && residual < inner.1;
         (inner, width) = ((width, residual), 2.0 * width);
     }
-    None
+    Bracket::TooFast
 }
 
 /// Speeds tried between one that keeps the bodies together and one that parts them. Where the pull is stronger than
@@ -153,17 +196,22 @@ pub(super) const EDGES: u32 = 3;
 const GROWS: f64 = 2.0;
 
 /// A speed between one that keeps the bodies together and one that parts them, or lets the edge jump, at which the pull is
-/// stronger than prescribed; `held` is such a speed and what the pull lacks there [N].
+/// stronger than prescribed, and by how much [N], below zero; `held` is such a speed and what the pull lacks there [N].
 ///
 /// The nearer to where it gives way, the slower the pull of a contact grows with the way: what it lacks tells that there
 /// is none. Where it lacks more than nearer by, the edge has jumped; then its next place is tried as well.
-fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: (f64, f64), end: f64, edges: u32) -> Option<f64> {
+fn last_pull(
+    look: &mut impl FnMut(f64) -> (f64, bool),
+    mut held: (f64, f64),
+    end: f64,
+    edges: u32,
+) -> Option<(f64, f64)> {
     for _ in 0..edges {
         let (mut jumped, mut beyond) = (None, end);
         for _ in 0..TRIES {
             let middle = 0.5 * (held.0 + beyond);
             match look(middle) {
-                (residual, true) if residual <= 0.0 => return Some(middle),
+                (residual, true) if residual <= 0.0 => return Some((middle, residual)),
                 (residual, true) if residual > held.1 && edges > 1 => {
                     jumped = jumped.or(Some((middle, residual)));
                     beyond = middle;
@@ -176,4 +224,18 @@ fn last_pull(look: &mut impl FnMut(f64) -> (f64, bool), mut held: (f64, f64), en
         held = jumped?;
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Speeds are looked for up to the fastest; the ends of what is found have been looked at.
+    #[test]
+    fn a_bracket_is_no_faster_than_it_may_be() {
+        let mut look = |speed: f64| (speed - 100.0, true);
+        assert!(matches!(bracket(&mut look, -100.0, (1.0, 16.0), 1), Bracket::TooFast));
+        let Bracket::Ends(ends) = bracket(&mut look, -100.0, (1.0, FASTEST), 1) else { panic!("no ends") };
+        assert_eq!(ends, [(64.0, -36.0), (128.0, 28.0)]);
+    }
 }

@@ -159,6 +159,20 @@ fn a_jump_is_gone_over_from_where_the_search_stops() {
     }
 }
 
+/// A piece shorter than the one before that is as far off stands before a jump: the next one is no shorter still. One that
+/// is nearer, or longer, tells how long the next may be.
+#[test]
+fn before_a_jump_pieces_do_not_dwindle() {
+    let ramp = Ramp { from: 0.0, rate: 1.0, accuracy: 1e-3, scale: 1.0, stiffness: 0.0 };
+    let after = |last| ForceDrive { last, ..ForceDrive::new(ramp, 1.0, None, false) };
+    assert!((after(Some((0.1, 0.87))).lengthened(0.09, 0.87) - LONGER).abs() < 1e-15);
+    for (last, duration, error) in
+        [(None, 0.09, 0.87), (Some((0.1, 0.99)), 0.09, 0.87), (Some((0.1, 0.87)), 0.11, 0.87)]
+    {
+        assert!((after(last).lengthened(duration, error) - SHORTER / 0.87_f64.sqrt()).abs() < 1e-15);
+    }
+}
+
 /// Unloading by force, and waiting unloaded: the force is met, the contact shrinks.
 #[test]
 fn unloaded_by_force() {

@@ -173,9 +173,7 @@ impl Front<'_> {
         if stride > 0.0 && near > 0.0 {
             let ends = [(near, margin(near)), (a, margin(a))];
             if ends[1].1 < 0.0 && ends[0].1 >= 0.0 {
-                let known = |x: f64| ends.iter().find(|end| end.0.to_bits() == x.to_bits()).map(|end| end.1);
-                let found = root::brent_to(|x| known(x).unwrap_or_else(|| margin(x)), (near, a), self.exact_enough());
-                return found.unwrap_or(near);
+                return root::brent_from(margin, ends, self.exact_enough()).unwrap_or(near);
             }
         }
         if a > 0.0 { last_hold(&margin, a, 1.5 * stride, self.exact_enough()).unwrap_or(0.0) } else { 0.0 }
@@ -194,21 +192,22 @@ fn last_hold(margin: &dyn Fn(f64) -> f64, from: f64, reach: f64, exact: f64) -> 
     if here >= 0.0 {
         return Some(from);
     }
-    let (mut outer, mut reach) = (from, reach.clamp(FIRST_REACH * from, LONGEST_REACH * from));
+    let (mut outer, mut beyond, mut reach) = (from, here, reach.clamp(FIRST_REACH * from, LONGEST_REACH * from));
     let (mut best, mut around) = (here, (from, from));
     while outer > 0.0 {
         let inner = (outer - reach).max(0.0);
         let found = margin(inner);
         if found >= 0.0 && inner > 0.0 {
-            return Some(root::brent_to(margin, (inner, outer), exact).unwrap_or(inner));
+            return Some(root::brent_from(margin, [(inner, found), (outer, beyond)], exact).unwrap_or(inner));
         }
         if found > best {
             (best, around) = (found, (inner, outer));
         }
-        (outer, reach) = (inner, (1.5 * reach).min(LONGEST_REACH * from));
+        (outer, beyond, reach) = (inner, found, (1.5 * reach).min(LONGEST_REACH * from));
     }
     // Just before the edge gives way, the stretch that holds is narrower than any step.
     let low = around.0 - (around.1 - around.0).max(FIRST_REACH * from);
     let holds = extremum::reaches_zero(margin, low, around.1)?;
-    Some(root::brent_to(margin, (holds, around.1), exact).unwrap_or(holds))
+    let ends = [holds, around.1].map(|x| (x, margin(x)));
+    Some(root::brent_from(margin, ends, exact).unwrap_or(holds))
 }
