@@ -174,6 +174,9 @@ pub const TANGENTIAL_FORCE: Column<Record> =
 pub const STICK_RADIUS: Column<Record> = Column::new("stick_radius", Unit::METRE, "stick radius c", |record| {
     record.normal.contact_radius.and(Some(record.tangential?.stick_radius))
 });
+/// Area of a sheared adhesive contact over that at rest.
+pub const AREA_RATIO: Column<Record> =
+    Column::new("area_ratio", Unit::ONE, "A/A₀", |record| record.tangential?.area_ratio);
 
 /// Where the contact of a moving body begins.
 pub const LEADING_EDGE: Column<Record> =
@@ -206,8 +209,7 @@ const TANGENTIAL: &[Column<Record>] = &[
     Column::new("friction_dissipated", Unit::JOULE, "energy lost to friction", |record| record.tangential?.dissipated),
 ];
 /// Columns of a sheared adhesive contact.
-const SHEARED: &[Column<Record>] =
-    &[Column::new("area_ratio", Unit::ONE, "A/A₀", |record| record.tangential?.area_ratio)];
+const SHEARED: &[Column<Record>] = &[AREA_RATIO];
 
 /// Columns of a body that glides or rolls over a bed with memory.
 const GLIDING: &[Column<Record>] = &[SLIDE, TANGENTIAL_FORCE, LEADING_EDGE, TRAILING_EDGE];

@@ -36,6 +36,22 @@ fn the_first_command_of_the_readme_gives_table_summary_and_figure() {
     assert_eq!(cfg!(feature = "plot"), names.contains(&"hertz.svg"));
 }
 
+/// The area of a sheared contact is drawn over the sliding speed where there are several, and over the way where there is one.
+#[cfg(feature = "plot")]
+#[test]
+fn a_sheared_area_is_drawn_over_what_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    let scenes = ["configs/stuck_lens.ron", "configs/sheared_lens.ron"];
+    let output = springbed().arg("run").args(scenes).arg("--out").arg(folder.path()).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    for (name, over_speed) in [("stuck_lens.svg", false), ("sheared_lens.svg", true)] {
+        let figure = std::fs::read_to_string(folder.path().join(name)).unwrap();
+        let ways = figure.matches("tangential displacement").count();
+        assert!(figure.contains("A/A₀") && figure.contains("sliding speed") == over_speed, "{name}");
+        assert_eq!(ways, if over_speed { 1 } else { 2 }, "{name}");
+    }
+}
+
 /// A flag is not swallowed by a command it says nothing to.
 #[test]
 fn a_flag_that_means_nothing_is_refused() {

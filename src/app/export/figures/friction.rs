@@ -7,7 +7,7 @@ use crate::contact::state::Tangential;
 use crate::friction::sliding::SlidingPoint;
 use crate::run::curves::sliding::{self, SlideDirection};
 use crate::run::record::{
-    CONTACT_RADIUS, Field, FieldRow, Outcome, Record, SLIDE, STICK_RADIUS, TANGENTIAL_FORCE, TIME,
+    AREA_RATIO, CONTACT_RADIUS, Field, FieldRow, Outcome, Record, SLIDE, STICK_RADIUS, TANGENTIAL_FORCE, TIME,
 };
 use crate::scene::Plot;
 use crate::scene::law::FrictionLaw;
@@ -114,15 +114,24 @@ fn amontons(panel: Panel, curve: &[SlidingPoint]) -> Panel {
     panel.note("Amontons' law counts as holding while d ln Fₓ/d ln F is within 1 % of 1.")
 }
 
-/// A/A_JKR of a sheared adhesive contact: over the sliding speed if there are several, else over time.
+/// A/A_JKR of a sheared adhesive contact: over the sliding speed if there are several, or theory knows what they do, else
+/// over the displacement.
 pub fn area(plan: &Plan, outcome: &Outcome) -> Option<Panel> {
     let hertz = outcome.number("hertz_area_ratio")?;
     let (points, force) = sliding::area(plan, &outcome.records)?;
     let ratio = Axis::linear("area of contact over area at rest A/A₀", "1").from((hertz - 0.02).max(0.0)).to(1.02);
-    let panel = Panel::new(Axis::log("sliding speed v", "m/s"), ratio)
-        .guide(Guide::horizontal(1.0, "JKR"))
-        .guide(Guide::horizontal(hertz, "Hertz"));
-    let panel = match sliding::area_in_theory(plan, force) {
+    let over = |axis: Axis| {
+        let panel = Panel::new(axis, ratio.clone());
+        panel.guide(Guide::horizontal(1.0, "JKR")).guide(Guide::horizontal(hertz, "Hertz"))
+    };
+    let theory = sliding::area_in_theory(plan, force);
+    let same = points.windows(2).all(|pair| (pair[0].0 - pair[1].0).abs() <= 0.0);
+    if same && theory.as_ref().is_ok_and(Vec::is_empty) {
+        let ratios = of_records(&outcome.records, &SLIDE, &AREA_RATIO);
+        return Some(over(axis_of(&SLIDE)).with(Series::new("", ratios)));
+    }
+    let panel = over(Axis::log("sliding speed v", "m/s"));
+    let panel = match theory {
         Ok(line) if line.is_empty() => panel,
         Ok(line) => panel.with(Series::new("Savkoor & Briggs", line)),
         Err(why) => panel.note(format!("Savkoor & Briggs are not drawn: {why}.")),
