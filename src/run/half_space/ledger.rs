@@ -4,8 +4,8 @@
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ledger {
     last: Option<Stand>,
-    /// dF/dd [N/m] of the last step.
-    slope: Option<f64>,
+    /// dF/dd [N/m] of the last step and the way [m] it led, if it led any.
+    slope: Option<[f64; 2]>,
     /// Energy lost in jumps so far [J].
     lost: f64,
     /// The largest energy known of [J].
@@ -111,8 +111,10 @@ impl Ledger {
         let slope = (now.force - last.force) / way;
         let missing = 0.5 * (last.force + now.force) * way - (now.accounted - last.accounted);
         let most = if is_forced { 0.5 * (way * (now.force - last.force)).abs() } else { f64::INFINITY };
-        let open = (OPEN * way * way * (slope - self.slope.unwrap_or(-slope)).abs()).min(most);
-        self.slope = Some(slope);
+        // How steep it was on the way there tells nothing of the way back.
+        let before = self.slope.filter(|[_, before]| before * way > 0.0).map_or(-slope, |[slope, _]| slope);
+        let open = (OPEN * way * way * (slope - before).abs()).min(most);
+        self.slope = Some([slope, way]);
         self.count(now, Open { open, missing })
     }
 
@@ -142,6 +144,18 @@ mod tests {
             ledger.step(Stand::Apart(accounted), None);
             assert!((ledger.lost() + accounted - 3.0).abs() < 1e-15);
         }
+    }
+
+    /// A slope that is on the way back what it was on the way there by chance hides no jump.
+    #[test]
+    fn a_way_there_tells_nothing_of_the_way_back() {
+        let mut ledger = Ledger::default();
+        let mut open = |depth: f64| {
+            let entry = Entry { force: depth, depth, accounted: 0.5 * depth * depth };
+            ledger.step(Stand::Together(entry), Some(0.0)).open
+        };
+        let [_, first, on, back, on_back] = [0.0, 1.0, 2.0, 1.0, 0.5].map(&mut open);
+        assert!(first > 0.0 && on.abs() < 1e-15 && back >= first && on_back.abs() < 1e-15, "{first} {on} {back}");
     }
 
     /// What a force has torn apart and presses together again loses what the attraction gives; led by the depth, that less

@@ -22,6 +22,8 @@ const LOOSEST: f64 = 1e-4;
 /// The same of rounds that have gone on for long: of a range that is short beside the displacements what is left over changes
 /// the attraction.
 const TIGHT: f64 = 1e-10;
+/// Part of the range of an attraction to which what touches does so in the end: a gap left over is energy that is not there.
+const TOUCHING: f64 = 1e-4;
 /// Change of the attraction, as part of what it pulls most with, at which they have: of pixels that are wide beside the ring
 /// in which it acts that may be a small part of its stress.
 const SETTLED: f64 = 1e-5;
@@ -173,10 +175,10 @@ impl Rounds<'_> {
         let mut last = last.map(|last| part.of(&last.view()).to_owned());
         let mut pull = part.of(&pull.view()).to_owned();
         let mut mixed = Mixed::default();
-        let mut change = f64::INFINITY;
+        let (mut change, mut finest) = (f64::INFINITY, f64::INFINITY);
         while *left > 0 {
             *left -= 1;
-            let tolerance = residual_after(change, *left);
+            let tolerance = residual_after(change, *left).min(finest);
             let settings = Settings { tolerance, ..self.settings };
             let Some(control) = self.control(&pull) else {
                 // A guess may pull less than what holds the bodies.
@@ -193,6 +195,7 @@ impl Rounds<'_> {
             Zip::from(&mut gap).and(&contact.displacement).and(&contact.pressure).for_each(|gap, moved, &pressure| {
                 *gap = if pressure > 0.0 { 0.0 } else { (moved + (*gap - contact.indentation)).max(0.0) };
             });
+            let touches = (TOUCHING * attraction.range() / largest(&contact.displacement)).max(TIGHT);
             contact.displacement += &pulled;
             let after = match lone {
                 Some(lone) => Zip::from(&heights)
@@ -202,7 +205,11 @@ impl Rounds<'_> {
             };
             change = most_apart(&pull, &after) / largest(&pull).max(largest(&after)).max(f64::MIN_POSITIVE);
             if change <= SETTLED {
-                return Ok(Reached::Settled(Settled { contact, pull }));
+                if contact.residual <= touches {
+                    return Ok(Reached::Settled(Settled { contact, pull }));
+                }
+                (finest, last) = (touches, Some(contact.pressure));
+                continue;
             }
             pull = mixed.next(&pull, after, change, attraction.stress);
             if part.is_outgrown(&pull, map.heights.dim()) {
@@ -319,6 +326,23 @@ mod tests {
                 (last, pull) = (Some(part.contact.pressure), part.pull);
             }
         }
+    }
+
+    /// Beside a range that is short beside the depth nothing is left of a gap where bodies touch.
+    #[test]
+    fn what_touches_leaves_no_gap() {
+        let heights = two_balls([20, 20], 0.0);
+        let response = SurfaceResponse::new([SIDE; 2], [0.01; 2], Boundary::Free);
+        let law = ElasticAdhesion::Fading { work: 1e-10, range: 1e-8 };
+        let attraction = Attraction::of(law, 0.01, 1.0).unwrap();
+        let (pixel, boundary, control) = ([0.01; 2], Boundary::Free, Prescribed::Indentation(2e-3));
+        let map = PressedMap { heights: heights.view(), pixel, modulus: 1.0, boundary, control };
+        let rounds = Rounds { attraction, lone: None, response: &response, map, settings: Settings::default() };
+        let found = rounds.settled(None, Array2::zeros((SIDE, SIDE))).unwrap().unwrap();
+        let touching = found.contact.pressure.indexed_iter().filter(|(_, pressure)| **pressure > 0.0);
+        let gaps: Vec<f64> = touching.map(|(at, _)| rounds.gap(&found.contact, at).abs()).collect();
+        let largest = gaps.iter().copied().fold(0.0, f64::max);
+        assert!(gaps.len() > 20 && largest <= 2.0 * TOUCHING * attraction.range(), "{} {largest:e}", gaps.len());
     }
 
     /// Bodies drawn apart hold nothing, not even what a round may be off by.

@@ -6,9 +6,9 @@ use super::response;
 use super::series::{Depth, Series};
 use super::state::{Pressing, State};
 use crate::contact::adhesion::equilibrium::Control;
-use crate::scene::law::PixelFriction;
+use crate::scene::law::{ElasticAdhesion, PixelFriction};
 use crate::scene::plan::{HalfSpacePlan, PixelledIndenter};
-use crate::scene::stage::Path;
+use crate::scene::stage::{Path, Spaced};
 use crate::shape::{PlacedTip, Profile, Rim};
 
 /// Side of the window in largest distances of the contact from the tip.
@@ -19,6 +19,11 @@ const TRIED: usize = 64;
 const ENOUGH: f64 = 8.0;
 /// Windows tried before the last is taken.
 const TRIES: usize = 24;
+/// Records of each stage while windows are tried on bodies that remember or attract each other, whose edges depend on the
+/// steps they are come to in: a window depends on the motion, and not on how many records of it are asked for.
+const RECORDS: usize = 8;
+/// Most records of all stages together, if that is not less than one each.
+const MOST_RECORDS: usize = 128;
 /// Halvings and doublings of a radius.
 const OCTAVES: i32 = 200;
 
@@ -65,11 +70,23 @@ fn tried(plan: &HalfSpacePlan, heights: &Heights) -> Result<Vec<State>, Simulati
     let coupled = matches!(plan.friction, Some(PixelFriction::Coupled { .. }));
     let bare = coupled.then(|| HalfSpacePlan { friction: None, ..plan.clone() });
     let plan = bare.as_ref().unwrap_or(plan);
+    let stepped = (plan.relaxation.is_some() || plan.attraction != ElasticAdhesion::None).then(|| stepped(plan));
+    let plan = stepped.as_ref().unwrap_or(plan);
     let response = response(plan, heights)?;
     let pressing = Pressing::of(plan, heights, &response);
     let mut series = Series::new(plan, pressing, Depth::Outline, 1);
     series.follow(&|_| ())?;
     Ok(series.states)
+}
+
+/// The same history in steps that do not depend on the records asked for.
+fn stepped(plan: &HalfSpacePlan) -> HalfSpacePlan {
+    let mut stepped = plan.clone();
+    let records = (MOST_RECORDS / plan.stages.len().max(1)).clamp(1, RECORDS);
+    for stage in &mut stepped.shared.stages {
+        (stage.records, stage.spacing) = (records, Spaced::Evenly);
+    }
+    stepped
 }
 
 /// A radius [m] of the order of the largest contact's, or a distance that holds all tips.
