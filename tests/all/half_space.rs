@@ -390,3 +390,19 @@ fn theories_stand_beside_what_they_are_made_for() {
         assert_eq!(flat(shape, more).0, None, "{shape} {more}");
     }
 }
+
+/// However many records are asked for, the window is the same: of bodies that remember and attract each other.
+#[test]
+fn a_window_is_that_of_the_motion() {
+    let pixel = |steps: u32| {
+        let text = format!(
+            r#"(shape: Paraboloid(radius: 2.8e-6), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 5.6e3,
+            terms: [(modulus: 3.2e4, time: 18), (modulus: 1e3, time: 1.8e3)])), Elastic(young: 3.6e4, poisson: 0.5)),
+            adhesion: Maugis(work: 2e-7, stress: 4e3), solver: HalfSpace(grid: 32), steps: {steps},
+            history: [Indent(to: 5.6e-10, over: 180)])"#
+        );
+        on_pixels(&text).map.unwrap().pixel.map(f64::to_bits)
+    };
+    let [one, four, forty] = [1, 4, 40].map(pixel);
+    assert!(one == four && four == forty, "{one:?} {four:?} {forty:?}");
+}

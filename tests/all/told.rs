@@ -501,3 +501,21 @@ fn a_pull_over_waves_ends() {
     .unwrap();
     assert!(outcome.records.last().unwrap().normal.indentation.is_none(), "the pull tears them apart");
 }
+
+/// A mass that tough bodies stop at once, and that their adhesion draws in until it carries nothing, turns nowhere: its
+/// greatest depth is where it rests, that of JKR without a force, and the pressure there is shown. Bound: what is told.
+#[test]
+fn a_mass_that_creeps_to_rest_shows_where() {
+    let text = "(shape: Paraboloid(radius: 1e-3), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 2e6, terms: \
+                [(modulus: 2e7, time: 300), (modulus: 2e7, time: 0.1)], viscosity: 5e8)), Rigid), \
+                adhesion: Jkr(work: 0.05, edge: Relaxed), history: [Impact(mass: 1e-3, speed: 1e-2)])";
+    let plan = Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap();
+    let outcome = run::run(&plan, Wanted { fields: true, ..Wanted::NOTHING }).unwrap();
+    let (modulus, work, curvature): (f64, f64, f64) = (8e6, 0.05, 1e3);
+    let radius = (0.75 * (8.0 * PI * work / modulus).sqrt() / curvature).powf(2.0 / 3.0);
+    let depth = radius * radius * curvature - (2.0 * PI * radius * work / modulus).sqrt();
+    let off = outcome.number("largest_indentation_m").unwrap() / depth - 1.0;
+    assert!(off.abs() < outcome.error_estimate.relative && outcome.error_estimate.relative < 1e-5, "{off:e}");
+    assert!(outcome.number("pull_off_force_n").is_none(), "nothing was pulled off");
+    assert!(outcome.number("peak_pressure_pa").is_some() && outcome.fields.iter().any(|field| !field.rows.is_empty()));
+}

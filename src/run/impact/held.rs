@@ -58,13 +58,15 @@ fn struck(
     Ok((ContinuousContact::new(Memory::new(spectrum, plan.profile.clone()).with(attraction)), time))
 }
 
-/// About `count` of the states at equal times, with both sides of the parting.
+/// About `count` of the states at equal times, with both sides of the parting, and those of the least and the largest force:
+/// a mass that sticks may be followed for long after it has struck.
 fn moments(states: &[ImpactState], count: usize) -> Vec<ImpactState> {
     let end = states.last().map_or(0.0, |state| state.time);
     let at = |k: usize| states.partition_point(|state| state.time < end * k as f64 / count as f64);
     let sides = states.len().saturating_sub(2)..states.len();
-    let pull = (0..states.len()).min_by(|&i, &j| states[i].force.total_cmp(&states[j].force));
-    let mut chosen: Vec<usize> = (0..count).map(at).chain(sides).chain(pull).collect();
+    let by_force = |&i: &usize, &j: &usize| states[i].force.total_cmp(&states[j].force);
+    let extremes = (0..states.len()).min_by(by_force).into_iter().chain((0..states.len()).max_by(by_force));
+    let mut chosen: Vec<usize> = (0..count).map(at).chain(sides).chain(extremes).collect();
     chosen.sort_unstable();
     chosen.dedup();
     chosen.into_iter().filter_map(|k| states.get(k).copied()).collect()

@@ -7,6 +7,7 @@ use crate::drive::impact::Rebound;
 use crate::friction::oblique::{BallRebound, Regime};
 use crate::run::named::Named;
 use crate::run::record::{Field, Record};
+use crate::run::results::pull_off;
 use crate::run::table::Column;
 use crate::run::unit::Unit;
 use crate::scene::plan::ImpactPlan;
@@ -27,16 +28,14 @@ pub fn named(
     };
     let largest_radius =
         records.iter().filter_map(|record| record.normal.contact_radius).fold(deepest_radius, f64::max);
-    let mut add = |quantity, unit, value| results.push(Named::number(quantity, unit, value));
-    add("largest_contact_radius", Unit::METRE, largest_radius);
-    if let Some(intensity) = field.and_then(|field| field.stress_intensity) {
-        add("largest_stress_intensity", Unit::PASCAL_ROOT_METRE, intensity);
-    }
     let adheres = plan.law.bodies().adheres();
-    if adheres {
-        let least = records.iter().map(|record| record.normal.force).fold(0.0, f64::min);
-        add("pull_off_force", Unit::NEWTON, least);
-    }
+    let found = [
+        ("largest_contact_radius", Unit::METRE, Some(largest_radius)),
+        ("largest_stress_intensity", Unit::PASCAL_ROOT_METRE, field.and_then(|field| field.stress_intensity)),
+        ("pull_off_force", Unit::NEWTON, pull_off(records).filter(|_| adheres)),
+    ];
+    let told = |(quantity, unit, value): (&'static str, Unit, Option<f64>)| Some(Named::number(quantity, unit, value?));
+    results.extend(found.into_iter().filter_map(told));
     results.extend(of_records(records, adheres));
     results
 }

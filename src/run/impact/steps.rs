@@ -26,7 +26,7 @@ pub(super) struct Struck<'c> {
 pub(super) struct Steps {
     pub(super) rebound: Rebound,
     pub(super) states: Vec<ImpactState>,
-    /// The contact as the mass turns, and when [s].
+    /// The contact as the mass turns, or where it comes to rest before, and when [s].
     pub(super) deepest: Option<(f64, Box<dyn ContactModel>)>,
     pub(super) bytes: usize,
 }
@@ -65,6 +65,8 @@ impl Struck<'_> {
         };
         let mass = SteppedMass { impact: self.impact, time: self.time, steps };
         let rebound = mass.watched(contact.as_mut(), &mut watcher)?;
+        // A mass that creeps in until it rests turns nowhere.
+        let deepest = deepest.or_else(|| Some((states.last()?.time, contact.copy())));
         Ok(Steps { rebound, states, deepest, bytes: contact.effort().bytes })
     }
 
