@@ -616,3 +616,30 @@ fn bodies_parted_over_a_dent_meet_as_gently_in_any_unit() {
         assert!((found / least - 1.0).abs() < 2e-3, "{unit:e}: {found:e}, not {least:e}");
     }
 }
+
+/// Drawn back by a force behind a dashpot, until they part and beyond: the springs at the edge let go of it without a jump, so
+/// the bodies never come nearer, and what is lost stays lost. Bounds: the rounding of the depth; of the heat what the
+/// relaxed modulus draws from stretched elements, a sixtieth of it here, not the quarter that such jumps took back.
+#[cfg(feature = "text")]
+#[test]
+fn bodies_torn_off_a_dashpot_come_no_nearer() {
+    let text = r#"(shape: Paraboloid(radius: 5.62e-6), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 5.62e8,
+        terms: [(modulus: 3.16e9, time: 0.178), (modulus: 1.78e7, time: 5.62e-2)], viscosity: 1e9)), Rigid),
+        adhesion: Jkr(work: 3.56e-5, edge: Rate(speed: 5.62e-9, exponent: 0.5)), steps: 400, accuracy: 1e-3,
+        history: [Press(to: 7.91e-8, over: 1.78), Press(to: -1.58e-8, over: 17.8)])"#;
+    let plan = Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap();
+    let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
+    let back: Vec<&Record> = outcome.records.iter().filter(|record| record.entry == 1).collect();
+    let depths: Vec<f64> = back.iter().filter_map(|record| record.normal.indentation).collect();
+    // A surface that creeps yields for a while after the force has turned.
+    let deepest = (0..depths.len()).max_by(|&i, &j| depths[i].total_cmp(&depths[j])).unwrap();
+    assert!(depths.len() - deepest > 50 && depths.len() < back.len(), "{deepest} {}", depths.len());
+    let nearer = depths[deepest..].windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    assert!(nearer < 1e-9 * depths[deepest], "{nearer:e}");
+    let (mut most, mut fallen) = (0.0_f64, 0.0_f64);
+    for record in back {
+        most = most.max(record.normal.dissipated);
+        fallen = fallen.max(most - record.normal.dissipated);
+    }
+    assert!(fallen < most / 60.0, "{fallen:e} of {most:e}");
+}

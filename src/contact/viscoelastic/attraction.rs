@@ -11,6 +11,8 @@
 //! By E∞ a leaving spring moves by Q/E∞ under the loads s of its elements, whose dashpots do the work −ΣsQ/E∞ then: none
 //! where the elements have relaxed, but where a pull faster than that has stretched them (s < 0) more than is lost
 //! elsewhere. Quick pulls are beyond this rule, the balance of a run shows how far; by E(0) nothing is gained at any speed.
+//! What a dashpot beside E∞ bears when the bodies are torn apart moves no spring: with it, one that leaves moves by the
+//! limit at most.
 //!
 //! # Examples
 //! ```
@@ -133,9 +135,12 @@ impl Attraction {
         }
     }
 
-    /// A spring at `u` that carries the load `q` [N/m] let go: it moves by E_c alone until it carries none.
-    pub(super) fn let_go(&self, spectrum: &Spectrum, u: f64, q: f64, s: &mut [f64]) -> Free {
-        let to = u - q / self.modulus;
+    /// A spring at `u` that carries the load `q` [N/m] let go where the area grows by `slope` [m]: it moves by E_c alone until
+    /// it carries none. Behind a dashpot it moves no further than an edge at rest would draw it: whatever it is torn off with
+    /// beyond that is of the speed, and ends with it.
+    pub(super) fn let_go(&self, spectrum: &Spectrum, u: f64, (q, slope): (f64, f64), s: &mut [f64]) -> Free {
+        let drawn = if spectrum.viscosity() > 0.0 { q.max(-self.strength(slope, 0.0)) } else { q };
+        let to = u - drawn / self.modulus;
         self.moved(spectrum, (u, to), s);
         spectrum.let_go(to, s)
     }

@@ -280,7 +280,7 @@ impl Memory {
                 let mut free = match &self.attraction {
                     Some(attraction) => {
                         let load = spectrum.load(u, &s, seen.speed);
-                        attraction.let_go(spectrum, u, load, &mut s)
+                        attraction.let_go(spectrum, u, (load, self.profile.contact_area_slope(x)), &mut s)
                     }
                     None => spectrum.let_go(u, &s),
                 };

@@ -216,6 +216,31 @@ fn steps_do_not_matter(recipe: &Recipe, history: &[Motion], pieces: u32) -> Resu
     Ok(())
 }
 
+/// Torn off a dashpot, however fast, the surface stays where it was, but for what the work of adhesion draws it: until it is
+/// met again, and in what is stored. Bounds: the greatest reach √(2πa₀w/E∞) of an edge that was at a₀, and the energy
+/// E∞d₀ over it on the disc; nine digits of the gap are left where it meets the surface.
+#[test]
+fn however_fast_it_is_torn_off_a_dashpot_leaves_no_dent() {
+    let spectrum = Arc::new(Spectrum::new(&Relaxation { equilibrium: 1.0, terms: vec![(2.0, 0.1)], viscosity: 10.0 }));
+    let work = 1e-12;
+    let rate = Attraction::with_rate(work, &spectrum, (1e-3, 0.5));
+    let attractions = [Attraction::relaxed(work, &spectrum), Attraction::instantaneous(work, &spectrum), rate];
+    for (attraction, speed) in attractions.into_iter().flat_map(|law| [1.0, 1e3, 1e6].map(|speed| (law, speed))) {
+        let mut torn = bed(spectrum.clone()).with(attraction);
+        torn.advance(0.01, 1.0).unwrap();
+        let (radius, depth, before) = (torn.radius(), torn.depth, torn.ledger().stored);
+        let reach = (2.0 * PI * radius * work).sqrt();
+        let away = 10.0 * reach;
+        torn.advance(-speed, away / speed).unwrap();
+        assert!(torn.radius() <= 0.0, "{speed:e}");
+        let stored = torn.ledger().stored;
+        let most = 2.0 * radius * reach * 3.0 * depth;
+        assert!((stored - before).abs() < most, "{speed:e}: {stored:e}, {before:e}");
+        let met = |way: f64| torn.after(way / 1e-9, 1e-9).unwrap().radius() > 0.0;
+        assert!(met(away + reach) && !met(away - 2.0 * reach), "{speed:e}");
+    }
+}
+
 /// A Maxwell element of 1e-14 s drawn back: its load is below the rounding of the touch until that has relaxed.
 #[test]
 fn a_liquid_lets_go_at_once() {
