@@ -4,6 +4,7 @@ use super::compose;
 use super::conditioning::moved_edge;
 use super::follow::{Run, follow};
 use super::{Wanted, viscoelastic};
+use crate::contact::adhesion::equilibrium::Control;
 use crate::contact::adhesion::line::EdgeLine;
 use crate::contact::springs::reach_for;
 use crate::contact::state::Normal;
@@ -141,7 +142,7 @@ fn viscoelastic_springs_error(plan: &RoundPlan, run: &Run, count: usize) -> Erro
         "bed of {count} springs: second order in the spring width, constant 1/4, and straight pieces of the depth within {:.0e}; the contact radius between two springs as the loads of four tell, and as the fourth changes it",
         plan.accuracy()
     );
-    let (springs, depth) = (0.25 * width * width, felt(plan, run) * plan.accuracy());
+    let (springs, depth) = (0.25 * width * width, felt(plan, run) * kept(plan) * plan.accuracy());
     let (steep, edge) = (steepness(plan, &run.records), edge_between_springs(plan, run));
     let between = run.force_error / largest_force(run);
     ErrorEstimate { relative: steep * (steep * springs.max(edge) + depth) + between, basis }
@@ -172,6 +173,13 @@ fn felt(plan: &RoundPlan, run: &Run) -> f64 {
     let normal = run.records.iter().map(|record| &record.normal).max_by(|a, b| a.force.total_cmp(&b.force));
     let part = normal.and_then(|normal| Some(normal.stiffness * normal.indentation? / normal.force));
     part.filter(|part| chords && part.is_finite()).unwrap_or(1.0).max(1.0)
+}
+
+/// How many of what a piece may miss a state is off: one that is led on by its depth keeps what the force has missed before.
+fn kept(plan: &RoundPlan) -> f64 {
+    let controls = || plan.stages.iter().filter_map(|stage| stage.control);
+    let led_on = controls().skip_while(|&control| control != Control::Force).any(|control| control != Control::Force);
+    if led_on { CHORDS } else { 1.0 }
 }
 
 /// The records up to where a machine moves the contact, which a history that is followed again has.

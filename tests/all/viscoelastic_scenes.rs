@@ -643,3 +643,23 @@ fn bodies_torn_off_a_dashpot_come_no_nearer() {
     }
     assert!(fallen < most / 60.0, "{fallen:e} of {most:e}");
 }
+
+/// Bodies that attract each other, let go until no force is left and held there while their springs relax: they were never
+/// parted, though apart they would bear no force either. Between its two limits the edge stands still; bound: the accuracy.
+#[cfg(feature = "text")]
+#[test]
+fn bodies_held_by_no_force_stay_together() {
+    let text = "(shape: Paraboloid(radius: 5e-2), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 1e6, terms: \
+                [(modulus: 5.623413251903491e6, time: 5.62341325190349e3)])), Rigid), \
+                adhesion: Jkr(work: 1.1246826503806984e-5, closing: 5.623413251903492e-6, edge: Relaxed), steps: 4, \
+                accuracy: 1e-3, history: [Press(to: 1.1246826503806984e-1, over: 3.162277660168379e6), \
+                Press(to: 5.623413251903492e-2, over: 3.162277660168379e7), \
+                Press(to: 0, over: 1.7782794100389227e6), HoldForce(over: 5.62341325190349e6)])";
+    let plan = Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap();
+    let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
+    let radius = |record: &Record| record.normal.contact_radius.unwrap();
+    let let_go = outcome.records.iter().rfind(|record| record.entry == 2).map(radius).unwrap();
+    for record in outcome.records.iter().filter(|record| record.entry == 3) {
+        assert!((radius(record) / let_go - 1.0).abs() < 1e-3, "{:e} {let_go:e}", radius(record));
+    }
+}

@@ -27,13 +27,21 @@ impl ForceDrive {
                 1.5 * self.target(here, middle) * (1.0 - chord / depth)
             }
             _ => {
+                // Bodies that have parted bear no force, and were drawn apart by none that is nothing.
+                let barrier = if contact.joined() { here.in_balance() } else { 0.0 };
                 let mut missed = |part: f64| -> Result<f64, ContactError> {
-                    let seen = contact.look(&ahead(contact, speed, part * duration))?.force;
-                    Ok(seen - self.target(here, self.now + part * duration))
+                    let seen = contact.look(&ahead(contact, speed, part * duration))?;
+                    let off = (seen.force - self.target(here, self.now + part * duration)).abs();
+                    Ok(if seen.contact_radius > 0.0 { off } else { off.max(barrier) })
                 };
                 let middle = missed(0.5)?;
                 // What bends there and back again is nothing in the middle.
-                if middle.abs() > allowed { middle } else { middle.abs().max(missed(0.25)?.abs()) }
+                if middle > allowed {
+                    return Ok(middle / allowed);
+                }
+                // At its end they bear what they should where that is none.
+                let may_end_apart = barrier > 0.0 && self.target(here, self.now + duration).abs() <= allowed;
+                middle.max(missed(0.25)?).max(if may_end_apart { missed(1.0)? } else { 0.0 })
             }
         };
         Ok(off.abs() / allowed)
