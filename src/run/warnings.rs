@@ -39,9 +39,7 @@ pub fn of(plan: &Plan, records: &[Record]) -> Vec<String> {
 /// A spring that leaves moves by Q/E∞ under its load Q, its Maxwell elements at the loads s they have: their dashpots then do
 /// the work −ΣsQ/E∞, which is above zero where the pull has stretched them (s < 0) faster than they relax.
 fn taken_back(plan: &Plan, records: &[Record]) -> Option<String> {
-    if !plan.adheres() || plan.relaxation().is_none() {
-        return None;
-    }
+    let relaxation = plan.relaxation().filter(|_| plan.adheres())?;
     let (mut most, mut fall, mut at) = (f64::NEG_INFINITY, 0.0, 0.0);
     for record in records {
         most = most.max(record.normal.dissipated);
@@ -50,9 +48,12 @@ fn taken_back(plan: &Plan, records: &[Record]) -> Option<String> {
         }
     }
     let stored = records.iter().map(|record| record.normal.stored.elastic.abs()).fold(0.0, f64::max);
+    // A dashpot has no instantaneous modulus.
+    let rule =
+        if relaxation.viscosity > 0.0 { "" } else { ", or edge: Instantaneous, which keeps the balance at any speed" };
     (fall > TAKEN_BACK * stored).then(|| {
         format!(
-            "heat of {fall:.2e} J is taken back until {at:.6e} s: an edge held by the relaxed modulus draws the work of adhesion from springs that a pull faster than their relaxation has stretched, more than they hold, and dissipated_j is too small by as much; expected a slower pull, or edge: Instantaneous, which keeps the balance at any speed"
+            "heat of {fall:.2e} J is taken back until {at:.6e} s: an edge held by the relaxed modulus draws the work of adhesion from springs that a pull faster than their relaxation has stretched, more than they hold, and dissipated_j is too small by as much; expected a slower pull{rule}"
         )
     })
 }

@@ -663,3 +663,18 @@ fn bodies_held_by_no_force_stay_together() {
         assert!((radius(record) / let_go - 1.0).abs() < 1e-3, "{:e} {let_go:e}", radius(record));
     }
 }
+
+/// Pulled off by a force behind a dashpot, faster than the body relaxes: an edge held by the relaxed modulus lets go at the
+/// 3πwR/2 of Johnson, Kendall & Roberts (1971) all the same. Bound: the accuracy.
+#[cfg(feature = "text")]
+#[test]
+fn a_dashpot_does_not_hide_the_pull_off() {
+    let text = "(shape: Paraboloid(radius: 5e-3), bodies: (Viscoelastic(poisson: 0.5, shear: (equilibrium: 3e5, terms: \
+                [(modulus: 5e5, time: 0.1), (modulus: 2e5, time: 3)], viscosity: 3e4)), Rigid), \
+                adhesion: Jkr(work: 0.05, edge: Relaxed), steps: 10, accuracy: 1e-3, history: \
+                [Press(to: 5e-3, over: 1e-3), Press(to: -5e-3, over: 0.1)])";
+    let plan = Scene::from_ron(text).unwrap().resolve(&InMemory::default()).unwrap();
+    let outcome = run::run(&plan, Wanted::NOTHING).unwrap();
+    let (pull, exact) = (outcome.number("pull_off_force_n").unwrap(), -1.5 * PI * 0.05 * 5e-3);
+    assert!((pull / exact - 1.0).abs() < 1e-3, "{pull:e} {exact:e}");
+}

@@ -7,7 +7,7 @@ use crate::contact::error::ContactError;
 use crate::contact::model::ContactModel;
 
 /// Parts of a gap by which what closes it stays before the touch: no look along it tells that better, and a contact that
-/// follows it may touch earlier by its rounding.
+/// follows it may touch earlier by its rounding, or by what its panels may miss of the springs that are met first.
 const SHORT_OF: [f64; 8] = [1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7];
 /// No gap is longer than this [m].
 const FARTHEST: f64 = 1e9;

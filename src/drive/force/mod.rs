@@ -231,10 +231,12 @@ impl ForceDrive {
             let duration = until - self.now;
             // Where the edge jumps a shorter piece tells when, and the shortest where to.
             let shortest = self.shortest(contact);
-            let edges = if duration <= shortest.max(PARTED * self.end) { EDGES } else { 1 };
+            let is_short = duration <= shortest.max(PARTED * self.end);
+            // Behind a dashpot the force is that of the speed, and no shorter piece shows more of it.
+            let edges = if is_short || is_damped(contact) { EDGES } else { 1 };
             // Of a piece of two roundings there is none that is shorter by a little.
             let shortest = duration <= shortest || self.now + SHORTER * duration >= until;
-            let tells_jumps = joined && edges == 1 && !shortest && self.pace.is_known();
+            let tells_jumps = joined && !is_short && !shortest && self.pace.is_known();
             let speed = match self.speed((contact, here), until, (edges, tells_jumps))? {
                 Found::Speed(speed) => speed,
                 Found::Jump => {

@@ -4,7 +4,7 @@ use super::ahead;
 use crate::contact::error::ContactError;
 use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
-use crate::numerics::root;
+use crate::numerics::{extremum, root};
 use std::cell::Cell;
 
 /// A change of the depth, relative to it, that no force tells: its rounding.
@@ -167,24 +167,33 @@ fn bracket(
     (mut width, fastest): (f64, f64),
     edges: u32,
 ) -> Bracket {
-    let (mut inner, mut grows) = ((0.0, still), false);
+    let (mut before, mut inner, mut grows) = ((0.0, still), (0.0, still), false);
     while width.abs() < fastest {
         let (residual, joined) = look(width);
         let parted = residual >= 0.0 && !joined && still > 0.0;
         if parted || (edges > 1 && grows && residual > inner.1) {
             // Parted, which meets no force too: the pull must be found before, if anywhere.
-            let pull = last_pull(look, inner, width, edges);
-            if parted || pull.is_some() {
-                return pull.map_or(Bracket::Parted, |pull| Bracket::Ends([inner, pull]));
+            let near = last_pull(look, inner, width, edges).map(|pull| [inner, pull]);
+            let ends = near.or_else(|| strongest(look, (before.0, width), edges).map(|pull| [before, pull]));
+            if parted || ends.is_some() {
+                return ends.map_or(Bracket::Parted, Bracket::Ends);
             }
         }
         if (residual > 0.0) != (still > 0.0) {
             return Bracket::Ends([inner, (width, residual)]);
         }
         grows = still > 0.0 && residual < inner.1;
-        (inner, width) = ((width, residual), 2.0 * width);
+        (before, inner, width) = (inner, (width, residual), 2.0 * width);
     }
     Bracket::TooFast
+}
+
+/// A speed between two at which the pull is stronger than prescribed, and by how much [N], below zero: where it is strongest if
+/// nowhere else, for the last speed looked at may lie beyond that. Where a shorter piece shows more none is looked for.
+fn strongest(look: &mut impl FnMut(f64) -> (f64, bool), (slow, fast): (f64, f64), edges: u32) -> Option<(f64, f64)> {
+    let pull = |speed: f64| -look(speed).0;
+    let found = (edges > 1).then(|| extremum::reaches_zero(pull, slow.min(fast), slow.max(fast))).flatten()?;
+    Some((found, look(found).0))
 }
 
 /// Speeds tried between one that keeps the bodies together and one that parts them. Where the pull is stronger than
