@@ -8,7 +8,7 @@ use crate::contact::model::ContactModel;
 
 /// Parts of a gap by which what closes it stays before the touch: no look along it tells that better, and a contact that
 /// follows it may touch earlier by its rounding, or by what its panels may miss of the springs that are met first.
-const SHORT_OF: [f64; 8] = [1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7];
+const SHORT_OF: [f64; 12] = [1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3];
 /// No gap is longer than this [m].
 const FARTHEST: f64 = 1e9;
 /// Part of a way on which bodies that draw each other together have met, and next to nothing presses them.
