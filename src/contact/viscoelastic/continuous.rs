@@ -33,13 +33,15 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct ContinuousContact {
     bed: Memory,
+    /// The bed near the edge as looks from here on see it, once there has been one.
+    near: Option<Box<Memory>>,
 }
 
 impl ContinuousContact {
     /// A contact of a bed.
     #[must_use]
     pub fn new(bed: Memory) -> Self {
-        Self { bed }
+        Self { bed, near: None }
     }
 
     /// The bed now.
@@ -77,6 +79,7 @@ const UNTOLD: f64 = 0.1;
 impl ContactModel for ContinuousContact {
     fn follow(&mut self, piece: &Straight) -> Result<Vec<Event>, ContactError> {
         if let Some(piece) = in_time(&self.bed.spectrum(), self.bed.indentation(), piece)? {
+            self.near = None;
             self.bed.follow_line(&piece)?;
         }
         Ok(Vec::new())
@@ -86,7 +89,8 @@ impl ContactModel for ContinuousContact {
         let Some(piece) = in_time(&self.bed.spectrum(), self.bed.indentation(), piece)? else {
             return Ok(Glance { force: self.bed.force(), contact_radius: self.bed.radius() });
         };
-        let (force, contact_radius) = self.bed.force_after(piece.speed, piece.duration)?;
+        let near = self.near.get_or_insert_with(|| Box::new(self.bed.near()));
+        let (force, contact_radius) = self.bed.force_seen(near, piece.speed, piece.duration)?;
         Ok(Glance { force, contact_radius })
     }
 
@@ -147,6 +151,7 @@ impl ContactModel for ContinuousContact {
     }
 
     fn leave(&mut self) -> Option<f64> {
+        self.near = None;
         self.bed.leave()
     }
 }

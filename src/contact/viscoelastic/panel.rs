@@ -86,6 +86,8 @@ pub(super) struct Panel {
     totals: Totals,
     /// What the polynomial misses of a state [N/m] or [m].
     missed: f64,
+    /// The same without what it has been let miss of corners: those are gone, and what is left of the springs is told.
+    uneven: f64,
     /// The greatest of the states [N/m] or [m].
     greatest: f64,
 }
@@ -185,6 +187,7 @@ impl PanelDraft {
             kept: smallvec![1.0; dim],
             totals,
             missed: self.tail,
+            uneven: self.tail,
             greatest: self.greatest,
             states,
         };
@@ -288,8 +291,21 @@ impl Panel {
     pub(super) fn unknown(spectrum: &Spectrum, inner: f64, outer: f64) -> Self {
         let (totals, states) = (Totals::new(spectrum), Arc::new([]));
         let (memory, kept) = (Numbers::new(), Numbers::new());
-        let (missed, greatest) = (0.0, 0.0);
-        Self { inner, outer, held: false, past: 0, is_known: false, states, memory, kept, totals, missed, greatest }
+        let (missed, uneven, greatest) = (0.0, 0.0, 0.0);
+        Self {
+            inner,
+            outer,
+            held: false,
+            past: 0,
+            is_known: false,
+            states,
+            memory,
+            kept,
+            totals,
+            missed,
+            uneven,
+            greatest,
+        }
     }
 
     /// Panels side by side, all held or all free, as one of which only the sums are known; `None` of none.
@@ -332,7 +348,7 @@ impl Panel {
         let (greatest, tail) = (self.greatest * self.left(), self.missed * self.left());
         let states = numbers(springs.iter().map(|lived| &lived.spring));
         let draft = PanelDraft { inner, outer, springs, states, greatest, tail, impulse: [0.0; 2] };
-        Self { past: self.past, ..draft.finished(spectrum, 0.0).0 }
+        Self { past: self.past, uneven: self.uneven * self.left(), ..draft.finished(spectrum, 0.0).0 }
     }
 
     /// Whether its springs and those of the next panel are of one past.
@@ -340,7 +356,7 @@ impl Panel {
         self.past > 0 && self.past == next.past && self.held == next.held
     }
 
-    /// One panel for two, if one polynomial tells both.
+    /// One panel for two, if one polynomial tells both; it may miss as much of a corner between them as the `tolerance`.
     pub(super) fn joined_with(&self, next: &Self, spectrum: &Spectrum, tolerance: f64) -> Option<Self> {
         if self.held != next.held || self.is_sum() || next.is_sum() {
             return None;
@@ -355,10 +371,11 @@ impl Panel {
         };
         let ends =
             [self.inner, 0.5 * (self.inner + self.outer), next.inner, 0.5 * (next.inner + next.outer), next.outer];
-        let draft_missed = self.missed.max(next.missed).max(draft.tail);
+        let missed = self.missed.max(next.missed).max(draft.tail);
+        let uneven = self.uneven.max(next.uneven).max(draft.tail.min(2.0 * ROUNDING * greatest));
         let smooth = draft.tail <= (2.0 * ROUNDING).max(tolerance) * greatest && ends.into_iter().all(seam);
         let past = if self.past == next.past { self.past } else { 0 };
-        smooth.then(|| Self { past, missed: draft_missed, greatest, ..draft.finished(spectrum, 0.0).0 })
+        smooth.then(|| Self { past, missed, uneven, greatest, ..draft.finished(spectrum, 0.0).0 })
     }
 
     /// What is integrated over the springs held: 2 dx [m].
@@ -399,7 +416,7 @@ impl Panel {
 
     /// How far the load [N/m] or displacement [m] of a spring may be off.
     pub(super) fn doubt(&self) -> f64 {
-        4.0 * (self.missed + ROUNDING * self.greatest) * self.left()
+        4.0 * (self.uneven + ROUNDING * self.greatest) * self.left()
     }
 
     /// Energy in the Maxwell elements, or in the free springs [J].

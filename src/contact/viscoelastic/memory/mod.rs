@@ -58,6 +58,8 @@ pub struct Memory {
     speed: f64,
     time: f64,
     work: f64,
+    /// What a polynomial may miss of a corner between two panels that become one, relative to the loads.
+    corner: f64,
     /// Whether work is counted: a look needs none.
     counts: bool,
     /// What a look knows that does not know all springs.
@@ -79,11 +81,16 @@ impl Sight {
     }
 }
 
-/// Panels on either side of the edge that a look at the bed knows one by one.
+/// Panels on either side of the edge that looks at the bed know one by one: few are enough for most, and the next looks
+/// know more.
+const NEAREST: usize = 3;
 const NEAR: usize = 24;
+const WIDER: usize = 192;
 /// Part of the radius beside the edge in which a look knows the springs that have been let go, if it needs any: where the
 /// edge only goes back none is asked for.
 const BESIDE_EDGE: f64 = 1e-3;
+/// Part of the accuracy of pieces that corners between them may be.
+const CORNER: f64 = 0.03;
 
 impl Memory {
     /// A bed never touched, the indenter just above it.
@@ -101,6 +108,7 @@ impl Memory {
             speed: 0.0,
             time: 0.0,
             work: 0.0,
+            corner: 0.0,
             counts: true,
             sight: None,
         }
@@ -110,6 +118,14 @@ impl Memory {
     #[must_use]
     pub fn with(mut self, attraction: Attraction) -> Self {
         self.attraction = Some(attraction);
+        self
+    }
+
+    /// The bed led in straight pieces that meet what they follow to a relative error of `accuracy`: each leaves a corner in the
+    /// springs that join or leave then, and those that are less than they are known are not kept.
+    #[must_use]
+    pub fn in_pieces(mut self, accuracy: f64) -> Self {
+        self.corner = CORNER * accuracy;
         self
     }
 
@@ -205,9 +221,23 @@ impl Memory {
     /// # Errors
     /// As [`advance`](Self::advance).
     pub fn force_after(&self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
+        self.force_seen(&self.near(), speed, duration)
+    }
+
+    /// The same, with the bed [`near`](Self::near) the edge already at hand: what a look costs then does not grow with the
+    /// panels behind, as long as it does not lead to them.
+    ///
+    /// # Errors
+    /// As [`advance`](Self::advance).
+    pub(super) fn force_seen(&self, near: &Self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
         let whole = |sight: Option<Sight>| Self { counts: false, sight, ..self.clone() };
-        let looks: [&dyn Fn() -> Self; 4] =
-            [&|| self.outline(0.0), &|| self.outline(BESIDE_EDGE), &|| whole(Sight::of(BESIDE_EDGE)), &|| whole(None)];
+        let looks: [&dyn Fn() -> Self; 5] = [
+            &|| near.outline(NEAREST, 0.0),
+            &|| near.outline(NEAR, BESIDE_EDGE),
+            &|| self.outline(WIDER, BESIDE_EDGE),
+            &|| whole(Sight::of(BESIDE_EDGE)),
+            &|| whole(None),
+        ];
         let mut seen = Ok((0.0, 0.0));
         for look in looks {
             let mut bed = look();
@@ -220,13 +250,18 @@ impl Memory {
         seen
     }
 
-    /// The bed as a look needs it, however many panels lie behind: those near the edge and the one at the axis, and of the
-    /// others, which all move alike, the sums. A look that leads to them has to be made at the whole bed.
-    fn outline(&self, beside_edge: f64) -> Self {
-        let (axis, first) = (self.held.min(1), self.held.saturating_sub(NEAR));
-        let last = (self.held + NEAR).min(self.panels.len());
+    /// The bed as most looks at it need it, however many panels lie behind.
+    pub(super) fn near(&self) -> Self {
+        self.outline(NEAR, BESIDE_EDGE)
+    }
+
+    /// The bed with the panels on either side of the edge up to so many and the one at the axis, and of the others, which
+    /// all move alike, the sums. A look that leads to them has to be made at more of the bed.
+    fn outline(&self, most: usize, beside_edge: f64) -> Self {
+        let (axis, first) = (self.held.min(1), self.held.saturating_sub(most));
+        let last = (self.held + most).min(self.panels.len());
         let (inner, outer) = (self.panels.get(axis..first).unwrap_or(&[]), &self.panels[last..]);
-        let mut panels = Vec::with_capacity(2 * NEAR + 3);
+        let mut panels = Vec::with_capacity(2 * most.min(self.panels.len()) + 3);
         panels.extend_from_slice(&self.panels[..axis]);
         panels.extend(Panel::sum_of(&self.spectrum, inner));
         panels.extend_from_slice(&self.panels[first.max(axis)..last]);

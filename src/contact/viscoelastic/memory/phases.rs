@@ -24,6 +24,9 @@ const SOON: f64 = 1e-2;
 /// Phases that get nowhere before the edge stands still for a while.
 const MOST_STALLS: u32 = 256;
 
+/// Panels beside the edge whose corners are kept.
+const BEHIND: usize = 3;
+
 /// What is left of a motion on the way through it.
 pub(super) struct Walk {
     pub rest: Motion,
@@ -308,17 +311,47 @@ impl Memory {
         self.pasts = change.panels.iter().map(|panel| panel.past).fold(self.pasts, u64::max);
         let count = change.panels.len();
         self.panels.splice(first..first, change.panels);
-        self.merge(first, first + count);
+        // What a look makes is soon gone.
+        if self.counts {
+            self.merge(first, first + count);
+        }
         self.held = self.panels.iter().take_while(|panel| panel.held).count();
+        if self.counts && self.corner > 0.0 {
+            self.round_corners(count);
+        }
+    }
+
+    /// Makes one panel of two whose corner is less than it is known, behind an edge that has made so many panels. Springs at the
+    /// edge, which has stopped where they are at their limits, keep theirs.
+    fn round_corners(&mut self, made: usize) {
+        let behind = self.held.saturating_sub(BEHIND);
+        for k in (behind.saturating_sub(made).max(1)..=behind).rev() {
+            self.held -= usize::from(self.join(k, self.corner));
+        }
+        let beyond = self.held + BEHIND;
+        for k in (beyond..=(beyond + made).min(self.panels.len())).rev() {
+            self.join(k, self.corner);
+        }
+    }
+
+    /// Makes one panel of the one with that number and the one before where that loses no more than the `tolerance`; whether
+    /// it has.
+    fn join(&mut self, k: usize, tolerance: f64) -> bool {
+        let (Some(one), Some(two)) = (k.checked_sub(1).and_then(|k| self.panels.get(k)), self.panels.get(k)) else {
+            return false;
+        };
+        let joined = one.joined_with(two, &self.spectrum, tolerance);
+        let is_joined = joined.is_some();
+        if let Some(joined) = joined {
+            self.panels.splice(k - 1..=k, [joined]);
+        }
+        is_joined
     }
 
     /// Makes one panel of two where that loses nothing, at the borders from `first` to `last`.
     fn merge(&mut self, first: usize, last: usize) {
         for k in (first.max(1)..=last).rev() {
-            let (Some(one), Some(two)) = (self.panels.get(k - 1), self.panels.get(k)) else { continue };
-            if let Some(joined) = one.joined_with(two, &self.spectrum, self.tolerance()) {
-                self.panels.splice(k - 1..=k, [joined]);
-            }
+            self.join(k, self.tolerance());
         }
     }
 
