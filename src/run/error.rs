@@ -55,8 +55,7 @@ fn normal_error(plan: &RoundPlan, run: &Run, again: Option<&[Record]>) -> ErrorE
         ContactLaw::Direct(ElasticAdhesion::Vanishing { work }) => direct_error(plan, *work, &run.records),
         ContactLaw::Springs { count, work } => springs_error(plan, *count, work.unwrap_or(0.0), &run.records),
         ContactLaw::Continuous { edge, .. } => match edge.as_ref().filter(|edge| edge.has_rate()) {
-            Some(_) => rate_error(plan, run, again),
-            None if plan.is_curved() => {
+            _ if plan.is_curved() => {
                 let pieces = CHORDS * plan.accuracy() * in_balance(run);
                 let coarser = CHANCE * again.map_or(0.0, |again| apart(&led(run), again));
                 of(
@@ -64,6 +63,7 @@ fn normal_error(plan: &RoundPlan, run: &Run, again: Option<&[Record]>) -> ErrorE
                     "continuous bed: straight pieces of the depth to the accuracy asked for, of the forces in balance where the bodies attract each other, or what ten times coarser ones change, and what the polynomials of its panels miss",
                 )
             }
+            Some(_) => rate_error(run, again),
             None => of(sums(run), "continuous bed, exact in time: what the polynomials of its panels miss"),
         },
         ContactLaw::Gliding { .. } => gliding_error(plan, run),
@@ -190,8 +190,6 @@ fn led(run: &Run) -> Vec<Record> {
 /// How much coarser the pieces are that tell the error of fine ones: no less than it, should it fall with the root of the
 /// accuracy alone, or should one of the two lose a contact that the other keeps.
 const COARSER: f64 = 10.0;
-/// How much finer the pieces of a depth that is not prescribed are that tell the error of an edge with a rate.
-const FINER_PIECES: f64 = 4.0;
 /// What errors that fall with the root of the accuracy, and by chance not at all, may be beside the change they make.
 const CHANCE: f64 = 1.5;
 /// The largest accuracy that a scene may ask for.
@@ -199,16 +197,17 @@ const COARSEST: f64 = 0.1;
 
 /// How a history is gone through again to tell its error.
 enum Twice<'p> {
-    /// An edge that obeys a rate law: followed better, in finer pieces of a depth that is not prescribed.
+    /// An edge that obeys a rate law, under a prescribed depth: followed better.
     Finer(&'p Relaxation, &'p HeldEdge),
-    /// Pieces of a depth between bodies that attract each other, whose edge may turn on next to nothing: in coarser ones.
+    /// Pieces of a depth between bodies that attract each other, whose edge may turn on next to nothing: in coarser ones, and
+    /// one that obeys a rate law not as well either.
     Coarser,
 }
 
 /// How it is, if it takes that.
 fn twice(plan: &RoundPlan) -> Option<Twice<'_>> {
     let ContactLaw::Continuous { relaxation, edge: Some(edge) } = &plan.contact else { return None };
-    if edge.has_rate() { Some(Twice::Finer(relaxation, edge)) } else { plan.is_curved().then_some(Twice::Coarser) }
+    if plan.is_curved() { Some(Twice::Coarser) } else { edge.has_rate().then_some(Twice::Finer(relaxation, edge)) }
 }
 
 /// Whether the error of a history is told by going through it again.
@@ -220,12 +219,10 @@ pub fn goes_twice(plan: &RoundPlan) -> bool {
 /// The records of the history gone through again, if its error is told by them and it can be.
 #[must_use]
 pub fn again(plan: &RoundPlan) -> Option<Vec<Record>> {
+    let finer = |relaxation, edge| compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge));
     let (accuracy, refined) = match twice(plan)? {
         Twice::Coarser => ((COARSER * plan.accuracy()).min(COARSEST), None),
-        Twice::Finer(relaxation, edge) => {
-            let accuracy = if plan.is_curved() { plan.accuracy() / FINER_PIECES } else { plan.accuracy() };
-            (accuracy, Some(compose::told(&plan.profile, viscoelastic::refined(plan, relaxation, edge))))
-        }
+        Twice::Finer(relaxation, edge) => (plan.accuracy(), Some(finer(relaxation, edge))),
     };
     let mut plan = plan.clone();
     plan.shared.scene.accuracy = Some(Accuracy::new(accuracy).ok()?);
@@ -233,12 +230,11 @@ pub fn again(plan: &RoundPlan) -> Option<Vec<Record>> {
     Some(follow(&plan, contact, Wanted::NOTHING).ok()?.records)
 }
 
-/// The error of an edge that obeys a rate law.
-fn rate_error(plan: &RoundPlan, run: &Run, again: Option<&[Record]>) -> ErrorEstimate {
+/// The error of an edge that obeys a rate law under a prescribed depth.
+fn rate_error(run: &Run, again: Option<&[Record]>) -> ErrorEstimate {
     let off = again.map_or(f64::NAN, |again| apart(&led(run), again));
-    let pieces = if plan.is_curved() { CHORDS * plan.accuracy() * in_balance(run) } else { 0.0 };
     of(
-        sums(run) + pieces + 2.0 * off,
+        sums(run) + 2.0 * off,
         "continuous bed: what the polynomials of its panels miss, and forces and energies with the opening edge followed better",
     )
 }

@@ -18,7 +18,7 @@ use crate::material::Relaxation;
 use crate::scene::history::{MachineEntry, MachineMotion};
 use crate::scene::law::{GRADE, HeldEdge};
 use crate::scene::plan::RoundPlan;
-use crate::scene::stage::{Path, Stage};
+use crate::scene::stage::Path;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -47,14 +47,8 @@ pub fn refined(plan: &RoundPlan, relaxation: &Relaxation, edge: &HeldEdge) -> Bo
 
 fn bed(plan: &RoundPlan, spectrum: Arc<Spectrum>, attraction: Option<Attraction>) -> Box<dyn ContactModel> {
     let bed = Memory::new(spectrum, plan.profile.clone());
-    let bed = if attraction.is_some() && is_in_pieces(plan) { bed.in_pieces(plan.accuracy()) } else { bed };
+    let bed = if attraction.is_some() && plan.machine.is_none() && plan.is_curved() { bed.in_pieces(plan.accuracy()) } else { bed };
     Box::new(ContinuousContact::new(attraction.into_iter().fold(bed, Memory::with)))
-}
-
-/// Whether the depth of a scene follows a force or a sine in as many pieces as those ask for.
-fn is_in_pieces(plan: &RoundPlan) -> bool {
-    let is_followed = |stage: &Stage| stage.control == Some(Control::Force) || matches!(stage.normal, Path::Wave(_));
-    plan.machine.is_none() && plan.stages.iter().any(is_followed)
 }
 
 /// How much better the edge is followed to tell the error.
