@@ -47,7 +47,11 @@ pub fn refined(plan: &RoundPlan, relaxation: &Relaxation, edge: &HeldEdge) -> Bo
 
 fn bed(plan: &RoundPlan, spectrum: Arc<Spectrum>, attraction: Option<Attraction>) -> Box<dyn ContactModel> {
     let bed = Memory::new(spectrum, plan.profile.clone());
-    let bed = if attraction.is_some() && plan.machine.is_none() && plan.is_curved() { bed.in_pieces(plan.accuracy()) } else { bed };
+    let bed = if attraction.is_some() && plan.machine.is_none() && plan.is_curved() {
+        bed.in_pieces(plan.accuracy())
+    } else {
+        bed
+    };
     Box::new(ContinuousContact::new(attraction.into_iter().fold(bed, Memory::with)))
 }
 

@@ -280,21 +280,30 @@ impl Spectrum {
         Free { rest: u - modes.iter().sum::<f64>(), modes }
     }
 
+    /// Of each mode, what the time `t` leaves of it.
+    pub(super) fn fadings(&self, t: f64) -> impl Iterator<Item = f64> + '_ {
+        self.modes().iter().map(move |mode| (-t / mode.time).exp())
+    }
+
     /// Displacement u [m] of a free spring after the time `t`.
     pub fn recovered(&self, free: &Free, t: f64) -> f64 {
-        if free.is_at_rest() {
-            return free.rest;
-        }
-        free.rest + self.modes().iter().zip(&free.modes).map(|(mode, z)| z * (-t / mode.time).exp()).sum::<f64>()
+        if free.is_at_rest() { free.rest } else { self.recovered_faded(free, self.fadings(t)) }
+    }
+
+    /// [`recovered`](Self::recovered) with the `fadings` of that time.
+    pub(super) fn recovered_faded(&self, free: &Free, fadings: impl Iterator<Item = f64>) -> f64 {
+        free.rest + free.modes.iter().zip(fadings).map(|(z, kept)| z * kept).sum::<f64>()
     }
 
     /// Speed u̇ [m/s] of a free spring after the time `t`.
     pub fn recovery_speed(&self, free: &Free, t: f64) -> f64 {
-        if free.is_at_rest() {
-            return 0.0;
-        }
-        let part = |(mode, z): (&super::Mode, &f64)| -z / mode.time * (-t / mode.time).exp();
-        self.modes().iter().zip(&free.modes).map(part).sum()
+        if free.is_at_rest() { 0.0 } else { self.speed_faded(free, self.fadings(t)) }
+    }
+
+    /// [`recovery_speed`](Self::recovery_speed) with the `fadings` of that time.
+    pub(super) fn speed_faded(&self, free: &Free, fadings: impl Iterator<Item = f64>) -> f64 {
+        let part = |((mode, z), kept): ((&super::Mode, &f64), f64)| -z / mode.time * kept;
+        self.modes().iter().zip(&free.modes).zip(fadings).map(part).sum()
     }
 
     /// The modes of a free spring after the time `t`, in place.

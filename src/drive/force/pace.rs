@@ -1,7 +1,7 @@
 //! The speed of the next piece: as the depth has followed the force lately, and where that leads nowhere by a search.
 
-use super::search::{Found, Goal};
-use super::{CLOSE, ForceDrive, PARTED, Watched, ahead, depth_of, is_damped};
+use super::search::{Found, Goal, damping};
+use super::{CLOSE, ForceDrive, PARTED, Watched, ahead, depth_of, has_dashpot, is_damped};
 use crate::contact::error::{BedError, ContactError};
 use crate::contact::model::ContactModel;
 use crate::contact::state::Normal;
@@ -20,8 +20,8 @@ const CLOSER: f64 = 0.25;
 pub(super) struct Pace {
     /// Speeds [m/s] of the last two pieces and the times [s] of their middles, the newest first.
     speeds: [Option<(f64, f64)>; 2],
-    /// By what the force has grown with the way on the last piece [N/m].
-    stiffness: Option<f64>,
+    /// By what the force has grown with the way on the last piece [N/m], behind a dashpot with the speed [N s/m].
+    slope: Option<f64>,
 }
 
 impl Pace {
@@ -90,8 +90,12 @@ impl ForceDrive {
     fn paced(&mut self, (contact, here): Watched<'_>, until: f64) -> Option<f64> {
         let (force, duration) = (self.target(here, until), until - self.now);
         let within = self.within((contact, here), until);
-        let stiffness = self.pace.stiffness.unwrap_or(here.stiffness);
-        let (mut speed, mut slope) = (self.pace.at(self.now + 0.5 * duration), stiffness * duration);
+        // What a dashpot bears is that of the speed, however long the piece.
+        let is_of_speed = has_dashpot(contact);
+        let length = if is_of_speed { 1.0 } else { duration };
+        let first = if is_of_speed { damping(contact, here.stiffness) } else { here.stiffness };
+        let mut slope = self.pace.slope.unwrap_or(first) * length;
+        let mut speed = self.pace.at(self.now + 0.5 * duration);
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..MOST_LOOKS {
             let seen = contact.look(&ahead(contact, speed, duration)).ok()?;
@@ -103,12 +107,12 @@ impl ForceDrive {
                 return None;
             }
             if off.abs() <= within {
-                self.pace.stiffness = Some(slope / duration);
+                self.pace.slope = Some(slope / length);
                 return Some(speed);
             }
             if before.is_some_and(|(_, was)| off.abs() > CLOSER * was.abs()) {
                 // The last piece was not as stiff; the next may be as this one.
-                self.pace.stiffness = Some(slope / duration);
+                self.pace.slope = Some(slope / length);
                 return None;
             }
             before = Some((speed, off));

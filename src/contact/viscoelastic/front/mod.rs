@@ -14,6 +14,7 @@ pub(super) use spring::{Instant, instants};
 use super::Spectrum;
 use super::attraction::Attraction;
 use super::spring::{Motion, Spring};
+use crate::numerics::root;
 use crate::shape::Profile;
 
 /// What the edge does next.
@@ -27,6 +28,8 @@ pub(super) enum EdgePhase {
         to: f64,
         /// How long it takes [s].
         duration: f64,
+        /// Radii [m] on the way, and when it is there [s].
+        passed: Vec<(f64, f64)>,
     },
     /// It moves as the rate law has it: radii [m], falling, and the times [s] at which it is there.
     Creeps(Vec<(f64, f64)>),
@@ -70,6 +73,8 @@ pub(super) struct Front<'b> {
     pub borders: &'b [f64],
     /// A radius [m] typical of the indenter.
     pub scale: f64,
+    /// Speed [m/s] at which an edge that obeys a rate law has opened last.
+    pub opening: f64,
     /// Length [m] over which it may rise and fall.
     pub feature: f64,
     /// What is left of the motion.
@@ -127,9 +132,16 @@ impl Front<'_> {
         }
     }
 
-    /// When the spring at `x`, of those that move, joins or leaves [s]; at the end `last` at the latest.
-    pub(super) fn instant(&self, way: Way, x: f64, last: f64) -> f64 {
-        self.first(&self.candidate(way, x)).unwrap_or(last).min(last)
+    /// When the spring at `x`, of those that move, joins or leaves [s]; at the end `last` at the latest, and on a way that has
+    /// `passed` its neighbours after the one and before the other.
+    pub(super) fn instant(&self, way: Way, x: f64, (last, passed): (f64, &[(f64, f64)])) -> f64 {
+        let candidate = self.candidate(way, x);
+        let next = passed.partition_point(|&(place, _)| if way == Way::Closing { place < x } else { place > x });
+        let between = next.checked_sub(1).and_then(|before| Some((passed[before].1, passed.get(next)?.1)));
+        let urge = |t: f64| candidate.urge(self.spectrum, t);
+        let within = between.filter(|&(early, late)| early < late && urge(early) < 0.0 && urge(late) >= 0.0);
+        let first = || self.first(&candidate).unwrap_or(last);
+        within.map_or_else(first, |(early, late)| root::within(urge, early, late)).min(last)
     }
 
     fn candidate(&self, way: Way, x: f64) -> EdgeSpring {
@@ -215,6 +227,17 @@ impl Front<'_> {
 
     /// How an edge that wants to move does.
     fn moves(&self, way: Way) -> EdgePhase {
+        let mut on_the_way = vec![(self.edge, 0.0)];
+        let mut phase = self.goes(way, &mut on_the_way);
+        if let EdgePhase::Moves { to, duration, passed } = &mut phase {
+            on_the_way.retain(|&(_, at)| at < *duration);
+            on_the_way.push((*to, *duration));
+            *passed = on_the_way;
+        }
+        phase
+    }
+
+    fn goes(&self, way: Way, passed: &mut Vec<(f64, f64)>) -> EdgePhase {
         let from = self.beside(way);
         if way == Way::Opening && self.attraction.is_some_and(Attraction::has_rate) {
             return EdgePhase::Creeps(self.path());
@@ -234,14 +257,15 @@ impl Front<'_> {
             }
             if at < now {
                 return match self.border_at(x) {
-                    Some(to) => EdgePhase::Moves { to, duration: now },
+                    Some(to) => EdgePhase::Moves { to, duration: now, passed: Vec::new() },
                     None => self.folds(way, before, next),
                 };
             }
+            passed.push((next, at));
             (before, x, now) = (x, next, at);
             step = self.longer(way, step, x);
         }
-        EdgePhase::Moves { to: x, duration: now }
+        EdgePhase::Moves { to: x, duration: now, passed: Vec::new() }
     }
 
     /// Whether the edge gets ahead of itself on a step that ends beside a border with the instant `at`: beyond it

@@ -90,7 +90,7 @@ impl Front<'_> {
             Ok(to) if missing(inside) < 0.0 => to,
             _ => inside,
         };
-        EdgePhase::Moves { to, duration: top(to).place }
+        EdgePhase::Moves { to, duration: top(to).place, passed: Vec::new() }
     }
 
     /// The edge gets ahead of itself between two places: it moves to where the instants are latest, or to the first
@@ -101,7 +101,7 @@ impl Front<'_> {
         if self.first(&self.candidate(way, latest.place)).is_none() {
             return self.ends(way, before, latest.place);
         }
-        EdgePhase::Moves { to: latest.place, duration: latest.value }
+        EdgePhase::Moves { to: latest.place, duration: latest.value, passed: Vec::new() }
     }
 }
 
@@ -132,6 +132,7 @@ mod tests {
             limit: 2.0,
             borders,
             scale: 1.0,
+            opening: 0.0,
             feature: f64::INFINITY,
             motion: Motion { start: 0.0, speed: 1.0, duration: 1.0 },
             least: 0.0,

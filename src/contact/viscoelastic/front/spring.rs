@@ -17,11 +17,18 @@ pub(super) struct EdgeSpring {
     pub(super) limit: f64,
 }
 
-/// A time of a motion, and what the terms of the spectrum have lost until then: the same of all springs.
+/// A time of a motion, and what the terms and modes of the spectrum have lost until then: the same of all springs.
 pub(in super::super) struct Instant {
     /// Time since the beginning of the motion [s].
     time: f64,
     decays: Vec<(f64, f64)>,
+    fadings: Vec<f64>,
+}
+
+impl Instant {
+    pub(super) fn at(spectrum: &Spectrum, time: f64) -> Self {
+        Self { time, decays: spectrum.decays(time).collect(), fadings: spectrum.fadings(time).collect() }
+    }
 }
 
 /// Rounding of a limit, relative to what it is made of.
@@ -41,7 +48,7 @@ pub(in super::super) fn instants(spectrum: &Spectrum, duration: f64) -> Vec<Inst
     times.pop();
     times.push(0.0);
     times.reverse();
-    times.into_iter().map(|time| Instant { time, decays: spectrum.decays(time).collect() }).collect()
+    times.into_iter().map(|time| Instant::at(spectrum, time)).collect()
 }
 
 impl EdgeSpring {
@@ -60,7 +67,10 @@ impl EdgeSpring {
                 let decays = at.decays.iter().copied();
                 -spectrum.load_faded((self.seen.start, s, self.seen.speed), at.time, decays) - self.limit
             }
-            Spring::Free(_) => self.urge(spectrum, at.time),
+            Spring::Free(free) => {
+                let recovered = spectrum.recovered_faded(free, at.fadings.iter().copied());
+                self.seen.depth(at.time) - recovered + self.limit
+            }
         }
     }
 
@@ -68,7 +78,7 @@ impl EdgeSpring {
     fn rate_then(&self, spectrum: &Spectrum, at: &Instant) -> f64 {
         match &self.spring {
             Spring::Pressed(s) => -spectrum.rate_faded((s, self.seen.speed), at.decays.iter().copied()),
-            Spring::Free(_) => self.urge_rate(spectrum, at.time),
+            Spring::Free(free) => self.seen.speed - spectrum.speed_faded(free, at.fadings.iter().copied()),
         }
     }
 

@@ -58,6 +58,8 @@ pub struct Memory {
     speed: f64,
     time: f64,
     work: f64,
+    /// Speed [m/s] at which an edge that obeys a rate law has opened last: it goes on about so.
+    opening: f64,
     /// What a polynomial may miss of a corner between two panels that become one, relative to the loads.
     corner: f64,
     /// Whether work is counted: a look needs none.
@@ -86,8 +88,9 @@ impl Sight {
 const NEAREST: usize = 3;
 const NEAR: usize = 24;
 const WIDER: usize = 192;
-/// Part of the radius beside the edge in which a look knows the springs that have been let go, if it needs any: where the
-/// edge only goes back none is asked for.
+/// Part of the radius beside the edge in which a look knows the springs that have been let go: where the edge only goes back
+/// none is asked for but the next one.
+const JUST_BESIDE: f64 = 1e-13;
 const BESIDE_EDGE: f64 = 1e-3;
 /// Part of the accuracy of pieces that corners between them may be.
 const CORNER: f64 = 0.03;
@@ -108,6 +111,7 @@ impl Memory {
             speed: 0.0,
             time: 0.0,
             work: 0.0,
+            opening: 0.0,
             corner: 0.0,
             counts: true,
             sight: None,
@@ -232,7 +236,7 @@ impl Memory {
     pub(super) fn force_seen(&self, near: &Self, speed: f64, duration: f64) -> Result<(f64, f64), BedError> {
         let whole = |sight: Option<Sight>| Self { counts: false, sight, ..self.clone() };
         let looks: [&dyn Fn() -> Self; 5] = [
-            &|| near.outline(NEAREST, 0.0),
+            &|| near.outline(NEAREST, JUST_BESIDE),
             &|| near.outline(NEAR, BESIDE_EDGE),
             &|| self.outline(WIDER, BESIDE_EDGE),
             &|| whole(Sight::of(BESIDE_EDGE)),
