@@ -73,8 +73,6 @@ pub(super) struct Front<'b> {
     pub borders: &'b [f64],
     /// A radius [m] typical of the indenter.
     pub scale: f64,
-    /// Speed [m/s] at which an edge that obeys a rate law has opened last.
-    pub opening: f64,
     /// Length [m] over which it may rise and fall.
     pub feature: f64,
     /// What is left of the motion.

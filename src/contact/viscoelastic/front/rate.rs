@@ -78,13 +78,13 @@ impl Front<'_> {
         let shortest = self.instantly * duration;
         let longest = duration * self.attraction.map_or(1.0, Attraction::longest);
         let mut pace = Pace::new(accuracy, (shortest, longest));
-        let (mut now, mut a, mut speed) = (0.0, self.edge, self.opening);
+        let (mut now, mut a, mut stride) = (0.0, self.edge, 0.0);
         let mut path = vec![(a, 0.0)];
         while now < duration && a > 0.0 && !(self.fails)() {
             let step = pace.next(now);
             let until = if duration - now <= 1.01 * step { duration } else { now + step };
             let may_be_shorter = until - now > 2.0 * shortest;
-            let whole = self.opened(a, now, until, speed * (until - now));
+            let whole = self.opened(a, now, until, stride);
             // An edge that holds nowhere by then has collapsed on the way: when is known as well as it has been left behind.
             let left = self.profile.contact_radius(a) / self.profile.contact_radius(self.edge);
             if whole <= 0.0 && left > accuracy && may_be_shorter {
@@ -93,7 +93,7 @@ impl Front<'_> {
             }
             let made = self.extrapolated(a, (now, until), (whole, accuracy));
             let error = made.as_ref().map_or(left, |made| made.error);
-            speed = (a - whole) / (until - now);
+            stride = a - whole;
             if error > accuracy && may_be_shorter {
                 pace.refuse(until - now, error);
                 continue;
@@ -170,42 +170,15 @@ impl Front<'_> {
             let strength = self.attraction.map_or(0.0, |law| law.strength(slope, way / (until - now)));
             strength - candidate.limit - candidate.urge_then(self.spectrum, &at)
         };
-        if a <= 0.0 {
-            return 0.0;
+        let near = a - 1.5 * stride;
+        if stride > 0.0 && near > 0.0 {
+            let ends = [(near, margin(near)), (a, margin(a))];
+            if ends[1].1 < 0.0 && ends[0].1 >= 0.0 {
+                return root::brent_from(margin, ends, self.exact_enough()).unwrap_or(near);
+            }
         }
-        let near = near_hold(&margin, (a, stride), self.exact_enough());
-        near.or_else(|| last_hold(&margin, a, 1.5 * stride, self.exact_enough())).unwrap_or(0.0)
+        if a > 0.0 { last_hold(&margin, a, 1.5 * stride, self.exact_enough()).unwrap_or(0.0) } else { 0.0 }
     }
-}
-
-/// Part of a stride beside its end at which the search for the place that holds begins.
-const BESIDE_STRIDE: f64 = 0.02;
-/// How many strides away it may be at most, and secants that lead there.
-const MOST_STRIDES: f64 = 4.0;
-const MOST_SECANTS: u32 = 8;
-
-/// The place below `from` at which the margin of an edge is none, by secants from about a `stride` away; `None` where they do
-/// not lead to one beyond which it is negative.
-fn near_hold(margin: &dyn Fn(f64) -> f64, (from, stride): (f64, f64), exact: f64) -> Option<f64> {
-    let lies_near = |x: f64| (from - MOST_STRIDES * stride).max(0.0) < x && x < from;
-    if stride <= 0.0 || !lies_near(from - stride) {
-        return None;
-    }
-    let mut before = (from - stride, margin(from - stride));
-    let mut x = before.0 + (BESIDE_STRIDE * stride).copysign(before.1);
-    for _ in 0..MOST_SECANTS {
-        let now = (x, margin(x));
-        let slope = (now.1 - before.1) / (now.0 - before.0);
-        let next = x - now.1 / slope;
-        if slope >= 0.0 || !lies_near(next) {
-            return None;
-        }
-        if (next - x).abs() <= exact * x {
-            return Some(next);
-        }
-        (before, x) = (now, next);
-    }
-    None
 }
 
 /// First step inwards of the search for an edge that holds, and the longest, relative to where it begins.

@@ -132,7 +132,6 @@ mod tests {
             limit: 2.0,
             borders,
             scale: 1.0,
-            opening: 0.0,
             feature: f64::INFINITY,
             motion: Motion { start: 0.0, speed: 1.0, duration: 1.0 },
             least: 0.0,

@@ -58,8 +58,6 @@ pub struct Memory {
     speed: f64,
     time: f64,
     work: f64,
-    /// Speed [m/s] at which an edge that obeys a rate law has opened last: it goes on about so.
-    opening: f64,
     /// What a polynomial may miss of a corner between two panels that become one, relative to the loads.
     corner: f64,
     /// Whether work is counted: a look needs none.
@@ -111,7 +109,6 @@ impl Memory {
             speed: 0.0,
             time: 0.0,
             work: 0.0,
-            opening: 0.0,
             corner: 0.0,
             counts: true,
             sight: None,

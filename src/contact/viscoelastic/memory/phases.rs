@@ -55,8 +55,6 @@ struct PhaseStep {
     change: Option<Change>,
     /// When the last spring leaves [s], if nothing holds the bodies.
     ended: Option<f64>,
-    /// Speed [m/s] at its end of an edge that opens by a rate law.
-    opening: Option<f64>,
 }
 
 /// Springs between two radii [m] that join or leave, as they are afterwards, and the work [J] done on them meanwhile.
@@ -104,7 +102,7 @@ impl Memory {
             self.next(&motion, walk.least)?
         } else {
             walk.stalls -= 1;
-            PhaseStep { duration: walk.least.min(motion.duration), change: None, ended: None, opening: None }
+            PhaseStep { duration: walk.least.min(motion.duration), change: None, ended: None }
         };
         if step.change.is_none() {
             walk.least *= 4.0;
@@ -113,7 +111,6 @@ impl Memory {
         } else {
             walk.stalls += 1;
         }
-        self.opening = step.opening.unwrap_or(self.opening);
         walk.ended = step.ended.map(|time| walk.whole - motion.duration + time);
         self.take(&motion.lasting(step.duration), step.change);
         self.depth = motion.depth(step.duration);
@@ -128,7 +125,7 @@ impl Memory {
         let borders = self.borders();
         let front = self.front(motion, least, &borders, (&see, &fails));
         let (phase, way) = front.phase();
-        let (mut ended, mut opening) = (None, None);
+        let mut ended = None;
         let (duration, change) = match phase {
             EdgePhase::Still(duration) => (duration, None),
             EdgePhase::Moves { to, duration, passed } => {
@@ -142,13 +139,12 @@ impl Memory {
             }
             EdgePhase::Creeps(path) => {
                 let &(to, duration) = path.last().unwrap_or(&(front.edge, 0.0));
-                opening = path.windows(2).next_back().map(|step| (step[0].0 - step[1].0) / (step[1].1 - step[0].1));
                 let way_in = Opening::new(&path);
                 (duration, Some(self.change(way, to, &motion.lasting(duration), &|x| way_in.instant(x))))
             }
             EdgePhase::Jumps(to) => (0.0, Some(self.change(way, to, &motion.lasting(0.0), &|_| 0.0))),
         };
-        Ok(PhaseStep { duration, change, ended, opening })
+        Ok(PhaseStep { duration, change, ended })
     }
 
     /// Radii [m] at which springs of one past end.
@@ -177,7 +173,6 @@ impl Memory {
             },
             borders,
             scale: self.profile.scale(),
-            opening: self.opening,
             feature: self.profile.feature().unwrap_or(f64::INFINITY),
             motion: *motion,
             least: least.min(motion.duration),
