@@ -46,9 +46,9 @@ fn a_look_sees_what_the_bed_comes_to() {
 }
 
 /// Led in pieces whose speeds differ by little, as they do where a force is followed, the bed keeps few panels and what it
-/// comes to: pressed, drawn back a little, pressed again and drawn off. Speeds differ by a few millionths. Bounds: corners of
-/// 3e-8 of the loads, which are of the order of 1e-1, over a radius of 1e-1 do 3e-10 to the force and a few times 3e-8 to the
-/// radius, whose load falls to none of that where the edge opens.
+/// comes to: pressed, drawn back a little, pressed again and drawn off. Speeds differ by a few millionths. Bounds: a corner of
+/// 3e-8 of the loads, 3e-2 N/m over 0.1 m, does 2e-10 N to the force and, as the load at the edge falls by about 1 N/m per metre,
+/// 1e-9 m to the radius; of as many corners as there are pieces fifty to a hundred may add up.
 #[test]
 fn corners_of_small_pieces_leave_no_trace() {
     const BOUND: f64 = 1e-6;
